@@ -1,8 +1,8 @@
 """How the ``gaussiancad`` command starts: what uses the geometry kernel runs in a child that may
 die.
 
-Where it dies while it looks for the solid, the run begins again without the way in which it did;
-what is left where no way remains is told.
+Where it dies while it looks for the solid, or is ended there as it takes too long, the run begins
+again without the way in which it did; what is left where no way remains is told.
 """
 
 import os
@@ -33,6 +33,9 @@ _OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw", "features"})
 
 _BREAKDOWNS = frozenset({"SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL"})
 """Signals by which a library ends its process."""
+
+_TOO_LONG = "SIGXCPU"
+"""The signal by which the system ends a process that took its seconds of the processor."""
 
 
 def start() -> int:
@@ -66,8 +69,8 @@ def _started(arguments: list[str]) -> int:
 
 def _without_way(ended: Watched, arguments: list[str]) -> list[str] | None:
     """The arguments of the same run without the way of looking for the solid in which a library
-    ended it; None where it ended otherwise, or no way is left."""
-    if ended.signal not in _BREAKDOWNS or ended.stage != "solid":
+    ended it, or in which none came to an end; None where it ended otherwise, or no way is left."""
+    if ended.signal not in {*_BREAKDOWNS, _TOO_LONG} or ended.stage != "solid":
         return None
     options = build_parser().parse_args(arguments)
     if arguments[0] != "reconstruct" or options.page == "all":
@@ -122,6 +125,13 @@ def _failure(ended: Watched, solid: Path | None = None) -> GaussianCadError:
             "killed",
             "the system ended the engine in the stage {stage}, as it does where the memory does "
             "not suffice: use --preset draft or a smaller sheet",
+            stage=stage,
+        )
+    if ended.signal == _TOO_LONG:
+        return LimitError(
+            "takes-too-long",
+            "the stage {stage} took more seconds of the processor than any sheet needs, and was "
+            "ended: save only the views of one part, or report it with the sheet",
             stage=stage,
         )
     return EngineError(

@@ -5,6 +5,7 @@ and leaves no core files.
 """
 
 import contextlib
+import math
 import signal
 import sys
 
@@ -30,6 +31,33 @@ def limit_itself(most_bytes: int) -> None:
     for kind, most in ((resource.RLIMIT_CORE, 0), (resource.RLIMIT_FSIZE, most_bytes)):
         with contextlib.suppress(ValueError, OSError):
             resource.setrlimit(kind, (most, most))
+
+
+def processor_limit() -> float:
+    """Seconds of the processor after which the system ends this process; infinite for none, and
+    where the system has no such limit."""
+    try:
+        import resource
+    except ImportError:
+        return math.inf
+    usual, _ = resource.getrlimit(resource.RLIMIT_CPU)
+    return math.inf if usual == resource.RLIM_INFINITY else float(usual)
+
+
+def limit_processor(seconds: float) -> None:
+    """Let the system end this process by SIGXCPU once it has taken so many seconds of the processor
+    since it began; infinite for no limit.
+
+    Where the system has no such limit, or does not grant so many, nothing happens.
+    """
+    try:
+        import resource
+    except ImportError:
+        return
+    _, most = resource.getrlimit(resource.RLIMIT_CPU)
+    wanted = resource.RLIM_INFINITY if math.isinf(seconds) else math.ceil(seconds)
+    with contextlib.suppress(ValueError, OSError):
+        resource.setrlimit(resource.RLIMIT_CPU, (wanted, most))
 
 
 if __name__ == "__main__":

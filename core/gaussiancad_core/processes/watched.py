@@ -3,13 +3,16 @@
 The geometry kernel and other compiled libraries may end the process that they run in.  So a command
 that uses them runs in a child, which writes the stage that it is in to a file without a name; who
 started it lives on to tell what happened.  ``python -m gaussiancad_core.processes.watched FD
-ARGUMENTS...`` is the child.
+ARGUMENTS...`` is the child.  As a call of the kernel may never return, the system ends the child
+where it looks for the solid for longer than any part takes.
 """
 
+import math
 import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from tempfile import TemporaryFile
@@ -17,13 +20,20 @@ from types import FrameType
 from typing import Any
 
 from gaussiancad_core.events import ending_signals
-from gaussiancad_core.processes.child import limit_itself
+from gaussiancad_core.processes.child import limit_itself, limit_processor, processor_limit
 
 _UNLIMITED = 1 << 50
 """Bytes of a file: what is written is bounded by the disk alone."""
 
 _LONGEST_NAME = 64
 """Bytes of a stage's name."""
+
+_OF_THE_KERNEL = "solid"
+"""The stage whose seconds are limited."""
+
+_MOST_SECONDS = 900.0
+"""Of the processor, in that stage: six times what the largest parts take.  By seconds of the clock
+the result would depend on what else the machine does."""
 
 
 @dataclass(frozen=True)
@@ -98,20 +108,25 @@ def _ended(child: "subprocess.Popen[bytes]", before: _Handlers) -> int:
 
 
 class StageNotes:
-    """A listener that writes the name of the stage to the start of a file.
+    """A listener that writes the name of the stage to the start of a file, and lets the system end
+    this process (SIGXCPU) where it looks for the solid for too long.
 
     Args:
         descriptor: of the file.
+        most: s of the processor in which the solid is looked for.
     """
 
-    def __init__(self, descriptor: int) -> None:
-        self._descriptor = descriptor
+    def __init__(self, descriptor: int, most: float = _MOST_SECONDS) -> None:
+        self._descriptor, self._most = descriptor, most
+        self._usual = processor_limit()
 
     def send(self, event: str, **fields: Any) -> None:  # noqa: ANN401
         """Take one event."""
         if event == "stage":
             name = str(fields["name"]).encode()[:_LONGEST_NAME]
             os.pwrite(self._descriptor, name.ljust(_LONGEST_NAME), 0)
+            more = self._most if fields["name"] == _OF_THE_KERNEL else math.inf
+            limit_processor(min(time.process_time() + more, self._usual))
 
 
 if __name__ == "__main__":

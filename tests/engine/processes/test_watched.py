@@ -114,6 +114,31 @@ def test_where_no_way_is_left_the_run_ends(tmp_path: Path) -> None:
     assert (report["status"], report["stage"]) == ("failed", "solid")
 
 
+_STAGES = """
+import os, resource, sys, tempfile, time
+from gaussiancad_core.processes.watched import StageNotes
+resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+file = tempfile.TemporaryFile()
+notes = StageNotes(file.fileno(), 1.0)
+for name in sys.argv[1:]:
+    notes.send("stage", name=name)
+until = time.process_time() + 3.0
+while time.process_time() < until:
+    pass
+"""
+"""A run that hangs in the last of its stages."""
+
+
+@pytest.mark.parametrize(
+    ("stages", "code"), [(["read", "solid"], -signal.SIGXCPU), (["solid", "check"], 0)]
+)
+def test_the_search_for_the_solid_alone_has_seconds_of_the_processor(
+    stages: list[str], code: int
+) -> None:
+    ended = subprocess.run([sys.executable, "-c", _STAGES, *stages], check=False)
+    assert ended.returncode == code
+
+
 def test_a_signal_that_ends_the_command_reaches_the_engine(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "gaussiancad_core", "reconstruct", str(_SAMPLE)]
     started = subprocess.Popen(
