@@ -38,6 +38,9 @@ _DOUBTFUL = 3.0
 _ROUNDS = 20
 """Turns of one group or piece after which it is enough."""
 
+_LEAST_GAIN = 1e-9
+"""What a turn has to save at least."""
+
 _STEP = 2.0
 """px between the points of a piece."""
 
@@ -90,8 +93,8 @@ def _of_one_figure(
     pairs = [(k, j) for k, j in pairs if figure[k] and figure[j]]
     groups = _components(len(pieces), pairs)
     turned = list(pieces)
-    for group in np.unique(groups[figure]):
-        members = np.flatnonzero((groups == group) & figure)
+    for group in _members(groups):
+        members = [k for k in group if figure[k]]
         pictorial = [k for k in members if pieces[k].ink is InkClass.PICTORIAL]
         if not pictorial or len(pictorial) == len(members):
             continue
@@ -131,45 +134,64 @@ def _without_loose_ends(
     pairs = [(k, j) for k, j in pairs if not part[k]]
     groups = _components(len(pieces), pairs)
     chosen = [{k} for k in doubtful]
-    chosen += [
-        own
-        for group in np.unique(groups)
-        if len(own := {int(k) for k in np.flatnonzero(groups == group)} & doubtful) > 1
-    ]
+    chosen += [own for group in _members(groups) if len(own := set(group) & doubtful) > 1]
 
-    def looseness(near: Sequence[int], states: Sequence[bool]) -> float:
-        if any(states[j] for j in near):
+    def looseness(near: Sequence[int]) -> float:
+        if any(part[j] for j in near):
             return 0.0
         broken = any(pieces[j].ink is InkClass.OTHER for j in near)
         return _BROKEN_END if broken else _LOOSE_END
 
-    def cost(around: Iterable[int], states: Sequence[bool]) -> float:
+    def cost(around: Iterable[int]) -> float:
         total = 0.0
         for k in around:
-            total -= pieces[k].evidence * (0.5 if states[k] else -0.5)
-            if states[k] and pieces[k].log_p[InkClass.VISIBLE] >= pieces[k].log_p[InkClass.HIDDEN]:
-                total += sum(looseness(near, states) for near in ends[k])
+            total -= pieces[k].evidence * (0.5 if part[k] else -0.5)
+            if part[k] and pieces[k].log_p[InkClass.VISIBLE] >= pieces[k].log_p[InkClass.HIDDEN]:
+                total += sum(looseness(near) for near in ends[k])
         return total
 
+    surroundings = [set(group).union(*(touched[k] for k in group)) for group in chosen]
+
+    def turn(group: Iterable[int]) -> None:
+        for k in group:
+            part[k] = not part[k]
+
+    def saved(number: int) -> float:
+        group, around = chosen[number], surroundings[number]
+        before = cost(around)
+        turn(group)
+        after = cost(around)
+        turn(group)
+        return before - after
+
+    asking: list[list[int]] = [[] for _ in pieces]
+    for number, around in enumerate(surroundings):
+        for k in around:
+            asking[k].append(number)
     supports: dict[int, float] = {}
+    gains = np.array([saved(number) for number in range(len(chosen))])
     for _ in range(_ROUNDS):
-        best, turned, gain = None, set(), 1e-9
-        for group in chosen:
-            around = set(group).union(*(touched[k] for k in group))
-            after = list(part)
-            for k in group:
-                after[k] = not after[k]
-            saved = cost(around, part) - cost(around, after)
-            if saved > gain:
-                best, turned, gain = after, group, saved
-        if best is None:
+        if not (gains > _LEAST_GAIN).any():
             break
-        part = best
-        supports.update(dict.fromkeys(turned, gain))
+        best = int(gains.argmax())
+        turned = chosen[best]
+        supports.update(dict.fromkeys(turned, float(gains[best])))
+        turn(turned)
+        # What others save depends on their surroundings and on what the ends of these meet.
+        changed = turned.union(*(touched[k] for k in turned))
+        for number in {number for k in changed for number in asking[k]}:
+            gains[number] = saved(number)
     return [
         own if own.is_part is state else own.turned(supports.get(k))
         for k, (own, state) in enumerate(zip(pieces, part, strict=True))
     ]
+
+
+def _members(groups: npt.NDArray[np.int32]) -> list[list[int]]:
+    """The members of each group, ascending, by the groups' numbers."""
+    order = np.argsort(groups, kind="stable")
+    starts = np.flatnonzero(np.diff(groups[order])) + 1
+    return [own.tolist() for own in np.split(order, starts)]
 
 
 def _components(count: int, pairs: Sequence[tuple[int, int]]) -> npt.NDArray[np.int32]:
