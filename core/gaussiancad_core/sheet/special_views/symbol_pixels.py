@@ -27,6 +27,9 @@ Floats = npt.NDArray[np.float64]
 _SMALLEST_PX = 8
 """Size of its pieces at least."""
 
+_MOST_PIECES = 15_000
+"""Of such a size on a sheet among which it is looked for: sheets of writing have some thousands."""
+
 _DRAWN = 0.75
 """Share of a circle that has ridge points at least."""
 
@@ -74,11 +77,13 @@ def _ends(shape: Grown, ridges: RidgePoints) -> Floats:
 
 
 def _small_pieces(ink: Mask, largest: float) -> Mask:
-    """(h, w) bool, pieces of ink as small as a symbol's."""
+    """(h, w) bool, pieces of ink as small as a symbol's; none where there are too many of them."""
     _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
     sides = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
     chosen = (sides >= _SMALLEST_PX) & (sides <= largest)
     chosen[0] = False
+    if np.count_nonzero(chosen) > _MOST_PIECES:
+        chosen[:] = False
     return cv2.dilate(chosen[labels].astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
 
 

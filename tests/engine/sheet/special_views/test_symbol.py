@@ -141,3 +141,21 @@ def test_the_views_are_named_by_the_symbol(projection: Projection) -> None:
 def test_what_the_user_says_counts_more() -> None:
     layout = _views(Projection.FIRST, Projection.THIRD).layout
     assert (layout.projection, layout.source, layout.symbol) == (Projection.THIRD, "given", None)
+
+
+def test_no_symbol_is_looked_for_among_more_pieces_than_a_sheet_has() -> None:
+    crowd = np.full((2400, 1700), 255, np.uint8)
+    for y in range(4, 2390, 16):
+        for x in range(4, 1690, 16):
+            cv2.rectangle(crowd, (x, y), (x + 9, y + 9), 0, 1)
+    grey = _grey(Projection.THIRD, "dimensioned")
+    width = max(grey.shape[1], crowd.shape[1])
+    wide = [
+        np.pad(own, ((0, 0), (0, width - own.shape[1])), constant_values=255)
+        for own in (grey, crowd)
+    ]
+    few, many = (clean_sheet(np.vstack([wide[0], part])) for part in (wide[1][:1], wide[1]))
+    largest = largest_symbol(grey.shape, None)
+    found = pixel_symbol(few, largest)
+    assert found is not None and found.projection is Projection.THIRD
+    assert pixel_symbol(many, largest) is None
