@@ -269,17 +269,23 @@ def _directions(pieces: Sequence[_Piece], stroke_width: float) -> list[float]:
     long = [piece for piece in pieces if piece.run.length > _LONG * stroke_width]
     angles = np.array([piece.angle for piece in long])
     lengths = np.array([piece.run.length for piece in long])
+    order = np.argsort(angles, kind="stable")
+    # After half a turn they come again: those near to each are in a row, whichever it is.
+    around = np.concatenate([angles[order] + turn for turn in (-np.pi, 0.0, np.pi)])
+    first = np.searchsorted(around, angles - _PARALLEL, side="right")
+    last = np.searchsorted(around, angles + _PARALLEL, side="left")
     found: list[float] = []
     left = np.ones(len(long), dtype=bool)
     while left.sum() >= _LEAST_LINES:
-        apart = np.abs((angles[:, None] - angles + np.pi / 2) % np.pi - np.pi / 2)
-        near = (apart < _PARALLEL) & left
-        best = int(np.argmax(np.where(left, near @ lengths, -1.0)))
-        if near[best].sum() < _LEAST_LINES:
+        rows = np.tile(np.where(left, lengths, 0.0)[order], 3)
+        total = np.concatenate([[0.0], np.cumsum(rows)])
+        best = int(np.argmax(np.where(left, total[last] - total[first], -1.0)))
+        offset = (angles - angles[best] + np.pi / 2) % np.pi - np.pi / 2
+        near = left & (np.abs(offset) < _PARALLEL)
+        if near.sum() < _LEAST_LINES:
             break
-        offset = (angles[near[best]] - angles[best] + np.pi / 2) % np.pi - np.pi / 2
-        found.append(float(angles[best] + np.average(offset, weights=lengths[near[best]])))
-        left &= ~near[best]
+        found.append(float(angles[best] + np.average(offset[near], weights=lengths[near])))
+        left &= ~near
     return found
 
 

@@ -1,6 +1,7 @@
 """Hatching goes as a whole, and nothing else does."""
 
 from functools import cache
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -13,6 +14,7 @@ from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SectionKind, parse_style
 from gaussiancad_core.samples import sample
+from gaussiancad_core.sheet.annotations.hatching import _LEAST_LINES, _PARALLEL, _directions
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.labels.network import ink_labels
 from gaussiancad_core.sheet.labels.separation import separate_by_labels
@@ -136,3 +138,42 @@ def test_hatching_goes_on_beyond_a_bore(sketch) -> None:  # noqa: ANN001
     assert clean.ink[356:394, 26:114].sum() > 100
     # What is left is where the lines touch the outline.
     assert below[:, 4:-4].sum() < 10
+
+
+def _pieces(angles: np.ndarray, lengths: np.ndarray) -> list[SimpleNamespace]:
+    return [
+        SimpleNamespace(angle=float(angle), run=SimpleNamespace(length=float(length)))
+        for angle, length in zip(angles, lengths, strict=True)
+    ]
+
+
+def _plain_directions(angles: np.ndarray, lengths: np.ndarray) -> list[float]:
+    """The same by looking from each piece at all others."""
+    found: list[float] = []
+    left = np.ones(len(angles), dtype=bool)
+    while left.sum() >= _LEAST_LINES:
+        offsets = (angles - angles[:, None] + np.pi / 2) % np.pi - np.pi / 2
+        near = (np.abs(offsets) < _PARALLEL) & left
+        best = int(np.argmax(np.where(left, (near * lengths).sum(axis=1), -1.0)))
+        own = near[best]
+        if own.sum() < _LEAST_LINES:
+            break
+        found.append(float(angles[best] + np.average(offsets[best][own], weights=lengths[own])))
+        left &= ~own
+    return found
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_directions_are_those_that_have_most_length_around_them(seed: int) -> None:
+    lot = np.random.default_rng(seed)
+    shared = lot.uniform(0.0, np.pi, 4)[lot.integers(4, size=150)] + lot.normal(0.0, 0.01, 150)
+    angles = np.concatenate([shared, lot.uniform(0.0, np.pi, 60)]) % np.pi
+    lengths = lot.uniform(100.0, 300.0, len(angles))
+    plain = _plain_directions(angles, lengths)
+    assert plain and _directions(_pieces(angles, lengths), 2.0) == pytest.approx(plain)
+
+
+def test_directions_of_tens_of_thousands_of_pieces_fit_into_memory() -> None:
+    lot = np.random.default_rng(0)
+    angles, lengths = lot.uniform(0.0, np.pi, 60_000), lot.uniform(100.0, 300.0, 60_000)
+    assert len(_directions(_pieces(angles, lengths), 2.0)) > 1
