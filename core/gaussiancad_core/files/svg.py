@@ -22,7 +22,7 @@ from gaussiancad_core.files.content import (
 from gaussiancad_core.files.painting import render_svg, shown_share
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
-from gaussiancad_core.files.svg_shapes import svg_strokes, svg_texts
+from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_texts
 from gaussiancad_core.files.vectors import VectorDrawing, bounds
 from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.messages import Message
@@ -96,8 +96,9 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     check_pixels(path, *pixels)
     width, height = (int(np.ceil(side - 1e-3)) for side in pixels)
     _set_size(safe.root, size)
-    strokes = svg_strokes(safe.root, scale)
-    texts = svg_texts(safe.root, scale)
+    # Parsing takes as long as all that follows: once.
+    elements = svg_elements(safe.root)
+    strokes, texts = svg_strokes(elements, scale), svg_texts(elements, scale)
     if safe.external and not (strokes or texts or safe.pictures):
         raise UnreadableError(
             "external-content",
@@ -174,7 +175,7 @@ def _size(root: Element) -> _Size | None:
 def _size_of_content(path: Path, safe: SafeSvg) -> _Size:
     """The size that holds all shapes, with as much space after them as before."""
     _set_size(safe.root, _Size(1e6, 1e6, physical=False))
-    box = bounds([stroke.curve for stroke in svg_strokes(safe.root, 1.0)])
+    box = bounds([stroke.curve for stroke in svg_strokes(svg_elements(safe.root), 1.0)])
     if box is None or box[2] <= 0.0 or box[3] <= 0.0:
         raise UnreadableError(
             "empty-drawing",

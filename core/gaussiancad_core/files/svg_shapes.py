@@ -1,6 +1,6 @@
 """The shapes of an SVG tree as exact curves, through svgelements' styles and transforms."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 from io import BytesIO
 from xml.etree.ElementTree import Element, tostring
@@ -38,14 +38,17 @@ _ASCENT, _DESCENT = 0.75, 0.2
 """Over the font's size, for boxes of text."""
 
 
-def svg_strokes(root: Element, scale: float) -> list[VectorStroke]:
-    """Stroked and filled shapes of an SVG tree.
+SvgElements = Sequence[svgelements.SVGElement]
+
+
+def svg_strokes(elements: SvgElements, scale: float) -> list[VectorStroke]:
+    """Stroked and filled shapes.
 
     Args:
-        root: with its ``width`` and ``height`` in CSS px.
+        elements: of an SVG tree.
         scale: sheet px per CSS px.
     """
-    shapes = (own for own in _elements(root) if isinstance(own, svgelements.Shape))
+    shapes = (own for own in elements if isinstance(own, svgelements.Shape))
     return list(with_steps([_path(own, scale) for own in shapes if _is_visible(own)]))
 
 
@@ -62,22 +65,23 @@ def _path(shape: svgelements.Shape, scale: float) -> WrittenPath:
     return WrittenPath(strokes, line_ends(lines), _matrix(shape, scale))
 
 
-def svg_texts(root: Element, scale: float) -> list[VectorText]:
+def svg_texts(elements: SvgElements, scale: float) -> list[VectorText]:
     """Lines of text, their boxes estimated from the font's size."""
     return [
         text
-        for item in _elements(root)
+        for item in elements
         if isinstance(item, svgelements.Text) and _is_visible(item)
         for text in _text(item, scale)
     ]
 
 
-def _elements(root: Element) -> Iterator[svgelements.SVGElement]:
+def svg_elements(root: Element) -> SvgElements:
+    """All elements of an SVG tree with its ``width`` and ``height`` in CSS px, styles and matrices
+    resolved."""
     tree = svgelements.SVG.parse(
         BytesIO(tostring(root, encoding="utf-8")), reify=False, ppi=_PIXELS_PER_INCH
     )
-    if isinstance(tree, svgelements.SVG):
-        yield from tree.elements()
+    return list(tree.elements()) if isinstance(tree, svgelements.SVG) else []
 
 
 def _is_visible(item: svgelements.SVGElement) -> bool:
