@@ -49,17 +49,20 @@ def alternative_file(number: int) -> str:
 def write_solids(result: "ExactResult", folder: Path) -> None:
     """Write the exact solid as :data:`SOLID_FILE`, and others that fit under ``alternatives``.
 
+    Each begins at the origin: where it lies in the views is known to a fraction of a pixel only,
+    and what a drawing's numbers fix exactly is distances.
+
     Raises:
         EngineError: the STEP writer refuses.
         UsageError, LimitError: the folder cannot be written, or the disk is full.
     """
-    from gaussiancad_core.drawing.brep import write_step
+    from gaussiancad_core.drawing.brep import moved_to_origin, write_step
 
-    write_step(result.shape, folder / SOLID_FILE)
+    write_step(moved_to_origin(result.shape), folder / SOLID_FILE)
     if result.alternatives:
         (folder / "alternatives").mkdir(exist_ok=True)
     for number, shape in enumerate(result.alternatives, start=1):
-        write_step(shape, folder / alternative_file(number))
+        write_step(moved_to_origin(shape), folder / alternative_file(number))
 
 
 def write_models(models: Models, job: Job, folder: Path, progress: Callable[[float], None]) -> None:
