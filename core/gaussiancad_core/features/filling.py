@@ -1,7 +1,7 @@
 """A solid without its round holes, or without other faces: what lies beside them is continued until
 it meets."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Defeaturing
@@ -14,7 +14,7 @@ from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.drilling import body_of_holes, holes_of
 from gaussiancad_core.features.model import Holes
 from gaussiancad_core.features.rays import Rays
-from gaussiancad_core.features.round_holes import Bore, bores_of
+from gaussiancad_core.features.round_holes import Bore, around, bores_of
 from gaussiancad_core.features.solid_faces import SolidFace, solid_faces
 
 _EXACT = 1e-5
@@ -44,24 +44,43 @@ def without_holes(solid: TopoDS_Shape, reach: float) -> tuple[TopoDS_Shape, tupl
         bore = bores[given_up]
         smaller = _removed(current, bore.faces)
         if smaller is not None and _is_as_drilled(smaller, [bore], current, reach):
-            current = smaller
+            # What met it may be closed now.
+            current, given_up = smaller, 0
             closed.append(bore)
         else:
             given_up += 1
 
 
 def _is_as_drilled(
-    filled: TopoDS_Shape, bores: Iterable[Bore], solid: TopoDS_Shape, reach: float
+    filled: TopoDS_Shape, bores: Sequence[Bore], solid: TopoDS_Shape, reach: float
 ) -> bool:
-    """Whether a solid has the volume of another one once it is drilled."""
-    tools = [body_of_holes(holes, reach) for holes in holes_of(bores)]
-    if not tools:
+    """Whether a solid has material where bores were, and the volume of another one once they are
+    drilled."""
+    if not bores:
         return True
+    rays = Rays(filled, reach)
+    if not all(_is_closed(bore, rays) for bore in bores):
+        return False
     try:
+        tools = [body_of_holes(holes, reach) for holes in holes_of(bores)]
         drilled = volume(without(filled, tools))
     except KERNEL_FAILURES:
         return False
     return bool(np.isclose(drilled, volume(solid), rtol=_EXACT))
+
+
+def _is_closed(bore: Bore, rays: Rays) -> bool:
+    """Whether there is material in the middle of each section of a bore."""
+    for section in bore.sections:
+        radius = 0.5 * min(section.at_low, section.at_high)
+        middle = (section.low + section.high) / 2.0
+        for base in around(bore.point, bore.direction, radius):
+            stretches = rays.inside(base, bore.direction)
+            if stretches is None:
+                continue
+            if not bool(((stretches[:, 0] < middle) & (stretches[:, 1] > middle)).any()):
+                return False
+    return True
 
 
 def without_faces(

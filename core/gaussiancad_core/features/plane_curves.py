@@ -138,7 +138,9 @@ def segment(start: Point, end: Point) -> Stretch | None:
 
 def arc(centre: Point, radius: float, ends: tuple[Point, Point], middle: Point) -> list[Stretch]:
     """The stretches, one or two, of the arc from end to end through a point; the whole circle
-    where both ends are one."""
+    where both ends are one, nothing where it is a point."""
+    if radius < SAME:
+        return []
     circle = CircleCurve(centre, radius)
     start, end, between = (circle.parameter(point) for point in (*ends, middle))
     if hypot(ends[0][0] - ends[1][0], ends[0][1] - ends[1][1]) < SAME:

@@ -237,7 +237,7 @@ def _is_closed(section: Section, point: Vector, direction: Vector, rays: Rays) -
     if section.at_high < _SAME:
         return True
     hits = 0
-    for base in _around(point, direction, 0.61 * section.at_high):
+    for base in around(point, direction, 0.61 * section.at_high):
         stretches = rays.inside(base, direction)
         if stretches is None:
             continue
@@ -248,14 +248,14 @@ def _is_closed(section: Section, point: Vector, direction: Vector, rays: Rays) -
 
 def _is_free(radius: float, at: float, point: Vector, way: Vector, rays: Rays) -> bool:
     """Whether a hole that goes on beyond its end meets no material."""
-    for base in _around(point, way, 0.97 * radius):
+    for base in around(point, way, 0.97 * radius):
         stretches = rays.inside(base, way)
         if stretches is None or bool((stretches[:, 1] > at + 10.0 * _SAME).any()):
             return False
     return True
 
 
-def _around(point: Vector, direction: Vector, radius: float) -> Iterator[Vector]:
+def around(point: Vector, direction: Vector, radius: float) -> Iterator[Vector]:
     """Points around an axis, none of them level with another."""
     level = np.eye(3)[int(np.argmin(np.abs(direction)))]
     right = np.cross(level, direction)
