@@ -8,9 +8,10 @@ import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import bounding_box, edges_of
-from gaussiancad_core.features.building import combined
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.features.building import combined, in_order_of_making
 from gaussiancad_core.features.cover import cheapest_cover, offered
-from gaussiancad_core.features.difference import Difference, difference
+from gaussiancad_core.features.difference import difference
 from gaussiancad_core.features.frames import MAIN_FRAMES, Frame, frame_across
 from gaussiancad_core.features.loops import OpenLoopError, loops_of
 from gaussiancad_core.features.model import Extrusion, Sketch, Turning
@@ -35,17 +36,17 @@ _SAME_DIRECTION = 9
 """Decimal places within which components of unit vectors are one."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Decomposition:
     """Bodies that make up a solid.
 
     Attributes:
         bodies: pads first.
-        difference: between them and the solid.
+        shape: that they make up.
     """
 
     bodies: tuple[Extrusion | Turning, ...]
-    difference: Difference
+    shape: TopoDS_Shape
 
 
 def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
@@ -81,11 +82,12 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
         if chosen is None:
             return best
         try:
-            bodies = tuple(_feature(sweep, planes) for sweep in _ordered(chosen))
-        except OpenLoopError:
+            bodies = in_order_of_making([_feature(sweep, planes) for sweep in chosen])
+            made = combined(bodies)
+        except (OpenLoopError, *KERNEL_FAILURES):
             return best
-        apart = difference(shape, combined(bodies))
-        best = Decomposition(bodies, apart)
+        apart = difference(shape, made)
+        best = Decomposition(bodies, made)
         if apart.is_none or not len(apart.points):
             return best
         seen = seen.with_others(apart.points, apart.is_inside)
@@ -112,10 +114,6 @@ def _box_in(frame: Frame, box: Points) -> tuple[Points, Points]:
     corners = np.array(np.meshgrid(*box.T)).reshape(3, -1).T
     seen = frame.project(corners)
     return seen.min(axis=0), seen.max(axis=0)
-
-
-def _ordered(sweeps: Sequence[Sweep]) -> list[Sweep]:
-    return sorted(sweeps, key=lambda sweep: not sweep.adds)
 
 
 def _feature(sweep: Sweep, planes: Sequence[SweptPlane]) -> Extrusion | Turning:

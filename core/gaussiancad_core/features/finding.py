@@ -11,7 +11,6 @@ from gaussiancad_core.drawing.booleans import without
 from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.blends import blends_of
-from gaussiancad_core.features.building import combined, in_order_of_making
 from gaussiancad_core.features.decomposing import decomposed
 from gaussiancad_core.features.difference import difference
 from gaussiancad_core.features.dressing import breaks_of, dressed
@@ -63,16 +62,16 @@ def features_of(shape: TopoDS_Shape) -> FeatureList:
     for stripped in _ways(solid):
         last = (*stripped.breaks, *stripped.holes)
         found = decomposed(stripped.body)
-        if found is not None and _is_made(stripped, combined(found.bodies), solid):
-            bodies = in_order_of_making(found.bodies)
-            return FeatureList(tuple(scaled(own, 1.0 / factor) for own in (*bodies, *last)))
+        if found is not None and _is_made(stripped, found.shape, solid):
+            features = (*found.bodies, *last)
+            return FeatureList(tuple(scaled(feature, 1.0 / factor) for feature in features))
         if over is None and last and _is_made(stripped, stripped.body, solid):
             over = stripped
     if over is None:
         return FeatureList((), shape)
     last = (*over.breaks, *over.holes)
     base = scaled_shape(over.body, 1.0 / factor)
-    return FeatureList(tuple(scaled(own, 1.0 / factor) for own in last), base)
+    return FeatureList(tuple(scaled(feature, 1.0 / factor) for feature in last), base)
 
 
 def _is_made(stripped: _Stripped, body: TopoDS_Shape, solid: TopoDS_Shape) -> bool:
