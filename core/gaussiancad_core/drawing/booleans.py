@@ -42,13 +42,24 @@ def common(shape: TopoDS_Shape, tool: TopoDS_Shape) -> TopoDS_Shape:
     return _combined(BRepAlgoAPI_Common(), shape, [tool])
 
 
-def unified(shape: TopoDS_Shape) -> TopoDS_Shape:
+def unified(
+    shape: TopoDS_Shape, apart: float | None = None, askew: float | None = None
+) -> TopoDS_Shape:
     """With faces, edges and curves that continue each other as one.
+
+    Args:
+        shape: solids or shells.
+        apart: distance up to which they do; the kernel's own where it is None.
+        askew: radians up to which they do; the kernel's own where it is None.
 
     Raises:
         RuntimeError: the kernel fails.
     """
     unify = ShapeUpgrade_UnifySameDomain(shape, True, True, True)
+    if apart is not None:
+        unify.SetLinearTolerance(apart)
+    if askew is not None:
+        unify.SetAngularTolerance(askew)
     unify.Build()
     return unify.Shape()
 

@@ -19,6 +19,10 @@ Points = npt.NDArray[np.float64]
 _EXACT = 1e-6
 """Share of a solid's volume up to which a difference is none."""
 
+_ONE_FACE = 1e-5, 1e-4
+"""Units and radians within which faces continue each other: what was cut from different sides
+agrees to the last digits only."""
+
 _TRIES = 40
 """Points at which a body is looked for the inside of."""
 
@@ -52,8 +56,8 @@ def difference(solid: TopoDS_Shape, built: TopoDS_Shape) -> Difference:
     is_inside: npt.NDArray[np.bool_] = np.zeros(0, dtype=bool)
     share, faces = np.inf, 0
     try:
-        simple = unified(built)
-        faces = len(faces_of(simple)) - len(faces_of(unified(solid)))
+        simple = unified(built, *_ONE_FACE)
+        faces = len(faces_of(simple)) - len(faces_of(unified(solid, *_ONE_FACE)))
         alone = list(_alone(solid, built))
         whole = volume(solid)
         if is_valid(simple) and len(subshapes(simple, TopAbs_ShapeEnum.TopAbs_SOLID)) == 1:
