@@ -56,8 +56,8 @@ def difference(solid: TopoDS_Shape, built: TopoDS_Shape) -> Difference:
     is_inside: npt.NDArray[np.bool_] = np.zeros(0, dtype=bool)
     share, faces = np.inf, 0
     try:
-        simple = unified(built, *_ONE_FACE)
-        faces = len(faces_of(simple)) - len(faces_of(unified(solid, *_ONE_FACE)))
+        simple = unified(built)
+        faces = min(_more_faces(solid, built), key=abs)
         alone = list(_alone(solid, built))
         whole = volume(solid)
         if is_valid(simple) and len(subshapes(simple, TopAbs_ShapeEnum.TopAbs_SOLID)) == 1:
@@ -74,6 +74,13 @@ def difference(solid: TopoDS_Shape, built: TopoDS_Shape) -> Difference:
     except KERNEL_FAILURES:
         return Difference(np.inf, faces, points, is_inside)
     return Difference(float(share), faces, points, is_inside)
+
+
+def _more_faces(solid: TopoDS_Shape, built: TopoDS_Shape) -> Iterator[int]:
+    """How many faces more the built one has, by the kernel's tolerance of one face and by a wider
+    one."""
+    for one_face in ((), _ONE_FACE):
+        yield len(faces_of(unified(built, *one_face))) - len(faces_of(unified(solid, *one_face)))
 
 
 def _alone(solid: TopoDS_Shape, built: TopoDS_Shape) -> Iterator[tuple[TopoDS_Shape, bool]]:
