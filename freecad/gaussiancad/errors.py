@@ -14,6 +14,7 @@ class ErrorCode(Enum):
     SOLUTIONS_GONE = "solutions-gone"
     SHEET_MISSING = "sheet-missing"
     NO_VIEWS = "no-views"
+    NO_BODY = "no-body"
     OUTPUT_IS_LINK = "output-is-link"
     NAME_NO_TEXT = "name-no-text"
     DOCUMENT_NOT_WRITTEN = "document-not-written"

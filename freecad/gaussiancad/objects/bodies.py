@@ -1,0 +1,166 @@
+"""A part as a body with sketches and features, from the engine's ``features.json``.
+
+In ``freecadcmd``, of a solid whose features ``gaussiancad features`` has found::
+
+    from pathlib import Path
+    from freecad.gaussiancad.objects.bodies import add_bodies
+    from freecad.gaussiancad.objects.feature_file import read_features
+
+    part = document.getObject("Part")
+    add_bodies(part, read_features(Path("found/features.json")))
+
+:func:`freecad.gaussiancad.remodelling.remodel` runs the engine as well.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import FreeCAD
+import Part
+
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
+from freecad.gaussiancad.objects.body_check import check_body
+from freecad.gaussiancad.objects.body_features import add_feature
+from freecad.gaussiancad.objects.feature_file import ON_SHEET, Condition, SolidFeatures
+from freecad.gaussiancad.objects.loading import read_shape
+from freecad.gaussiancad.objects.properties import PropertySpec, add_properties
+from freecad.gaussiancad.objects.transaction import transaction
+
+
+@dataclass(frozen=True)
+class MadeBody:
+    """A body that is the solid.
+
+    Attributes:
+        body: in the document.
+        features: number of its features.
+        from_sheet, measured: its numbers that the drawing tells, and the others.
+        over_base: whether the features stand over a solid that has none.
+    """
+
+    body: FreeCAD.DocumentObject
+    features: int
+    from_sheet: tuple[str, ...]
+    measured: tuple[str, ...]
+    over_base: bool
+
+
+def undo_step() -> str:
+    """Name of the undo step, as the user reads it."""
+    return translate("GaussianCAD", "To Body")
+
+
+def add_bodies(
+    part: FreeCAD.DocumentObject, solids: Sequence[SolidFeatures]
+) -> tuple[MadeBody, ...]:
+    """Add a body for each solid of a part where the part is, and hide the part, in one undo step.
+
+    Args:
+        part: a feature whose solids these are, in their order.
+        solids: what makes each.
+
+    Returns:
+        What was made.
+
+    Raises:
+        WorkbenchError: a feature cannot be made, or a body is not the solid; the document is left
+            as it was.
+    """
+    exact = local_shape(part)
+    if len(exact.Solids) != len(solids):
+        text = translate("GaussianCAD", "the features are of {found} solids instead of {expected}")
+        raise _failed(part.Label, text.format(found=len(solids), expected=len(exact.Solids)))
+    with transaction(part.Document, undo_step()):
+        made = tuple(
+            make_body(part.Document, features, part.Label, solid)
+            for features, solid in zip(solids, exact.Solids, strict=True)
+        )
+        for each in made:
+            each.body.Placement = part.getGlobalPlacement()
+        part.Visibility = False
+        part.Document.recompute()
+    return made
+
+
+def local_shape(part: FreeCAD.DocumentObject) -> Part.Shape:
+    """The shape of a feature in its own coordinates."""
+    shape = part.Shape.copy()
+    shape.Placement = FreeCAD.Placement()
+    return shape
+
+
+def make_body(
+    document: FreeCAD.Document, features: SolidFeatures, name: str, exact: Part.Shape
+) -> MadeBody:
+    """Add a body of some features to a document, within the caller's undo step.
+
+    Args:
+        document: receives it.
+        features: what makes it.
+        name: the body's label.
+        exact: the solid that it must be, in the body's coordinates.
+
+    Raises:
+        WorkbenchError: a feature cannot be made, or the body is not the solid.  The caller's undo
+            step takes back what was added.
+    """
+    body = document.addObject("PartDesign::Body", "Body")
+    body.Label = translate("GaussianCAD", "Body of {name}").format(name=name)
+    if features.base is not None:
+        _stand_on(body, read_shape(features.base))
+    numbers: list[tuple[str, Condition]] = []
+    for feature in features.features:
+        try:
+            kept = add_feature(body, feature)
+        except Exception as error:  # FreeCAD raises its own types, which differ between versions
+            text = translate("GaussianCAD", "{feature} cannot be made ({reason})")
+            reason = text.format(feature=feature.name, reason=error)
+            raise _failed(name, reason) from error
+        numbers.extend((feature.name, each) for each in kept if each.value is not None)
+    check = check_body(body.Shape, exact)
+    if not check.is_equal:
+        raise _failed(name, check.words)
+    from_sheet = tuple(_told(*each) for each in numbers if each[1].source == ON_SHEET)
+    measured = tuple(_told(*each) for each in numbers if each[1].source != ON_SHEET)
+    add_properties(body, _properties(from_sheet, measured))
+    return MadeBody(body, len(features.features), from_sheet, measured, features.base is not None)
+
+
+def _stand_on(body: FreeCAD.DocumentObject, shape: Part.Shape) -> None:
+    base = body.Document.addObject("Part::Feature", "Base")
+    base.Label = translate("GaussianCAD", "Base")
+    base.Shape = shape
+    base.Visibility = False
+    body.BaseFeature = base
+    body.Document.recompute()
+
+
+def _properties(from_sheet: Sequence[str], measured: Sequence[str]) -> list[PropertySpec]:
+    return [
+        PropertySpec(
+            "StringList",
+            "NumbersFromSheet",
+            "GaussianCAD",
+            QT_TRANSLATE_NOOP("App::Property", "Numbers of the sketches that the drawing tells"),
+            list(from_sheet),
+        ),
+        PropertySpec(
+            "StringList",
+            "NumbersMeasured",
+            "GaussianCAD",
+            QT_TRANSLATE_NOOP("App::Property", "Numbers of the sketches not on the drawing"),
+            list(measured),
+        ),
+    ]
+
+
+def _told(feature: str, condition: Condition) -> str:
+    return f"{feature}.{condition.name or condition.kind} = {condition.value:g} mm"
+
+
+def _failed(name: str, reason: str) -> WorkbenchError:
+    text = translate(
+        "GaussianCAD", "No body was made of {name}: {reason}. The solid stays as it is."
+    )
+    return WorkbenchError(ErrorCode.NO_BODY, text.format(name=name, reason=reason))

@@ -1,0 +1,141 @@
+"""The conditions of a sketch in a ``features.json`` as constraints of FreeCAD's sketcher."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import radians
+
+import FreeCAD
+import Sketcher
+
+from freecad.gaussiancad.objects.feature_file import Condition, Curve, Point
+
+_X_AXIS, _Y_AXIS = -1, -2
+"""FreeCAD's numbers of a sketch's axes."""
+
+_POINTS = {"start": 1, "end": 2, "centre": 3}
+"""FreeCAD's numbers of a curve's points."""
+
+_ROUNDS = 8
+"""How often constraints that say nothing new, or contradict, are taken out."""
+
+
+@dataclass(frozen=True)
+class _Form:
+    """How a kind of condition is written.
+
+    Attributes:
+        name: of the constraint.
+        trailing: what follows the condition's own curves and points.
+        axis: 0 or 1 of a distance along x or y, whose order of points gives its sign.
+        is_angle: whether the value is in degrees.
+    """
+
+    name: str
+    trailing: tuple[int, ...] = ()
+    axis: int | None = None
+    is_angle: bool = False
+
+
+_FORMS = {
+    "coincident": _Form("Coincident"),
+    "tangent": _Form("Tangent"),
+    "perpendicular": _Form("Perpendicular"),
+    "parallel": _Form("Parallel"),
+    "horizontal": _Form("Horizontal"),
+    "vertical": _Form("Vertical"),
+    "equal": _Form("Equal"),
+    "symmetric": _Form("Symmetric"),
+    "block": _Form("Block"),
+    "distance": _Form("Distance"),
+    "distance-x": _Form("DistanceX", axis=0),
+    "distance-y": _Form("DistanceY", axis=1),
+    "radius": _Form("Radius"),
+    "diameter": _Form("Diameter"),
+    "angle": _Form("Angle", is_angle=True),
+    "point-on": _Form("PointOnObject"),
+    "point-on-x-axis": _Form("PointOnObject", (_X_AXIS,)),
+    "point-on-y-axis": _Form("PointOnObject", (_Y_AXIS,)),
+}
+
+
+def constrain(
+    sketch: FreeCAD.DocumentObject, curves: Sequence[Curve], conditions: Sequence[Condition]
+) -> tuple[Condition, ...]:
+    """Constrain the curves of a sketch.
+
+    What the solver finds to be redundant or contradictory is left out.  Where it can do nothing
+    with the rest, or there are no conditions, the curves are fixed as they are.
+
+    Args:
+        sketch: has the curves as its first geometry, clockwise arcs from their end to their start.
+        curves: the same curves.
+        conditions: between them.
+
+    Returns:
+        The conditions that hold.
+
+    Raises:
+        ValueError: a condition is of a kind that nobody knows, or a name is given twice.
+    """
+    kept = list(conditions)
+    for _ in range(_ROUNDS):
+        if not kept:
+            break
+        sketch.Constraints = []
+        sketch.addConstraint([_constraint(condition, curves) for condition in kept])
+        if sketch.solve() == 0:
+            _name(sketch, kept)
+            return tuple(kept)
+        wrong = {*sketch.RedundantConstraints, *sketch.ConflictingConstraints}
+        wrong |= {*sketch.MalformedConstraints, *sketch.PartiallyRedundantConstraints}
+        if not wrong:
+            break
+        kept = [condition for number, condition in enumerate(kept, 1) if number not in wrong]
+    sketch.Constraints = []
+    fix(sketch, range(len(curves)))
+    return ()
+
+
+def fix(sketch: FreeCAD.DocumentObject, numbers: Sequence[int]) -> None:
+    """Have curves of a sketch stay where they are."""
+    sketch.addConstraint([Sketcher.Constraint("Block", number) for number in numbers])
+
+
+def _constraint(condition: Condition, curves: Sequence[Curve]) -> object:
+    form = _FORMS.get(condition.kind)
+    if form is None:
+        raise ValueError(f"a constraint {condition.kind}")
+    value, places = condition.value, condition.of
+    if form.axis is not None and value is not None:
+        if len(places) == 1 and not places[0][1]:
+            places = ((places[0][0], "start"), (places[0][0], "end"))
+        if len(places) == 2:
+            first, second = (_place(place, curves)[form.axis] for place in places)
+            # FreeCAD counts from the first point to the second one.
+            places, value = (places if second >= first else places[::-1]), abs(value)
+    numbers = [number for place in places for number in _reference(place, curves)]
+    numbers.extend(form.trailing)
+    if value is None:
+        return Sketcher.Constraint(form.name, *numbers)
+    return Sketcher.Constraint(form.name, *numbers, radians(value) if form.is_angle else value)
+
+
+def _reference(place: tuple[int, str], curves: Sequence[Curve]) -> tuple[int, ...]:
+    """FreeCAD's numbers of a curve, or of a point on it; its arcs run counterclockwise."""
+    number, point = place
+    if not point:
+        return (number,)
+    if number >= 0 and not curves[number].counterclockwise and point != "centre":
+        point = "end" if point == "start" else "start"
+    return number, _POINTS[point]
+
+
+def _place(place: tuple[int, str], curves: Sequence[Curve]) -> Point:
+    number, point = place
+    return (0.0, 0.0) if number < 0 else getattr(curves[number], point or "centre")
+
+
+def _name(sketch: FreeCAD.DocumentObject, conditions: Sequence[Condition]) -> None:
+    for number, condition in enumerate(conditions):
+        if condition.name:
+            sketch.renameConstraint(number, condition.name)
