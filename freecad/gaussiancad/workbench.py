@@ -30,9 +30,12 @@ class GaussianCADWorkbench(FreeCADGui.Workbench):
     def ContextMenu(self, recipient: str) -> None:
         """Offer what can be done with what is selected."""
         from freecad.gaussiancad.objects.known_sheets import reconstruction_among
+        from freecad.gaussiancad.objects.solid_parts import solid_among
 
         chosen = FreeCADGui.Selection.getSelection()
         commands = OF_A_RECONSTRUCTION if reconstruction_among(chosen) is not None else ()
+        if solid_among(chosen) is not None:
+            commands = (*commands, "GaussianCAD_ToBody")
         if chosen:
             self.appendContextMenu("", [*commands, "GaussianCAD_Compare"])
 

@@ -3,6 +3,7 @@
 TOOLBAR = (
     "GaussianCAD_Correct",
     "GaussianCAD_LinesToSketches",
+    "GaussianCAD_ToBody",
     "GaussianCAD_Reconstruct",
     "GaussianCAD_Solutions",
     "GaussianCAD_Compare",

@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Numbers of the sketches not on the drawing</source>
+        <translation>Maße der Skizzen, die nicht auf der Zeichnung stehen</translation>
+    </message>
+    <message>
+        <source>Numbers of the sketches that the drawing tells</source>
+        <translation>Maße der Skizzen, die auf der Zeichnung stehen</translation>
+    </message>
+    <message>
         <source>Colour of the deviation at each point</source>
         <translation>Farbe der Abweichung an jedem Punkt</translation>
     </message>
@@ -198,6 +206,82 @@
 </context>
 <context>
     <name>GaussianCAD</name>
+    <message>
+        <source>Base</source>
+        <translation>Grundkörper</translation>
+    </message>
+    <message>
+        <source>Body of {name}</source>
+        <translation>Körper von {name}</translation>
+    </message>
+    <message>
+        <source>Features: {features}. Numbers from the sheet: {sheet}, measured: {measured}.</source>
+        <translation>Formelemente: {features}. Maße vom Blatt: {sheet}, gemessen: {measured}.</translation>
+    </message>
+    <message>
+        <source>From the sheet:</source>
+        <translation>Vom Blatt:</translation>
+    </message>
+    <message>
+        <source>Looking for features</source>
+        <translation>Formelemente werden gesucht</translation>
+    </message>
+    <message>
+        <source>Make Body</source>
+        <translation>Körper erzeugen</translation>
+    </message>
+    <message>
+        <source>No body was made of {name}: {reason}. The solid stays as it is.</source>
+        <translation>Aus {name} wurde kein Körper: {reason}. Der Festkörper bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Not on the sheet:</source>
+        <translation>Nicht auf dem Blatt:</translation>
+    </message>
+    <message>
+        <source>Select a reconstruction, or another part with one solid, first.</source>
+        <translation>Wählen Sie zuerst eine Rekonstruktion oder ein anderes Teil mit einem Festkörper.</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Festkörper</translation>
+    </message>
+    <message>
+        <source>The part is not in its document any more.</source>
+        <translation>Das Teil ist nicht mehr in seinem Dokument.</translation>
+    </message>
+    <message>
+        <source>The solid of {name} cannot be written: {reason}</source>
+        <translation>Der Festkörper von {name} kann nicht geschrieben werden: {reason}</translation>
+    </message>
+    <message>
+        <source>They stand over a base solid, of which no features are known.</source>
+        <translation>Sie stehen auf einem Grundkörper, von dem keine Formelemente bekannt sind.</translation>
+    </message>
+    <message>
+        <source>To Body</source>
+        <translation>In Körper umwandeln</translation>
+    </message>
+    <message>
+        <source>the features are of {found} solids instead of {expected}</source>
+        <translation>die Formelemente gehören zu {found} Festkörpern statt zu {expected}</translation>
+    </message>
+    <message>
+        <source>the features do not make one valid solid</source>
+        <translation>die Formelemente ergeben keinen einzelnen gültigen Festkörper</translation>
+    </message>
+    <message>
+        <source>there are {found} faces instead of {expected}</source>
+        <translation>es sind {found} Flächen statt {expected}</translation>
+    </message>
+    <message>
+        <source>{feature} cannot be made ({reason})</source>
+        <translation>{feature} lässt sich nicht erzeugen ({reason})</translation>
+    </message>
+    <message>
+        <source>{percent} % of the volume differ</source>
+        <translation>{percent} % des Volumens weichen ab</translation>
+    </message>
     <message>
         <source>in doubt</source>
         <translation>fraglich</translation>
@@ -3010,6 +3094,17 @@
     <message>
         <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
         <translation>Blättert durch die Körper, die alle die Linien der Zeichnung haben, und behält einen</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_ToBody</name>
+    <message>
+        <source>To Body…</source>
+        <translation>In Körper umwandeln…</translation>
+    </message>
+    <message>
+        <source>Makes an editable body, with sketches, pads and holes, of the selected solid</source>
+        <translation>Erzeugt aus dem ausgewählten Festkörper einen bearbeitbaren Körper mit Skizzen, Aufpolsterungen und Bohrungen</translation>
     </message>
 </context>
 <context>

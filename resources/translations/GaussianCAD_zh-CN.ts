@@ -4,6 +4,14 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Numbers of the sketches not on the drawing</source>
+        <translation>草图中未在图纸上标注的尺寸</translation>
+    </message>
+    <message>
+        <source>Numbers of the sketches that the drawing tells</source>
+        <translation>草图中图纸上标注的尺寸</translation>
+    </message>
+    <message>
         <source>Colour of the deviation at each point</source>
         <translation>每个点的偏差颜色</translation>
     </message>
@@ -198,6 +206,82 @@
 </context>
 <context>
     <name>GaussianCAD</name>
+    <message>
+        <source>Base</source>
+        <translation>基体</translation>
+    </message>
+    <message>
+        <source>Body of {name}</source>
+        <translation>{name} 的主体</translation>
+    </message>
+    <message>
+        <source>Features: {features}. Numbers from the sheet: {sheet}, measured: {measured}.</source>
+        <translation>特征：{features} 个。来自图纸的尺寸：{sheet} 个，测得的：{measured} 个。</translation>
+    </message>
+    <message>
+        <source>From the sheet:</source>
+        <translation>来自图纸：</translation>
+    </message>
+    <message>
+        <source>Looking for features</source>
+        <translation>正在查找特征</translation>
+    </message>
+    <message>
+        <source>Make Body</source>
+        <translation>生成主体</translation>
+    </message>
+    <message>
+        <source>No body was made of {name}: {reason}. The solid stays as it is.</source>
+        <translation>未能由 {name} 生成主体：{reason}。实体保持不变。</translation>
+    </message>
+    <message>
+        <source>Not on the sheet:</source>
+        <translation>图纸上没有：</translation>
+    </message>
+    <message>
+        <source>Select a reconstruction, or another part with one solid, first.</source>
+        <translation>请先选择一个重建结果，或另一个只有一个实体的零件。</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>实体</translation>
+    </message>
+    <message>
+        <source>The part is not in its document any more.</source>
+        <translation>该零件已不在其文档中。</translation>
+    </message>
+    <message>
+        <source>The solid of {name} cannot be written: {reason}</source>
+        <translation>无法写入 {name} 的实体：{reason}</translation>
+    </message>
+    <message>
+        <source>They stand over a base solid, of which no features are known.</source>
+        <translation>它们建立在一个基体之上，该基体没有已知的特征。</translation>
+    </message>
+    <message>
+        <source>To Body</source>
+        <translation>转换为主体</translation>
+    </message>
+    <message>
+        <source>the features are of {found} solids instead of {expected}</source>
+        <translation>特征属于 {found} 个实体，而应为 {expected} 个</translation>
+    </message>
+    <message>
+        <source>the features do not make one valid solid</source>
+        <translation>这些特征未能构成一个有效的实体</translation>
+    </message>
+    <message>
+        <source>there are {found} faces instead of {expected}</source>
+        <translation>有 {found} 个面，而应为 {expected} 个</translation>
+    </message>
+    <message>
+        <source>{feature} cannot be made ({reason})</source>
+        <translation>无法生成 {feature}（{reason}）</translation>
+    </message>
+    <message>
+        <source>{percent} % of the volume differ</source>
+        <translation>体积有 {percent} % 不同</translation>
+    </message>
     <message>
         <source>in doubt</source>
         <translation>存疑</translation>
@@ -3010,6 +3094,17 @@
     <message>
         <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
         <translation>逐一查看符合图纸线条的实体，并保留其中一个</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_ToBody</name>
+    <message>
+        <source>To Body…</source>
+        <translation>转换为主体…</translation>
+    </message>
+    <message>
+        <source>Makes an editable body, with sketches, pads and holes, of the selected solid</source>
+        <translation>由选中的实体生成可编辑的主体，包含草图、凸台和孔</translation>
     </message>
 </context>
 <context>

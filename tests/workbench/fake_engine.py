@@ -37,6 +37,7 @@ BEHAVIOURS = (
     "broken",  # not installed
     "liar",  # exit 0 without a file
     "half",  # exit 0 with a damaged surface
+    "differs",  # features that make another solid
     "no-views",  # a sheet is read, and has no views
     "running",  # a batch: another one runs in its folder
     "batch-waits",  # a batch: waits after its second sheet until it is stopped
@@ -355,13 +356,38 @@ def compare(arguments: list[str]) -> int:
     return 0
 
 
+FEATURES = Path(__file__).parent / "data" / "features" / "bracket.json"
+
+
+def features(arguments: list[str]) -> int:
+    """What ``gaussiancad features`` does."""
+    behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
+    if not Path(arguments[0]).is_file():
+        return refuse("model-missing", f"there is no file {arguments[0]}", 3)
+    while behaviour == "slow":
+        time.sleep(0.05)
+    output = Path(arguments[arguments.index("--output") + 1])
+    output.mkdir(parents=True, exist_ok=True)
+    values = json.loads(FEATURES.read_text(encoding="utf-8"))
+    if behaviour == "differs":
+        values["solids"][0]["features"][0]["length"] = -39.0
+    (output / "features.json").write_text(json.dumps(values), encoding="utf-8")
+    return 0
+
+
 def main() -> int:
     """Run the command that follows the interpreter's own arguments."""
     command, *arguments = sys.argv[sys.argv.index("gaussiancad_core") + 1 :]
     if command == "doctor":
         sys.stdout.write("gaussiancad 0.0 (fake)\ntorch: missing: pip install torch\n")
         return 0
-    commands = {"reconstruct": reconstruct, "compare": compare, "batch": batch, "read": read}
+    commands = {
+        "reconstruct": reconstruct,
+        "compare": compare,
+        "batch": batch,
+        "read": read,
+        "features": features,
+    }
     return commands[command](arguments)
 
 

@@ -15,12 +15,14 @@ def register() -> None:
     from freecad.gaussiancad.commands.report import ReportCommand
     from freecad.gaussiancad.commands.run_again import RunAgainCommand
     from freecad.gaussiancad.commands.solutions import SolutionsCommand
+    from freecad.gaussiancad.commands.to_body import ToBodyCommand
 
     known = FreeCADGui.listCommands()
     for command in (
         ReconstructCommand,
         CorrectCommand,
         LinesToSketchesCommand,
+        ToBodyCommand,
         SolutionsCommand,
         CompareCommand,
         FailedSheetsCommand,

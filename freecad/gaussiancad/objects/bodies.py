@@ -14,6 +14,7 @@ In ``freecadcmd``, of a solid whose features ``gaussiancad features`` has found:
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import FreeCAD
 import Part
@@ -22,9 +23,11 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.objects.body_features import add_feature
-from freecad.gaussiancad.objects.feature_file import ON_SHEET, Condition, SolidFeatures
+from freecad.gaussiancad.objects.body_model import ON_SHEET, Condition, SolidFeatures
+from freecad.gaussiancad.objects.known_sheets import reconstruction_among
 from freecad.gaussiancad.objects.loading import read_shape
 from freecad.gaussiancad.objects.properties import PropertySpec, add_properties
+from freecad.gaussiancad.objects.solid_parts import local_shape
 from freecad.gaussiancad.objects.transaction import transaction
 
 
@@ -67,13 +70,13 @@ def add_bodies(
         WorkbenchError: a feature cannot be made, or a body is not the solid; the document is left
             as it was.
     """
-    exact = local_shape(part)
+    exact, name = local_shape(part), _name_of(part)
     if len(exact.Solids) != len(solids):
         text = translate("GaussianCAD", "the features are of {found} solids instead of {expected}")
-        raise _failed(part.Label, text.format(found=len(solids), expected=len(exact.Solids)))
+        raise _failed(name, text.format(found=len(solids), expected=len(exact.Solids)))
     with transaction(part.Document, undo_step()):
         made = tuple(
-            make_body(part.Document, features, part.Label, solid)
+            make_body(part.Document, features, name, solid)
             for features, solid in zip(solids, exact.Solids, strict=True)
         )
         for each in made:
@@ -81,13 +84,6 @@ def add_bodies(
         part.Visibility = False
         part.Document.recompute()
     return made
-
-
-def local_shape(part: FreeCAD.DocumentObject) -> Part.Shape:
-    """The shape of a feature in its own coordinates."""
-    shape = part.Shape.copy()
-    shape.Placement = FreeCAD.Placement()
-    return shape
 
 
 def make_body(
@@ -125,6 +121,12 @@ def make_body(
     measured = tuple(_told(*each) for each in numbers if each[1].source != ON_SHEET)
     add_properties(body, _properties(from_sheet, measured))
     return MadeBody(body, len(features.features), from_sheet, measured, features.base is not None)
+
+
+def _name_of(part: FreeCAD.DocumentObject) -> str:
+    """Of the drawing that a part was made from, else its own."""
+    group = reconstruction_among([part])
+    return part.Label if group is None else Path(group.SheetPath).stem
 
 
 def _stand_on(body: FreeCAD.DocumentObject, shape: Part.Shape) -> None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import Part
 
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.smooth_faces import count_faces
 
 GREATEST_SHARE = 1e-6
 """Of the solid's volume: what may lie in one of two equal solids and not in the other."""
@@ -54,7 +55,7 @@ def check_body(made: Part.Shape, exact: Part.Shape) -> BodyCheck:
     if solids != 1 or not valid:
         return BodyCheck(solids, valid, 1.0, len(made.Faces), len(exact.Faces))
     share = _difference(made.Solids[0], exact.Solids[0]) / exact.Volume
-    return BodyCheck(solids, valid, share, _faces(made), _faces(exact))
+    return BodyCheck(solids, valid, share, count_faces(made), count_faces(exact))
 
 
 def _difference(first: Part.Shape, second: Part.Shape) -> float:
@@ -65,7 +66,3 @@ def _difference(first: Part.Shape, second: Part.Shape) -> float:
     except Exception:  # FreeCAD raises its own types, which differ between versions
         apart = first.Volume + second.Volume - 2.0 * first.common(second).Volume
     return max(least, apart)
-
-
-def _faces(shape: Part.Shape) -> int:
-    return len(shape.copy().removeSplitter().Faces)

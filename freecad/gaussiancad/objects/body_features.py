@@ -5,8 +5,7 @@ from collections.abc import Callable
 import FreeCAD
 import Part
 
-from freecad.gaussiancad.objects.body_sketches import add_axis, add_sketch
-from freecad.gaussiancad.objects.feature_file import (
+from freecad.gaussiancad.objects.body_model import (
     Condition,
     EdgeBreak,
     Extrusion,
@@ -15,6 +14,7 @@ from freecad.gaussiancad.objects.feature_file import (
     Triple,
     Turning,
 )
+from freecad.gaussiancad.objects.body_sketches import add_axis, add_sketch
 
 _FULL_TURN = 360.0
 

@@ -7,7 +7,7 @@ from math import atan2, hypot
 import FreeCAD
 import Part
 
-from freecad.gaussiancad.objects.feature_file import Condition, Curve, Plane, PlaneSketch, Point
+from freecad.gaussiancad.objects.body_model import Condition, Curve, Plane, PlaneSketch, Point
 from freecad.gaussiancad.objects.sketch_conditions import constrain, fix
 
 _Z = FreeCAD.Vector(0.0, 0.0, 1.0)

@@ -7,7 +7,7 @@ from math import radians
 import FreeCAD
 import Sketcher
 
-from freecad.gaussiancad.objects.feature_file import Condition, Curve, Point
+from freecad.gaussiancad.objects.body_model import Condition, Curve, Point
 
 _X_AXIS, _Y_AXIS = -1, -2
 """FreeCAD's numbers of a sketch's axes."""
@@ -15,8 +15,8 @@ _X_AXIS, _Y_AXIS = -1, -2
 _POINTS = {"start": 1, "end": 2, "centre": 3}
 """FreeCAD's numbers of a curve's points."""
 
-_ROUNDS = 8
-"""How often constraints that say nothing new, or contradict, are taken out."""
+_MOST_DROPPED = 20
+"""Constraints of a sketch that are left out before it is given up: each is searched for."""
 
 
 @dataclass(frozen=True)
@@ -63,13 +63,13 @@ def constrain(
 ) -> tuple[Condition, ...]:
     """Constrain the curves of a sketch.
 
-    What the solver finds to be redundant or contradictory is left out.  Where it can do nothing
-    with the rest, or there are no conditions, the curves are fixed as they are.
+    What says nothing new after those before it, or contradicts them, is left out.  Where there is
+    too much of that, or there are no conditions, the curves are fixed as they are.
 
     Args:
-        sketch: has the curves as its first geometry, clockwise arcs from their end to their start.
+        sketch: has the curves as its only geometry, clockwise arcs from their end to their start.
         curves: the same curves.
-        conditions: between them.
+        conditions: between them, the most important ones first.
 
     Returns:
         The conditions that hold.
@@ -77,23 +77,36 @@ def constrain(
     Raises:
         ValueError: a condition is of a kind that nobody knows, or a name is given twice.
     """
-    kept = list(conditions)
-    for _ in range(_ROUNDS):
-        if not kept:
+    constraints = [_constraint(condition, curves) for condition in conditions]
+    kept = list(range(len(constraints)))
+    certain = 0
+    while kept and not _hold(sketch, [constraints[number] for number in kept]):
+        if len(constraints) - len(kept) == _MOST_DROPPED:
+            kept = []
             break
+        holds, fails = certain, len(kept)
+        while fails - holds > 1:
+            middle = (holds + fails) // 2
+            if _hold(sketch, [constraints[number] for number in kept[:middle]]):
+                holds = middle
+            else:
+                fails = middle
+        del kept[fails - 1]
+        certain = holds
+    if not kept:
         sketch.Constraints = []
-        sketch.addConstraint([_constraint(condition, curves) for condition in kept])
-        if sketch.solve() == 0:
-            _name(sketch, kept)
-            return tuple(kept)
-        wrong = {*sketch.RedundantConstraints, *sketch.ConflictingConstraints}
-        wrong |= {*sketch.MalformedConstraints, *sketch.PartiallyRedundantConstraints}
-        if not wrong:
-            break
-        kept = [condition for number, condition in enumerate(kept, 1) if number not in wrong]
+        fix(sketch, range(len(curves)))
+    for place, number in enumerate(kept):
+        if conditions[number].name:
+            sketch.renameConstraint(place, conditions[number].name)
+    return tuple(conditions[number] for number in kept)
+
+
+def _hold(sketch: FreeCAD.DocumentObject, constraints: Sequence[object]) -> bool:
+    """Put constraints into a sketch in place of others; whether they can all hold."""
     sketch.Constraints = []
-    fix(sketch, range(len(curves)))
-    return ()
+    sketch.addConstraint(list(constraints))
+    return sketch.solve() == 0
 
 
 def fix(sketch: FreeCAD.DocumentObject, numbers: Sequence[int]) -> None:
@@ -133,9 +146,3 @@ def _reference(place: tuple[int, str], curves: Sequence[Curve]) -> tuple[int, ..
 def _place(place: tuple[int, str], curves: Sequence[Curve]) -> Point:
     number, point = place
     return (0.0, 0.0) if number < 0 else getattr(curves[number], point or "centre")
-
-
-def _name(sketch: FreeCAD.DocumentObject, conditions: Sequence[Condition]) -> None:
-    for number, condition in enumerate(conditions):
-        if condition.name:
-            sketch.renameConstraint(number, condition.name)

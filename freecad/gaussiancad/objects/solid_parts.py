@@ -1,0 +1,52 @@
+"""Which objects of a document can become a body, and their solid as a file."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import FreeCAD
+import Part
+
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.reconstruction_features import find_part
+
+SOLID_FILE = "solid.step"
+
+
+def solid_among(selected: Iterable[FreeCAD.DocumentObject]) -> FreeCAD.DocumentObject | None:
+    """The part with one solid that is selected, or the part of a selected reconstruction.
+
+    Returns:
+        The first one; None where there is none.
+    """
+    for chosen in selected:
+        part = find_part(chosen) if hasattr(chosen, "SheetPath") else chosen
+        if part is not None and part.isDerivedFrom("Part::Feature") and len(part.Shape.Solids) == 1:
+            return part
+    return None
+
+
+def local_shape(part: FreeCAD.DocumentObject) -> Part.Shape:
+    """The shape of a feature in its own coordinates."""
+    shape = part.Shape.copy()
+    shape.Placement = FreeCAD.Placement()
+    return shape
+
+
+def write_solid(part: FreeCAD.DocumentObject, folder: Path) -> Path:
+    """Write the solid of a feature in its own coordinates.
+
+    Returns:
+        Path of a STEP file.
+
+    Raises:
+        WorkbenchError: it has no shape, or it cannot be written.
+    """
+    path = folder / SOLID_FILE
+    try:
+        local_shape(part).exportStep(str(path))
+    except Exception as error:  # FreeCAD raises its own types, which differ between versions
+        text = translate("GaussianCAD", "The solid of {name} cannot be written: {reason}")
+        message = text.format(name=part.Label, reason=error)
+        raise WorkbenchError(ErrorCode.NO_BODY, message) from error
+    return path

@@ -1,0 +1,49 @@
+"""A part as an editable body from a script, in ``freecadcmd`` too::
+
+from freecad.gaussiancad.remodelling import remodel
+
+(made,) = remodel(document.getObject("Part"))
+made.body.Document.saveAs("part.FCStd")
+"""
+
+import os
+import tempfile
+from pathlib import Path
+
+import FreeCAD
+
+from freecad.gaussiancad.engine.features_job import FeaturesJob
+from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
+from freecad.gaussiancad.engine.process import EngineRun
+from freecad.gaussiancad.engine.verdict import RunState
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies
+from freecad.gaussiancad.objects.feature_file import FEATURES_FILE, read_features
+from freecad.gaussiancad.objects.solid_parts import write_solid
+from freecad.gaussiancad.preferences import read_preferences
+
+
+def remodel(part: FreeCAD.DocumentObject) -> tuple[MadeBody, ...]:
+    """Find the features of a part, and add a body with them beside it, in one undo step.
+
+    Args:
+        part: a feature with one solid.
+
+    Returns:
+        What was made, one for each solid; the part is hidden.
+
+    Raises:
+        WorkbenchError: there is no engine, it finds no features, or they do not make the solid;
+            the document is left as it was.
+    """
+    preference = read_preferences().engine_python
+    engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
+    with tempfile.TemporaryDirectory(prefix="gaussiancad-") as folder:
+        solid = write_solid(part, Path(folder))
+        run = EngineRun(engine, FeaturesJob(str(solid), folder).arguments())
+        run.start()
+        result = run.wait()
+        if result.state is not RunState.DONE:
+            raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, result.words)
+        # What stands beside the file is read before the folder is gone.
+        return add_bodies(part, read_features(Path(folder) / FEATURES_FILE))
