@@ -328,6 +328,17 @@ class Conditions(BodyCase):
         self.assertEqual(len(made.from_sheet) + len(made.measured), 4)
         self.assertEqual(self.document.getObject("Pad1Sketch").solve(), 0)
 
+    def test_a_number_that_is_another_than_drawn_is_left_out(self) -> None:
+        values = json.loads((DATA / "bracket.json").read_text())
+        (feature,) = values["solids"][0]["features"]
+        (wrong,) = (
+            own for own in feature["sketch"]["constraints"] if own.get("name") == "BaseThickness"
+        )
+        wrong["value"] = 10.01
+        made = self.made(bracket(), feature)
+        self.assertEqual(made.from_sheet, ("Pad1.Length = 60 mm", "Pad1.Height = 30 mm"))
+        self.assert_is(made, bracket())
+
     def test_contours_with_arcs_equal_circles_and_axes(self) -> None:
         geometry = [
             {"kind": "line", "start": [0, 0], "end": [20, 0]},
@@ -373,7 +384,10 @@ class Conditions(BodyCase):
         self.assertEqual((len(made.from_sheet), len(made.measured)), (3, 1))
         self.document.getObject("Hole1Sketch").setDatum("Pitch", FreeCAD.Units.Quantity("15 mm"))
         self.document.recompute()
+        self.document.getObject("Hole1Sketch").setDatum("Diameter", FreeCAD.Units.Quantity("8 mm"))
+        self.document.recompute()
         mouths = [own for own in made.body.Shape.Edges if own.Closed]
+        self.assertEqual({round(own.Curve.Radius, 6) for own in mouths}, {4.0})
         self.assertEqual({round(own.Curve.Center.x, 6) for own in mouths}, {10.0, 25.0})
 
 

@@ -86,6 +86,10 @@ def _drill(body: FreeCAD.DocumentObject, feature: Holes) -> tuple[Condition, ...
     made.Profile = sketch
     made.Reversed = not feature.downward
     made.Diameter = feature.diameter
+    named = next((each for each in kept if each.kind == "diameter" and each.name), None)
+    if named is not None:
+        # FreeCAD takes a hole's place only from the circle: the number there drives the hole too.
+        made.setExpression("Diameter", f"{sketch.Name}.Constraints.{named.name}")
     if feature.depth is None:
         made.DepthType = "ThroughAll"
     else:

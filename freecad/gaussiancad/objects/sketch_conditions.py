@@ -1,6 +1,6 @@
 """The conditions of a sketch in a ``features.json`` as constraints of FreeCAD's sketcher."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import radians
 
@@ -14,6 +14,9 @@ _X_AXIS, _Y_AXIS = -1, -2
 
 _POINTS = {"start": 1, "end": 2, "centre": 3}
 """FreeCAD's numbers of a curve's points."""
+
+_SAME_MM = 1e-5
+"""How far a curve may be moved by the numbers of its conditions."""
 
 _MOST_DROPPED = 20
 """Constraints of a sketch that are left out before it is given up: each is searched for."""
@@ -63,8 +66,8 @@ def constrain(
 ) -> tuple[Condition, ...]:
     """Constrain the curves of a sketch.
 
-    What says nothing new after those before it, or contradicts them, is left out.  Where there is
-    too much of that, or there are no conditions, the curves are fixed as they are.
+    What says nothing new after those before it, contradicts them or moves a curve is left out.
+    Where there is too much of that, or there are no conditions, the curves are fixed as they are.
 
     Args:
         sketch: has the curves as its only geometry, clockwise arcs from their end to their start.
@@ -79,22 +82,22 @@ def constrain(
     """
     constraints = [_constraint(condition, curves) for condition in conditions]
     kept = list(range(len(constraints)))
-    certain = 0
-    while kept and not _hold(sketch, [constraints[number] for number in kept]):
+    drawn, certain = sketch.Geometry, 0
+    while kept and not _hold(sketch, drawn, [constraints[number] for number in kept]):
         if len(constraints) - len(kept) == _MOST_DROPPED:
             kept = []
             break
         holds, fails = certain, len(kept)
         while fails - holds > 1:
             middle = (holds + fails) // 2
-            if _hold(sketch, [constraints[number] for number in kept[:middle]]):
+            if _hold(sketch, drawn, [constraints[number] for number in kept[:middle]]):
                 holds = middle
             else:
                 fails = middle
         del kept[fails - 1]
         certain = holds
     if not kept:
-        sketch.Constraints = []
+        _clear(sketch, drawn)
         fix(sketch, range(len(curves)))
     for place, number in enumerate(kept):
         if conditions[number].name:
@@ -102,11 +105,31 @@ def constrain(
     return tuple(conditions[number] for number in kept)
 
 
-def _hold(sketch: FreeCAD.DocumentObject, constraints: Sequence[object]) -> bool:
-    """Put constraints into a sketch in place of others; whether they can all hold."""
-    sketch.Constraints = []
+def _hold(
+    sketch: FreeCAD.DocumentObject, drawn: Sequence[object], constraints: Sequence[object]
+) -> bool:
+    """Put constraints into a sketch in place of others; whether all can hold where it is drawn."""
+    _clear(sketch, drawn)
     sketch.addConstraint(list(constraints))
-    return sketch.solve() == 0
+    if sketch.solve() != 0:
+        return False
+    pairs = zip(_numbers(drawn), _numbers(sketch.Geometry), strict=True)
+    return all(abs(before - after) <= _SAME_MM for before, after in pairs)
+
+
+def _clear(sketch: FreeCAD.DocumentObject, drawn: Sequence[object]) -> None:
+    sketch.Constraints = []
+    sketch.Geometry = list(drawn)
+
+
+def _numbers(curves: Sequence[object]) -> Iterator[float]:
+    """What tells where curves are, mm."""
+    for curve in curves:
+        for name in ("StartPoint", "EndPoint", "Center"):
+            if hasattr(curve, name):
+                yield from getattr(curve, name)
+        if hasattr(curve, "Radius"):
+            yield curve.Radius
 
 
 def fix(sketch: FreeCAD.DocumentObject, numbers: Sequence[int]) -> None:
