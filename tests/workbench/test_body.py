@@ -489,6 +489,9 @@ class WithEngine(BodyCase):
         empty = self.document.addObject("Part::Feature", "Empty")
         self.assertIs(solid_among([mesh, empty, part]), part)
         self.assertIsNone(solid_among([mesh, empty]))
+        (made,) = remodel(part)
+        self.assertIsNone(solid_among([made.body.Tip]))
+        self.assertIs(solid_among([made.body]), made.body)
         self.assertEqual(FeaturesJob("a", "b").arguments(), ["features", "a", "--output", "b"])
 
 

@@ -21,9 +21,18 @@ def solid_among(selected: Iterable[FreeCAD.DocumentObject]) -> FreeCAD.DocumentO
     """
     for chosen in selected:
         part = find_part(chosen) if hasattr(chosen, "SheetPath") else chosen
-        if part is not None and part.isDerivedFrom("Part::Feature") and len(part.Shape.Solids) == 1:
+        if part is not None and _has_one_solid(part):
             return part
     return None
+
+
+def _has_one_solid(part: FreeCAD.DocumentObject) -> bool:
+    """Whether it is a shape of one solid, and no step on the way to a body."""
+    if not part.isDerivedFrom("Part::Feature"):
+        return False
+    if part.TypeId.startswith("PartDesign::") and part.TypeId != "PartDesign::Body":
+        return False
+    return len(part.Shape.Solids) == 1
 
 
 def local_shape(part: FreeCAD.DocumentObject) -> Part.Shape:
