@@ -207,6 +207,10 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>no features were found on it</source>
+        <translation>es wurden keine Formelemente daran gefunden</translation>
+    </message>
+    <message>
         <source>Base</source>
         <translation>Grundkörper</translation>
     </message>

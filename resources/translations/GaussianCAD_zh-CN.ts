@@ -207,6 +207,10 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>no features were found on it</source>
+        <translation>未在其上找到特征</translation>
+    </message>
+    <message>
         <source>Base</source>
         <translation>基体</translation>
     </message>

@@ -13,9 +13,9 @@ from support import FAKE_ENGINE, FolderCase
 from freecad.gaussiancad.engine.features_job import FeaturesJob
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies
-from freecad.gaussiancad.objects.body_check import check_body
+from freecad.gaussiancad.objects.body_check import _difference, check_body
 from freecad.gaussiancad.objects.feature_file import read_features
-from freecad.gaussiancad.objects.smooth_faces import count_faces
+from freecad.gaussiancad.objects.smooth_faces import count_faces, have_same_faces
 from freecad.gaussiancad.objects.solid_parts import solid_among
 from freecad.gaussiancad.remodelling import remodel
 
@@ -420,6 +420,9 @@ class Broken(BodyCase):
         away = pad(XY, lines((90, 0), (95, 0), (95, 5)), 5.0, name="Away")
         self.assert_none(*box_of(40, 30, 20), away)
 
+    def test_a_solid_without_features(self) -> None:
+        self.assertIn("no features", self.assert_none())
+
     def test_another_number_of_solids(self) -> None:
         two = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, Vector(5, 0, 0))])
         with self.assertRaises(WorkbenchError):
@@ -434,7 +437,7 @@ class Broken(BodyCase):
             "{",
             '{"schema": "other", "solids": []}',
             '{"schema": "gaussiancad-features/1", "solids": []}',
-            '{"schema": "gaussiancad-features/1", "solids": [{"features": []}]}',
+            '{"schema": "gaussiancad-features/1", "solids": [{}]}',
             '{"schema": "gaussiancad-features/1", "solids": [{"features": [{"kind": "loft"}]}]}',
         ):
             path.write_text(text)
@@ -457,6 +460,27 @@ class Faces(FolderCase):
             self.assertGreater(len(both.Faces), count)
             self.assertEqual(count_faces(shape), count)
             self.assertEqual(count_faces(both), count)
+            self.assertTrue(have_same_faces(both, shape))
+            moved = shape.copy()
+            moved.translate(Vector(0, 0, 0.01))
+            self.assertFalse(have_same_faces(both, moved))
+
+
+class Check(FolderCase):
+    def test_solids_that_cannot_be_cut_are_one_where_all_faces_are(self) -> None:
+        class Uncut:
+            """A solid that the kernel makes nothing of."""
+
+            def __init__(self, shape: Part.Shape) -> None:
+                self.Volume, self.Faces = shape.Volume, shape.Faces
+
+            def cut(self, other: object) -> Part.Shape:
+                return other
+
+        box, other = Part.makeBox(2, 3, 4), Part.makeBox(2, 4, 3)
+        self.assertEqual(_difference(Uncut(box), Uncut(box)), 0.0)
+        self.assertGreater(_difference(Uncut(box), Uncut(other)), 0.0)
+        self.assertAlmostEqual(_difference(box, other), 12.0)
 
 
 class WithEngine(BodyCase):

@@ -101,6 +101,8 @@ def make_body(
         WorkbenchError: a feature cannot be made, or the body is not the solid.  The caller's undo
             step takes back what was added.
     """
+    if not features.features:
+        raise _failed(name, translate("GaussianCAD", "no features were found on it"))
     body = document.addObject("PartDesign::Body", "Body")
     body.Label = translate("GaussianCAD", "Body of {name}").format(name=name)
     if features.base is not None:

@@ -56,8 +56,6 @@ def _solid(values: dict[str, Any], folder: Path) -> SolidFeatures:
     # Only the name: a file that lies beside this one, whatever it says.
     beneath = None if base is None else folder / Path(base).name
     features = tuple(_READERS[feature["kind"]](feature) for feature in values["features"])
-    if not features:
-        raise ValueError("a solid without features")
     return SolidFeatures(features, beneath)
 
 
