@@ -82,8 +82,8 @@ class ToBody(WindowCase):
         mesh = self.document.addObject("Mesh::Feature", "Mesh")
         for chosen, offered in ((self.part, True), (mesh, False)):
             self.select(chosen)
-            told: list[str] = []
+            offers: list[str] = []
             menu = GaussianCADWorkbench()
-            menu.appendContextMenu = lambda _, names, told=told: told.extend(names)
+            menu.appendContextMenu = lambda _, names, offers=offers: offers.extend(names)
             menu.ContextMenu("Tree")
-            self.assertEqual(COMMAND in told, offered)
+            self.assertEqual(COMMAND in offers, offered)

@@ -44,7 +44,7 @@ def pad(plane: dict[str, Any], geometry: list, length: float, **more: object) ->
 
 
 def hole(plane: dict[str, Any], *centres: tuple[float, float], **more: object) -> dict[str, Any]:
-    """Holes of 6 mm through all, against the normal, or as told."""
+    """Holes of 6 mm through all, against the normal, or as asked."""
     return {
         "kind": "hole",
         "name": "Hole1",
@@ -136,13 +136,17 @@ class Samples(BodyCase):
             with self.subTest(name):
                 made = self.sample(name)
                 self.assert_is(made, exact())
-                told = json.loads((DATA / f"{name}.json").read_text())["solids"][0]["features"]
-                features = [own for own in made.body.Group if own.TypeId.startswith("PartDesign")]
-                self.assertEqual([own.Label for own in features], [own["name"] for own in told])
-                self.assertEqual(made.features, len(told))
+                written = json.loads((DATA / f"{name}.json").read_text())["solids"][0]["features"]
+                features = [
+                    each for each in made.body.Group if each.TypeId.startswith("PartDesign")
+                ]
+                self.assertEqual(
+                    [each.Label for each in features], [each["name"] for each in written]
+                )
+                self.assertEqual(made.features, len(written))
                 self.assertEqual((made.from_sheet, made.measured), ((), ()))
                 self.assertEqual(
-                    [own.Visibility for own in features[:-1]], [False] * (len(told) - 1)
+                    [each.Visibility for each in features[:-1]], [False] * (len(written) - 1)
                 )
                 self.assertFalse(self.document.getObject("Part").Visibility)
                 self.close()
@@ -150,7 +154,7 @@ class Samples(BodyCase):
 
     def test_sketches_are_hidden_and_stand_on_the_origin(self) -> None:
         body = self.sample("l-bracket").body
-        sketches = [own for own in body.Group if own.TypeId == "Sketcher::SketchObject"]
+        sketches = [each for each in body.Group if each.TypeId == "Sketcher::SketchObject"]
         self.assertEqual(len(sketches), 3)
         for sketch in sketches:
             self.assertFalse(sketch.Visibility)
@@ -165,11 +169,11 @@ class Samples(BodyCase):
         add_bodies(part, read_features(DATA / "l-bracket.json"))
         self.assertEqual(self.document.UndoNames, ["To Body"])
         self.document.undo()
-        self.assertEqual([own.Name for own in self.document.Objects], ["Part"])
+        self.assertEqual([each.Name for each in self.document.Objects], ["Part"])
         self.assertTrue(part.Visibility)
         self.document.redo()
         self.document.recompute()
-        body = next(own for own in self.document.Objects if own.TypeId == "PartDesign::Body")
+        body = next(each for each in self.document.Objects if each.TypeId == "PartDesign::Body")
         self.assertEqual(check_body(body.Shape, l_bracket()).words, "")
 
     def test_a_document_that_is_saved_and_opened_again_keeps_it(self) -> None:
@@ -178,10 +182,10 @@ class Samples(BodyCase):
         self.document.saveAs(path)
         self.close()
         self.document = FreeCAD.openDocument(path)
-        (body,) = (own for own in self.document.Objects if own.Label == label)
+        (body,) = (each for each in self.document.Objects if each.Label == label)
         self.assertEqual(check_body(body.Shape, boss_plate()).words, "")
-        for own in body.Group:
-            own.touch()
+        for each in body.Group:
+            each.touch()
         self.document.recompute()
         self.assertEqual(check_body(body.Shape, boss_plate()).words, "")
 
@@ -223,10 +227,10 @@ class Kinds(BodyCase):
                         drill = drill.fuse(Part.makeCone(3, 0, tip, at, Vector(0, 0, along)))
                     exact = box.cut(drill)
                     plane = {**XY, "offset": float(bottom)}
-                    told = hole(
+                    drilled = hole(
                         plane, (10, 10), downward=downward, depth=depth, tip_degrees=degrees
                     )
-                    self.assert_is(self.made(exact, *box_of(40, 30, 20), told), exact)
+                    self.assert_is(self.made(exact, *box_of(40, 30, 20), drilled), exact)
 
     def test_holes_with_wider_mouths(self) -> None:
         box, top = Part.makeBox(40, 30, 20), {**XY, "offset": 20.0}
@@ -235,7 +239,7 @@ class Kinds(BodyCase):
         sink = {"diameter": 12.0, "depth": 5.0, "degrees": 0.0}
         made = self.made(bored, *box_of(40, 30, 20), hole(top, (10, 10), (30, 10), sink=sink))
         self.assert_is(made, bored)
-        (feature,) = (own for own in made.body.Group if own.TypeId == "PartDesign::Hole")
+        (feature,) = (each for each in made.body.Group if each.TypeId == "PartDesign::Hole")
         self.assertEqual(
             (feature.HoleCutType, len(feature.Profile[0].Geometry)), ("Counterbore", 2)
         )
@@ -252,9 +256,9 @@ class Kinds(BodyCase):
             upright = [edge for edge in box.Edges if edge.BoundBox.ZLength > 19][:2]
             exact = dress(4.0, upright)
             places = [list(edge.valueAt(edge.FirstParameter + 9.0)) for edge in upright]
-            told = {"kind": kind, "name": "Edges", "size": 4.0, "places": places}
+            broken = {"kind": kind, "name": "Edges", "size": 4.0, "places": places}
             with self.subTest(kind):
-                made = self.made(exact, *box_of(40, 30, 20), told)
+                made = self.made(exact, *box_of(40, 30, 20), broken)
                 self.assert_is(made, exact)
                 self.assertEqual(len(made.body.Tip.Base[1]), 2)
 
@@ -264,8 +268,8 @@ class Kinds(BodyCase):
             1.0, [edge for edge in rod.Edges if edge.Closed and edge.BoundBox.ZMin > 29]
         )
         circle = {"kind": "circle", "centre": [0, 0], "radius": 10.0}
-        told = {"kind": "chamfer", "name": "Edges", "size": 1.0, "places": [[10.0, 0.0, 30.0]]}
-        self.assert_is(self.made(exact, pad(XY, [circle], 30.0), told), exact)
+        broken = {"kind": "chamfer", "name": "Edges", "size": 1.0, "places": [[10.0, 0.0, 30.0]]}
+        self.assert_is(self.made(exact, pad(XY, [circle], 30.0), broken), exact)
 
     def test_an_oblique_plane_and_arcs_both_ways(self) -> None:
         half = 0.5**0.5
@@ -332,7 +336,7 @@ class Conditions(BodyCase):
         values = json.loads((DATA / "bracket.json").read_text())
         (feature,) = values["solids"][0]["features"]
         (wrong,) = (
-            own for own in feature["sketch"]["constraints"] if own.get("name") == "BaseThickness"
+            each for each in feature["sketch"]["constraints"] if each.get("name") == "BaseThickness"
         )
         wrong["value"] = 10.01
         made = self.made(bracket(), feature)
@@ -379,28 +383,28 @@ class Conditions(BodyCase):
             _number("distance-y", [[-1, "start"], [0, "centre"]], 10.0, "FromFront"),
             _number("distance-x", [[0, "centre"], [1, "centre"]], 20.0, "Pitch", "measured"),
         ]
-        told = hole({**XY, "offset": 20.0}, (10, 10), (30, 10), constraints=conditions)
-        made = self.made(exact, *box_of(40, 30, 20), told)
+        drilled = hole({**XY, "offset": 20.0}, (10, 10), (30, 10), constraints=conditions)
+        made = self.made(exact, *box_of(40, 30, 20), drilled)
         self.assertEqual((len(made.from_sheet), len(made.measured)), (3, 1))
         self.document.getObject("Hole1Sketch").setDatum("Pitch", FreeCAD.Units.Quantity("15 mm"))
         self.document.recompute()
         self.document.getObject("Hole1Sketch").setDatum("Diameter", FreeCAD.Units.Quantity("8 mm"))
         self.document.recompute()
-        mouths = [own for own in made.body.Shape.Edges if own.Closed]
-        self.assertEqual({round(own.Curve.Radius, 6) for own in mouths}, {4.0})
-        self.assertEqual({round(own.Curve.Center.x, 6) for own in mouths}, {10.0, 25.0})
+        mouths = [each for each in made.body.Shape.Edges if each.Closed]
+        self.assertEqual({round(each.Curve.Radius, 6) for each in mouths}, {4.0})
+        self.assertEqual({round(each.Curve.Center.x, 6) for each in mouths}, {10.0, 25.0})
 
 
 class Broken(BodyCase):
     def assert_none(self, *features: dict[str, Any]) -> str:
         part = self.part(Part.makeBox(40, 30, 20))
         self.document.UndoMode = 1
-        before = [own.Name for own in self.document.Objects]
+        before = [each.Name for each in self.document.Objects]
         steps = self.document.UndoCount
         with self.assertRaises(WorkbenchError) as caught:
             add_bodies(part, read_features(self.written(list(features))))
         self.assertIs(caught.exception.code, ErrorCode.NO_BODY)
-        self.assertEqual([own.Name for own in self.document.Objects], before)
+        self.assertEqual([each.Name for each in self.document.Objects], before)
         self.assertEqual(self.document.UndoCount, steps)
         self.assertTrue(part.Visibility)
         return caught.exception.message
@@ -505,7 +509,7 @@ class WithEngine(BodyCase):
         self.set_variable("GAUSSIANCAD_PYTHON", str(self.folder / "none"))
         with self.assertRaises(WorkbenchError):
             remodel(part)
-        self.assertEqual([own.Name for own in self.document.Objects], ["Part"])
+        self.assertEqual([each.Name for each in self.document.Objects], ["Part"])
 
     def test_what_can_become_one(self) -> None:
         part = self.part(bracket())
