@@ -14,7 +14,7 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.objects.feature_file import read_features
-from freecad.gaussiancad.objects.solid_parts import solid_among
+from freecad.gaussiancad.objects.solid_parts import solid_among, write_solid
 from freecad.gaussiancad.remodelling import remodel
 
 
@@ -182,6 +182,17 @@ class WithEngine(BodyCase):
         with self.assertRaises(WorkbenchError):
             remodel(part)
         self.assertEqual([each.Name for each in self.document.Objects], ["Part"])
+
+    def test_the_report_of_a_reconstruction_goes_with_its_solid(self) -> None:
+        part = self.part(bracket())
+        write_solid(part, self.folder)
+        self.assertEqual([each.name for each in self.folder.iterdir()], ["solid.step"])
+        group = self.document.addObject("App::DocumentObjectGroup", "Reconstruction")
+        group.addProperty("App::PropertyString", "ReportJson")
+        group.ReportJson = '{"dimensions": []}'
+        group.addObject(part)
+        write_solid(part, self.folder)
+        self.assertEqual((self.folder / "report.json").read_text(), group.ReportJson)
 
     def test_what_can_become_one(self) -> None:
         part = self.part(bracket())

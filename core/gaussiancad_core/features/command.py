@@ -14,7 +14,7 @@ from gaussiancad_core.features.constraints import Numbers
 from gaussiancad_core.features.finding import features_of
 from gaussiancad_core.features.model import FeatureList
 from gaussiancad_core.features.script import SCRIPT_FILE, script_of
-from gaussiancad_core.outputs import OutputFolder
+from gaussiancad_core.outputs import REPORT_FILE, OutputFolder
 
 
 def write_features(solid: Path, output: Path, *, find: bool = True) -> list[FeatureList]:
@@ -40,17 +40,15 @@ def write_features(solid: Path, output: Path, *, find: bool = True) -> list[Feat
 
 
 def numbers_beside(solid: Path) -> Numbers:
-    """The numbers of the drawing, where the solid lies in the output folder of a run; none
-    elsewhere."""
+    """The numbers of the drawing, where a run's report lies beside the solid; none elsewhere."""
     try:
-        reading = json.loads((solid.parent / "reading.json").read_bytes())
-        report = json.loads((solid.parent / "report.json").read_bytes())
-        entries = [*reading["dimensions"], *reading["notes"]]
-        values = [entry["value_mm"] for entry in entries if entry["value_mm"] is not None]
+        report = json.loads((solid.parent / REPORT_FILE).read_bytes())
         measures = report["measures"]
-        known = Numbers(tuple(float(value) for value in values))
-        if measures is None or not values:
+        if measures is None:
             return Numbers()
+        entries = [*report["dimensions"], *report["notes"]]
+        values = [entry["value_mm"] for entry in entries if entry["value_mm"] is not None]
+        known = Numbers(tuple(float(value) for value in values))
         return replace(known, near=max(known.near, float(measures["uncertainty_mm"])))
     except (OSError, ValueError, KeyError, TypeError):
         return Numbers()

@@ -10,7 +10,7 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.reconstruction_features import find_part
 
-SOLID_FILE = "solid.step"
+SOLID_FILE, REPORT_FILE = "solid.step", "report.json"
 
 
 def solid_among(selected: Iterable[FreeCAD.DocumentObject]) -> FreeCAD.DocumentObject | None:
@@ -43,7 +43,8 @@ def local_shape(part: FreeCAD.DocumentObject) -> Part.Shape:
 
 
 def write_solid(part: FreeCAD.DocumentObject, folder: Path) -> Path:
-    """Write the solid of a feature in its own coordinates.
+    """Write the solid of a feature in its own coordinates; and beside it, where it is the part of a
+    reconstruction, the report, which has the numbers of the drawing.
 
     Returns:
         Path of a STEP file.
@@ -58,4 +59,7 @@ def write_solid(part: FreeCAD.DocumentObject, folder: Path) -> Path:
         text = translate("GaussianCAD", "The solid of {name} cannot be written: {reason}")
         message = text.format(name=part.Label, reason=error)
         raise WorkbenchError(ErrorCode.NO_BODY, message) from error
+    for group in part.InList:
+        if report := getattr(group, "ReportJson", ""):
+            (folder / REPORT_FILE).write_text(report, encoding="utf-8")
     return path
