@@ -2,13 +2,14 @@
 countersink leave them."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import atan, degrees, tau
 
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.drawing.brep import ShapeTable, edges_of
 from gaussiancad_core.features.rays import Rays
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
 
@@ -89,8 +90,22 @@ def bores_of(faces: Sequence[SolidFace], rays: Rays) -> tuple[Bore, ...]:
         for stack, bounding in _stacks(own, point, direction):
             bore = _drilled(stack, bounding, point, direction, rays)
             if bore is not None:
-                found.append(bore)
+                found.append(replace(bore, faces=(*bounding, *_steps(bounding, faces))))
     return tuple(found)
+
+
+def _steps(bounding: Sequence[SolidFace], faces: Sequence[SolidFace]) -> Iterator[SolidFace]:
+    """The planes between the round faces of a bore, and at its end: all of their edges are edges
+    of those faces."""
+    table = ShapeTable()
+    for face in bounding:
+        for edge in edges_of(face.face):
+            table.number(edge)
+    known = len(table.shapes)
+    for face in faces:
+        edges = edges_of(face.face) if face.kind is Kind.PLANE else ()
+        if edges and all(table.number(edge) < known for edge in edges):
+            yield face
 
 
 def _by_axis(faces: Sequence[SolidFace]) -> Iterator[tuple[Vector, Vector, list[SolidFace]]]:
