@@ -91,7 +91,31 @@ def bores_of(faces: Sequence[SolidFace], rays: Rays) -> tuple[Bore, ...]:
             bore = _drilled(stack, bounding, point, direction, rays)
             if bore is not None:
                 found.append(replace(bore, faces=(*bounding, *_steps(bounding, faces))))
-    return tuple(found)
+    return tuple(_without_beyond(found))
+
+
+def _without_beyond(bores: Sequence[Bore]) -> list[Bore]:
+    """Without plain bores that another one goes on in beyond what it crosses: its drill makes them,
+    and their faces are its own."""
+    found: list[Bore] = []
+    for bore in sorted(bores, key=lambda each: each.sections[0].low):
+        for k, other in enumerate(found):
+            if _goes_on(other, bore):
+                found[k] = replace(other, faces=(*other.faces, *bore.faces))
+                break
+        else:
+            found.append(bore)
+    return found
+
+
+def _goes_on(one: Bore, other: Bore) -> bool:
+    """Whether a drill that makes a bore makes another one, farther along its axis, as well."""
+    end, first = one.sections[-1], other.sections[0]
+    is_beyond = one.is_through and len(other.sections) == 1 and end.high < first.low
+    is_like = end.is_cylinder and first.is_cylinder and abs(end.at_high - first.at_low) < _SAME
+    apart = float(np.linalg.norm(one.direction - other.direction))
+    is_one_axis = apart < _PARALLEL and float(np.linalg.norm(one.point - other.point)) < _SAME
+    return is_beyond and is_like and is_one_axis
 
 
 def _steps(bounding: Sequence[SolidFace], faces: Sequence[SolidFace]) -> Iterator[SolidFace]:
