@@ -1,7 +1,7 @@
 """The cells into which the edges of a solid, seen along a direction, divide the plane; where in
 each of them the material lies."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -17,12 +17,12 @@ Points = npt.NDArray[np.float64]
 _BESIDE = 1e-3
 """Units beside a curve at which the cells on its two sides are found."""
 
-_OFF_CENTRE = 0.4382
+OFF_CENTRE = 0.4382
 """Share of a cell's width and height at which it is looked at: a line through its middle often runs
 along an edge of the solid."""
 
 _MOST_PLACES = 3
-"""Points of a cell at which it is looked at."""
+"""Pieces of a cell at which it is looked at."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +49,7 @@ class Cells:
 
     Args:
         arrangement: of its curves; units.
+        shares: of its width and height at which each cell is looked at.
 
     Attributes:
         arrangement: as given.
@@ -57,10 +58,10 @@ class Cells:
         cell_of: (n,) the cell of each place.
     """
 
-    def __init__(self, arrangement: Arrangement) -> None:
+    def __init__(self, arrangement: Arrangement, shares: Sequence[float] = (OFF_CENTRE,)) -> None:
         self.arrangement = arrangement
         self.pieces = tuple(self._pieces())
-        self.places, self.cell_of = _places(arrangement)
+        self.places, self.cell_of = _places(arrangement, shares)
         self._beside: dict[int, set[int]] = {}
         for piece in self.pieces:
             self._beside.setdefault(piece.left, set()).add(piece.right)
@@ -122,16 +123,20 @@ class Cells:
         return found
 
 
-def _places(arrangement: Arrangement) -> tuple[Points, npt.NDArray[np.int64]]:
-    by_cell: dict[int, list[tuple[float, tuple[float, float]]]] = {}
-    for cell, point, area in arrangement.trapezoids(_OFF_CENTRE):
-        by_cell.setdefault(cell, []).append((area, point))
-    places, cells = [], []
-    for cell, found in sorted(by_cell.items()):
-        for _, point in sorted(found, reverse=True)[:_MOST_PLACES]:
-            places.append(point)
-            cells.append(cell)
-    return np.array(places).reshape(-1, 2), np.array(cells, dtype=np.int64)
+def _places(
+    arrangement: Arrangement, shares: Sequence[float]
+) -> tuple[Points, npt.NDArray[np.int64]]:
+    found: list[tuple[int, tuple[float, float]]] = []
+    for share in shares:
+        by_cell: dict[int, list[tuple[float, tuple[float, float]]]] = {}
+        for cell, point, area in arrangement.trapezoids(share):
+            by_cell.setdefault(cell, []).append((area, point))
+        for cell, pieces in by_cell.items():
+            largest = sorted(pieces, reverse=True)[:_MOST_PLACES]
+            found += [(cell, point) for _, point in largest]
+    found.sort(key=lambda place: place[0])
+    points = np.array([point for _, point in found]).reshape(-1, 2)
+    return points, np.array([cell for cell, _ in found], dtype=np.int64)
 
 
 def edge_count(border: Iterable[Piece]) -> int:

@@ -8,7 +8,7 @@ from math import tau
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.features.cells import Cells, edge_count
+from gaussiancad_core.features.cells import OFF_CENTRE, Cells, edge_count
 from gaussiancad_core.features.frames import frame_across
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.plane_curves import Stretch, arc, segment, supports_of
@@ -33,6 +33,10 @@ _AROUND = 6
 
 _MOST_AXES = 4
 """Axes of a part around which bodies are looked for."""
+
+_FAR_OUT = 0.96
+"""Share of a cell's width and height at which it is looked at as well: what is no turned body, such
+as a block, is material all around near the axis, and not far away from it."""
 
 _MOST_STRETCHES = 200
 
@@ -70,7 +74,7 @@ def turned_planes(
         stretches = _stretches(round_faces, levels, point, direction, limits)
         if len(stretches) > _MOST_STRETCHES:
             continue
-        cells = Cells(Arrangement(supports_of(stretches)))
+        cells = Cells(Arrangement(supports_of(stretches)), (OFF_CENTRE, _FAR_OUT))
         axis = TurnAxis(tuple(point.tolist()), tuple(direction.tolist()))
         frame = frame_across(tuple(_across(direction).tolist()))
         found = SweptPlane(frame, cells, axis)
