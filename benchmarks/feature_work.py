@@ -31,7 +31,7 @@ from gaussiancad_core.samples import sample
 
 SAMPLES = "samples"
 
-_PREPARING_S, _EXPLAINING_S, _CHANGING_S = 60.0, 120.0, 60.0
+_PREPARING_S, _EXPLAINING_S, _CHANGING_S = 60.0, 40.0, 15.0
 _ON = 1e-5
 """Share of a part's extent up to which a point is on its base."""
 
