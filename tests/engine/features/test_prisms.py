@@ -1,6 +1,6 @@
 """Pads and pockets: the fewest and simplest that make up a solid."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 import pytest
@@ -11,9 +11,13 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import subshapes
+from gaussiancad_core.features import decomposing
 from gaussiancad_core.features.building import combined
+from gaussiancad_core.features.cover import Choice, cheapest_cover
 from gaussiancad_core.features.frames import MAIN_FRAMES
 from gaussiancad_core.features.model import Extrusion, Feature, FeatureList
+from gaussiancad_core.features.samples import Samples, joined
+from gaussiancad_core.features.sweeps import Sweep
 from gaussiancad_core.samples.modelling import box, cut, fuse, prism, slot
 
 Find = Callable[[TopoDS_Shape], tuple[FeatureList, list[str]]]
@@ -114,3 +118,25 @@ def test_pads_touch_what_is_there(found: Find) -> None:
     for count in range(1, len(kinds) + 1):
         made = combined(features.features[:count])
         assert len(subshapes(made, TopAbs_ShapeEnum.TopAbs_SOLID)) == 1
+
+
+def test_a_cover_that_is_wrong_somewhere_is_mended(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where only points in the material are known at first, the pocket is filled; the difference
+    tells the point that says otherwise."""
+    tried = []
+
+    def blind(parts: Iterable[Samples]) -> Samples:
+        found = joined(parts)
+        return Samples(found.points[found.is_inside], found.is_inside[found.is_inside])
+
+    def counted(choice: Choice, samples: Samples) -> tuple[Sweep, ...] | None:
+        tried.append(len(samples.points))
+        return cheapest_cover(choice, samples)
+
+    monkeypatch.setattr(decomposing, "joined", blind)
+    monkeypatch.setattr(decomposing, "cheapest_cover", counted)
+    part = cut(box((0, 0, 0), (60, 40, 20)), box((10, 10, 12), (50, 30, 20)))
+    found = decomposing.decomposed(part)
+    assert found is not None and found.difference.is_none
+    assert [body.adds for body in found.bodies] == [True, False]
+    assert len(tried) == 2 and tried[1] == tried[0] + 1
