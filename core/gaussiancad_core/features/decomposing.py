@@ -11,7 +11,7 @@ from gaussiancad_core.drawing.brep import bounding_box, edges_of
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.building import combined, in_order_of_making
 from gaussiancad_core.features.cover import cheapest_cover, offered
-from gaussiancad_core.features.difference import difference
+from gaussiancad_core.features.difference import Difference, difference
 from gaussiancad_core.features.frames import MAIN_FRAMES, Frame, frame_across
 from gaussiancad_core.features.loops import OpenLoopError, loops_of
 from gaussiancad_core.features.model import Extrusion, Sketch, Turning
@@ -43,10 +43,12 @@ class Decomposition:
     Attributes:
         bodies: pads first.
         shape: that they make up.
+        difference: between that and the solid.
     """
 
     bodies: tuple[Extrusion | Turning, ...]
     shape: TopoDS_Shape
+    difference: Difference
 
 
 def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
@@ -87,7 +89,7 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
         except (OpenLoopError, *KERNEL_FAILURES):
             return best
         apart = difference(shape, made)
-        best = Decomposition(bodies, made)
+        best = Decomposition(bodies, made, apart)
         if apart.is_none or not len(apart.points):
             return best
         seen = seen.with_others(apart.points, apart.is_inside)
