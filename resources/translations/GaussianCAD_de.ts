@@ -4,12 +4,12 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Numbers of the sketches not on the drawing</source>
-        <translation>Maße der Skizzen, die nicht auf der Zeichnung stehen</translation>
+        <source>Numbers of the body that are not on the drawing</source>
+        <translation>Maße des Körpers, die nicht auf der Zeichnung stehen</translation>
     </message>
     <message>
-        <source>Numbers of the sketches that the drawing tells</source>
-        <translation>Maße der Skizzen, die auf der Zeichnung stehen</translation>
+        <source>Numbers of the body that the drawing tells</source>
+        <translation>Maße des Körpers, die auf der Zeichnung stehen</translation>
     </message>
     <message>
         <source>Colour of the deviation at each point</source>

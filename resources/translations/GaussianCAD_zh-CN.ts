@@ -4,12 +4,12 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Numbers of the sketches not on the drawing</source>
-        <translation>草图中未在图纸上标注的尺寸</translation>
+        <source>Numbers of the body that are not on the drawing</source>
+        <translation>主体中未在图纸上标注的尺寸</translation>
     </message>
     <message>
-        <source>Numbers of the sketches that the drawing tells</source>
-        <translation>草图中图纸上标注的尺寸</translation>
+        <source>Numbers of the body that the drawing tells</source>
+        <translation>主体中图纸上标注的尺寸</translation>
     </message>
     <message>
         <source>Colour of the deviation at each point</source>

@@ -119,3 +119,67 @@ class Kinds(BodyCase):
         self.assert_is(made, exact)
         self.assertTrue(made.over_base)
         self.assertEqual(made.body.BaseFeature.TypeId, "Part::Feature")
+
+
+class Numbers(BodyCase):
+    """The numbers of features themselves, under the names of FreeCAD's properties."""
+
+    def test_lengths_diameters_and_depths_say_where_they_are_from(self) -> None:
+        exact = Part.makeBox(40, 30, 20).cut(cylinder(3, 20, (10, 10, 0)))
+        exact = exact.cut(cylinder(6, 5, (10, 10, 15))).cut(cylinder(2, 8, (30, 20, 12)))
+        (box,) = box_of(40, 30, 20)
+        top = {**XY, "offset": 20.0}
+        sink = {"diameter": 12.0, "depth": 5.0, "degrees": 0.0}
+        sink["sources"] = {"diameter": "sheet", "depth": "measured"}
+        made = self.made(
+            exact,
+            {**box, "length": 20.0, "sources": {"length": "sheet"}},
+            hole(top, (10, 10), sink=sink, sources={"diameter": "sheet"}),
+            hole(
+                top,
+                (30, 20),
+                name="Hole2",
+                diameter=4.0,
+                depth=8.0,
+                sources={"diameter": "measured", "depth": "sheet"},
+            ),
+        )
+        self.assert_is(made, exact)
+        self.assertEqual(
+            made.from_sheet,
+            (
+                "Pad1.Length = 20 mm",
+                "Hole1.Diameter = 6 mm",
+                "Hole1.HoleCutDiameter = 12 mm",
+                "Hole2.Depth = 8 mm",
+            ),
+        )
+        self.assertEqual(made.measured, ("Hole1.HoleCutDepth = 5 mm", "Hole2.Diameter = 4 mm"))
+        for line in (*made.from_sheet, *made.measured):
+            path, value = line.split(" = ")
+            name, number = path.split(".")
+            found = getattr(self.document.getObject(name), number)
+            self.assertAlmostEqual(found.Value, float(value.removesuffix(" mm")))
+
+    def test_an_angle_makes_a_countersink_and_its_depth_of_zero_is_no_number(self) -> None:
+        exact = Part.makeBox(40, 30, 20).cut(cylinder(3, 20, (10, 10, 0)))
+        exact = exact.cut(Part.makeCone(6, 0, 6, Vector(10, 10, 20), Vector(0, 0, -1)))
+        sink = {"diameter": 12.0, "depth": 0.0, "degrees": 90.0}
+        sink["sources"] = {"diameter": "measured", "depth": "measured"}
+        drilled = hole({**XY, "offset": 20.0}, (10, 10), sink=sink)
+        made = self.made(exact, *box_of(40, 30, 20), drilled)
+        self.assertEqual((made.from_sheet, made.measured), ((), ("Hole1.HoleCutDiameter = 12 mm",)))
+
+    def test_sizes_of_broken_edges(self) -> None:
+        box = Part.makeBox(40, 30, 20)
+        for kind, dress, name in (
+            ("fillet", box.makeFillet, "Radius"),
+            ("chamfer", box.makeChamfer, "Size"),
+        ):
+            exact = dress(4.0, [edge for edge in box.Edges if edge.BoundBox.ZLength > 19][:1])
+            broken = {"kind": kind, "name": "Edges", "size": 4.0, "places": [[0.0, 0.0, 9.0]]}
+            with self.subTest(kind):
+                made = self.made(
+                    exact, *box_of(40, 30, 20), {**broken, "sources": {"size": "sheet"}}
+                )
+                self.assertEqual(made.from_sheet, (f"Edges.{name} = 4 mm",))

@@ -23,7 +23,14 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.objects.body_features import add_feature
-from freecad.gaussiancad.objects.body_model import ON_SHEET, Condition, SolidFeatures
+from freecad.gaussiancad.objects.body_model import (
+    ON_SHEET,
+    Condition,
+    Feature,
+    Holes,
+    Number,
+    SolidFeatures,
+)
 from freecad.gaussiancad.objects.known_sheets import reconstruction_among
 from freecad.gaussiancad.objects.loading import read_shape
 from freecad.gaussiancad.objects.properties import PropertySpec, add_properties
@@ -107,7 +114,7 @@ def make_body(
     body.Label = translate("GaussianCAD", "Body of {name}").format(name=name)
     if features.base is not None:
         _stand_on(body, read_shape(features.base))
-    numbers: list[tuple[str, Condition]] = []
+    numbers: list[tuple[str, Number]] = []
     for feature in features.features:
         try:
             kept = add_feature(body, feature)
@@ -115,12 +122,12 @@ def make_body(
             text = translate("GaussianCAD", "{feature} cannot be made ({reason})")
             reason = text.format(feature=feature.name, reason=error)
             raise _failed(name, reason) from error
-        numbers.extend((feature.name, each) for each in kept if each.value is not None)
+        numbers.extend((feature.name, each) for each in _numbers_of(feature, kept))
     check = check_body(body.Shape, exact)
     if not check.is_equal:
         raise _failed(name, check.words)
-    from_sheet = tuple(_told(*each) for each in numbers if each[1].source == ON_SHEET)
-    measured = tuple(_told(*each) for each in numbers if each[1].source != ON_SHEET)
+    from_sheet = tuple(_listed(*each) for each in numbers if each[1].source == ON_SHEET)
+    measured = tuple(_listed(*each) for each in numbers if each[1].source != ON_SHEET)
     add_properties(body, _properties(from_sheet, measured))
     return MadeBody(body, len(features.features), from_sheet, measured, features.base is not None)
 
@@ -146,21 +153,35 @@ def _properties(from_sheet: Sequence[str], measured: Sequence[str]) -> list[Prop
             "StringList",
             "NumbersFromSheet",
             "GaussianCAD",
-            QT_TRANSLATE_NOOP("App::Property", "Numbers of the sketches that the drawing tells"),
+            QT_TRANSLATE_NOOP("App::Property", "Numbers of the body that the drawing tells"),
             list(from_sheet),
         ),
         PropertySpec(
             "StringList",
             "NumbersMeasured",
             "GaussianCAD",
-            QT_TRANSLATE_NOOP("App::Property", "Numbers of the sketches not on the drawing"),
+            QT_TRANSLATE_NOOP("App::Property", "Numbers of the body that are not on the drawing"),
             list(measured),
         ),
     ]
 
 
-def _told(feature: str, condition: Condition) -> str:
-    return f"{feature}.{condition.name or condition.kind} = {condition.value:g} mm"
+def _numbers_of(feature: Feature, kept: Sequence[Condition]) -> list[Number]:
+    """Those of its sketch that hold, and those of the feature itself, each once.
+
+    A diameter in the sketch of a hole is the hole's: it counts as the sketch's.
+    """
+    drawn = [
+        Number(each.name or each.kind, each.value, each.source)
+        for each in kept
+        if each.value is not None
+    ]
+    is_drawn = isinstance(feature, Holes) and any(each.kind == "diameter" for each in kept)
+    return drawn + [n for n in feature.numbers if not (is_drawn and n.name == "Diameter")]
+
+
+def _listed(feature: str, number: Number) -> str:
+    return f"{feature}.{number.name} = {number.value:g} mm"
 
 
 def _failed(name: str, reason: str) -> WorkbenchError:

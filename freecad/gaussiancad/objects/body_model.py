@@ -72,6 +72,21 @@ class Condition:
 
 
 @dataclass(frozen=True)
+class Number:
+    """A number that a feature has outside of its sketch.
+
+    Attributes:
+        name: of the feature's property in FreeCAD, such as ``Length``.
+        value: mm.
+        source: ``sheet`` of a number that the drawing tells, ``measured`` of others.
+    """
+
+    name: str
+    value: float
+    source: str
+
+
+@dataclass(frozen=True)
 class PlaneSketch:
     """Closed outlines on a plane; without conditions they stay as they are."""
 
@@ -88,6 +103,7 @@ class Extrusion:
     name: str
     sketch: PlaneSketch
     length: float
+    numbers: tuple[Number, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -100,6 +116,7 @@ class Turning:
     sketch: PlaneSketch
     point: Point
     direction: Point
+    numbers: tuple[Number, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -124,6 +141,7 @@ class Holes:
         depth: mm from the plane to the end of the cylinder; None through all.
         tip_degrees: of the drill's point; 0 of a flat end.
         sink: at the mouth, or None.
+        numbers: of these, those of which it is known where they are from.
     """
 
     kind: str
@@ -134,6 +152,7 @@ class Holes:
     depth: float | None
     tip_degrees: float
     sink: Sink | None
+    numbers: tuple[Number, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -144,6 +163,7 @@ class EdgeBreak:
     name: str
     size: float
     places: tuple[Triple, ...]
+    numbers: tuple[Number, ...] = ()
 
 
 Feature = Extrusion | Turning | Holes | EdgeBreak

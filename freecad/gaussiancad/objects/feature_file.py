@@ -14,6 +14,7 @@ from freecad.gaussiancad.objects.body_model import (
     Extrusion,
     Feature,
     Holes,
+    Number,
     Plane,
     PlaneSketch,
     Point,
@@ -60,8 +61,9 @@ def _solid(values: dict[str, Any], folder: Path) -> SolidFeatures:
 
 
 def _extrusion(values: dict[str, Any]) -> Extrusion:
-    sketch = _sketch(values["sketch"])
-    return Extrusion(values["kind"], str(values["name"]), sketch, float(values["length"]))
+    sketch, length = _sketch(values["sketch"]), float(values["length"])
+    numbers = _numbers(values, {"length": "Length"})
+    return Extrusion(values["kind"], str(values["name"]), sketch, length, numbers)
 
 
 def _turning(values: dict[str, Any]) -> Turning:
@@ -90,6 +92,8 @@ def _holes(values: dict[str, Any]) -> Holes:
         None if depth is None else float(depth),
         float(values["tip_degrees"]),
         None if sink is None else _sink(sink),
+        _numbers(values, {"diameter": "Diameter", "depth": "Depth"})
+        + _numbers(sink or {}, {"diameter": "HoleCutDiameter", "depth": "HoleCutDepth"}),
     )
 
 
@@ -99,7 +103,24 @@ def _sink(values: dict[str, Any]) -> Sink:
 
 def _edge_break(values: dict[str, Any]) -> EdgeBreak:
     places = tuple(_triple(place) for place in values["places"])
-    return EdgeBreak(values["kind"], str(values["name"]), float(values["size"]), places)
+    kind, size = values["kind"], float(values["size"])
+    numbers = _numbers(values, {"size": "Radius" if kind == "fillet" else "Size"})
+    return EdgeBreak(kind, str(values["name"]), size, places, numbers)
+
+
+def _numbers(values: dict[str, Any], properties: dict[str, str]) -> tuple[Number, ...]:
+    """Numbers of a feature that say where they are from; a depth of 0 is none.
+
+    Args:
+        values: of the feature, or of what widens a hole.
+        properties: FreeCAD's names of the numbers by those in the file.
+    """
+    sources = values.get("sources") or {}
+    return tuple(
+        Number(properties[name], abs(float(values[name])), str(source))
+        for name, source in sources.items()
+        if name in properties and values[name]
+    )
 
 
 def _sketch(values: dict[str, Any]) -> PlaneSketch:
