@@ -16,10 +16,11 @@ from collections.abc import Sequence
 from enum import IntEnum
 from pathlib import Path
 
+from freecad.gaussiancad.batch_bodies import BodyMaker
 from freecad.gaussiancad.batch_documents import complete_sheet, make_documents, remove_documents
 from freecad.gaussiancad.batch_options import BatchOptions, parse_options
 from freecad.gaussiancad.batch_report import SheetRow, write_report
-from freecad.gaussiancad.batch_stop import StopOnSignals
+from freecad.gaussiancad.batch_stop import BatchStopped, StopOnSignals
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
@@ -74,6 +75,7 @@ def _convert_all(engine: Engine, options: BatchOptions) -> int:
     told: deque[Event] = deque()
     run = EngineRun(engine, options.job.arguments(), Watcher(told.append), _GRACE_S)
     stop = StopOnSignals(run)
+    bodies = BodyMaker(engine, stop, _GRACE_S) if options.body else None
     rows: list[SheetRow] = []
     is_whole = False
     stop.start()
@@ -88,7 +90,8 @@ def _convert_all(engine: Engine, options: BatchOptions) -> int:
                 # The engine has the folder for itself by now.
                 sweep(options.output)
             row = SheetRow.of(event)
-            rows.append(row.stopped() if stop.asked else complete_sheet(row, event.is_set("kept")))
+            kept = event.is_set("kept")
+            rows.append(row.stopped() if stop.asked else complete_sheet(row, kept, bodies))
             _say(f"{event.text('done')}/{event.text('count')} {row.name}: {rows[-1].outcome}")
         is_whole = is_whole or event.kind is EventKind.RESULT
     code = _exit_code(run.result, rows, stop.asked, is_whole)
@@ -125,6 +128,7 @@ def _convert_one(engine: Engine, options: BatchOptions) -> int:
     job = options.one
     run = EngineRun(engine, job.arguments(), Watcher(events.append), _GRACE_S)
     stop = StopOnSignals(run)
+    bodies = BodyMaker(engine, stop, _GRACE_S) if options.body else None
     stop.start()
     result = run.wait()
     state, message = result.state, result.message
@@ -135,7 +139,9 @@ def _convert_one(engine: Engine, options: BatchOptions) -> int:
         if name:
             remove_documents(options.output / name)
         if state is RunState.DONE and not stop.asked:
-            message = make_documents(job, options.output / name).value
+            message = make_documents(job, options.output / name, bodies=bodies).outcome
+    except BatchStopped:
+        pass
     except (WorkbenchError, OSError) as error:
         state, message = RunState.FAILED, str(error)
     _say(f"1/1 {name or Path(job.sheet).name}: {message}")

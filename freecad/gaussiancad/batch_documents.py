@@ -6,19 +6,22 @@ of their own, looked at, and put in place, the document last: once it is there, 
 
 import shutil
 from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import FreeCAD
 
+from freecad.gaussiancad.batch_bodies import NO_SOLID, NOT_ADDED, BodyMaker
 from freecad.gaussiancad.batch_report import SheetRow
+from freecad.gaussiancad.batch_stop import BatchStopped
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.report import Status, read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
-from freecad.gaussiancad.objects.loading import LoadedRun, load_run
+from freecad.gaussiancad.objects.loading import LoadedRun, PartSource, load_run
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction
 from freecad.gaussiancad.staging import put_in_place, staging
-from freecad.gaussiancad.whole_files import is_whole_document, is_whole_step, is_whole_stl
+from freecad.gaussiancad.whole_files import has_body, is_whole_document, is_whole_step, is_whole_stl
 
 _DOCUMENT, _STEP, _STL = ".FCStd", ".step", ".stl"
 
@@ -26,7 +29,25 @@ _ALL = (_STEP, _STL, _DOCUMENT)
 """In the order in which they are put in place."""
 
 
-def complete_sheet(row: SheetRow, kept: bool) -> SheetRow:
+@dataclass(frozen=True)
+class MadeDocuments:
+    """What was made of a result.
+
+    Attributes:
+        status: of the result.
+        body: why there is no body, where one was asked for: a sentence, or empty.
+    """
+
+    status: Status
+    body: str
+
+    @property
+    def outcome(self) -> str:
+        """The same for people."""
+        return f"{self.status.value}. {self.body}" if self.body else self.status.value
+
+
+def complete_sheet(row: SheetRow, kept: bool, bodies: BodyMaker | None = None) -> SheetRow:
     """Make what lacks for a sheet that the engine has finished.
 
     Of a sheet that failed, nothing of an earlier time is left.
@@ -34,6 +55,7 @@ def complete_sheet(row: SheetRow, kept: bool) -> SheetRow:
     Args:
         row: what became of the sheet.
         kept: whether the engine found it done: then what is whole stays.
+        bodies: makes the body of a document that is made; None where none is asked for.
 
     Returns:
         The row; it has failed if a file could not be made.
@@ -48,8 +70,12 @@ def complete_sheet(row: SheetRow, kept: bool) -> SheetRow:
         report = read_report(folder / "report.json")
         lacking = _lacking(folder, report.text)
         if lacking:
-            settings = report.group("settings")
-            make_documents(ReconstructJob.told(row.sheet, row.folder, settings), folder, lacking)
+            job = ReconstructJob.told(row.sheet, row.folder, report.group("settings"))
+            row = replace(row, body=make_documents(job, folder, lacking, bodies).body)
+        if bodies is not None and _DOCUMENT not in lacking:
+            row = replace(row, body=_kept_without(folder))
+    except BatchStopped:
+        return row.stopped()
     except WorkbenchError as error:
         return row.without_document(error.code.value, error.message)
     except OSError as error:
@@ -58,21 +84,29 @@ def complete_sheet(row: SheetRow, kept: bool) -> SheetRow:
     return row
 
 
-def make_documents(job: ReconstructJob, target: Path, suffixes: Iterable[str] = _ALL) -> Status:
+def make_documents(
+    job: ReconstructJob,
+    target: Path,
+    suffixes: Iterable[str] = _ALL,
+    bodies: BodyMaker | None = None,
+) -> MadeDocuments:
     """Write the document and the exchange files.
 
     Args:
         job: the finished job.
         target: path of the files without suffix.
         suffixes: which of them.
+        bodies: makes the document's body; None where none is asked for.
 
     Returns:
-        The status of the result.
+        What is known of them.
 
     Raises:
+        BatchStopped: somebody stopped the batch before the body was made; nothing is written.
         WorkbenchError: the engine's files are not usable, or a file could not be written whole.
         OSError: the folder cannot be written.
     """
+    without_body = ""
     _refuse_what_is_no_text(job.sheet)
     _refuse_what_is_no_text(str(target))
     try:
@@ -81,16 +115,19 @@ def make_documents(job: ReconstructJob, target: Path, suffixes: Iterable[str] = 
             staged = scratch / target.name
             for suffix in suffixes:
                 path = _with_suffix(staged, suffix)
-                _write(run, suffix, path)
+                if suffix == _DOCUMENT:
+                    without_body = _write_document(run, path, bodies)
+                else:
+                    _write_exchange(run, suffix, path)
                 _check(path, run.report.text)
             for suffix in suffixes:
                 put_in_place(_with_suffix(staged, suffix), _with_suffix(target, suffix))
-    except (WorkbenchError, OSError):
+    except (BatchStopped, WorkbenchError, OSError):
         raise
     except Exception as error:  # FreeCAD raises its own types; the next sheet goes on
         message = f"the result of {job.sheet} is unusable: {error}"
         raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, message) from error
-    return run.report.status
+    return MadeDocuments(run.report.status, without_body)
 
 
 def remove_documents(target: Path) -> None:
@@ -115,6 +152,13 @@ def _lacking(target: Path, report: str) -> tuple[str, ...]:
     )
 
 
+def _kept_without(target: Path) -> str:
+    """Why a document that was there already has no body; empty where it has one."""
+    if has_body(_with_suffix(target, _DOCUMENT)):
+        return ""
+    return NOT_ADDED if (target / PartSource.SOLID.value).is_file() else NO_SOLID
+
+
 def _refuse_links(folder: Path) -> None:
     """No link leads from the engine's files to those of others."""
     for path in (folder, *folder.rglob("*")):
@@ -132,16 +176,21 @@ def _refuse_what_is_no_text(path: str) -> None:
         raise WorkbenchError(ErrorCode.NAME_NO_TEXT, message) from error
 
 
-def _write(run: LoadedRun, suffix: str, path: Path) -> None:
+def _write_document(run: LoadedRun, path: Path, bodies: BodyMaker | None) -> str:
+    """Write the document; why it has no body, where one was asked for."""
+    document = FreeCAD.newDocument(hidden=True)
+    try:
+        group = add_reconstruction(document, run)
+        without_body = bodies.add(group, run) if bodies is not None else ""
+        document.saveAs(str(path))
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    return without_body
+
+
+def _write_exchange(run: LoadedRun, suffix: str, path: Path) -> None:
     output = Path(run.job.output)
-    if suffix == _DOCUMENT:
-        document = FreeCAD.newDocument(hidden=True)
-        try:
-            add_reconstruction(document, run)
-            document.saveAs(str(path))
-        finally:
-            FreeCAD.closeDocument(document.Name)
-    elif suffix == _STEP and run.part is not None:
+    if suffix == _STEP and run.part is not None:
         shutil.copyfile(output / run.part.source.value, path)
     elif suffix == _STEP:
         write_step(run.mesh, path)

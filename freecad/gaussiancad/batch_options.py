@@ -30,10 +30,12 @@ class BatchOptions:
     Attributes:
         job: what the engine does.
         flat: whether the files of its one sheet go into its output folder itself.
+        body: whether documents get a body beside the solid.
     """
 
     job: BatchJob
     flat: bool
+    body: bool = False
 
     @property
     def output(self) -> Path:
@@ -71,7 +73,7 @@ def parse_options(arguments: Sequence[str]) -> BatchOptions:
         found.scale_down,
     )
     job = BatchJob(tuple(found.sheets), str(found.output), settings, limits, found.resume)
-    return BatchOptions(job, found.flat)
+    return BatchOptions(job, found.flat, found.body)
 
 
 def _check(parser: argparse.ArgumentParser, found: argparse.Namespace, limits: BatchLimits) -> None:
@@ -101,6 +103,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     parser.add_argument(
         "--flat", action="store_true", help="one sheet, all of its files in DIR itself"
+    )
+    parser.add_argument(
+        "--body", action="store_true", help="put an editable body into each document as well"
     )
     parser.add_argument("--workers", type=_whole, metavar="N", help="sheets at a time")
     parser.add_argument("--memory", type=_positive, metavar="GB", help="that a sheet may take")

@@ -29,6 +29,7 @@ class SheetRow:
         code: kebab-case code of the error, or empty.
         message: a sentence about the error, or empty.
         seconds: of the engine.
+        body: why the document has no body, where one was asked for: a sentence, or empty.
     """
 
     name: str
@@ -40,6 +41,7 @@ class SheetRow:
     code: str
     message: str
     seconds: float
+    body: str = ""
 
     @classmethod
     def of(cls, event: Event) -> "SheetRow":
@@ -59,7 +61,8 @@ class SheetRow:
     @property
     def outcome(self) -> str:
         """What became of it, for people."""
-        return self.message or self.status
+        said = self.message or self.status
+        return f"{said}. {self.body}" if self.body else said
 
     def without_document(self, code: str, message: str) -> "SheetRow":
         """The row of a sheet of which the engine made a model, and FreeCAD no document."""

@@ -14,7 +14,7 @@ import FreeCAD
 
 from freecad.gaussiancad.engine.features_job import FeaturesJob
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
-from freecad.gaussiancad.engine.process import EngineRun
+from freecad.gaussiancad.engine.process import EngineRun, RunResult
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies
@@ -42,8 +42,22 @@ def remodel(part: FreeCAD.DocumentObject) -> tuple[MadeBody, ...]:
         solid = write_solid(part, Path(folder))
         run = EngineRun(engine, FeaturesJob(str(solid), folder).arguments())
         run.start()
-        result = run.wait()
-        if result.state is not RunState.DONE:
-            raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, result.words)
-        # What stands beside the file is read before the folder is gone.
-        return add_bodies(part, read_features(Path(folder) / FEATURES_FILE))
+        return add_found(part, run.wait(), Path(folder))
+
+
+def add_found(
+    part: FreeCAD.DocumentObject, result: RunResult, folder: Path
+) -> tuple[MadeBody, ...]:
+    """Add a body of the features that the engine has found on a part, in one undo step.
+
+    Args:
+        part: a feature with the solid.
+        result: of the engine's run.
+        folder: where the engine wrote; it is not needed afterwards.
+
+    Raises:
+        WorkbenchError: as of :func:`remodel`.
+    """
+    if result.state is not RunState.DONE:
+        raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, result.words)
+    return add_bodies(part, read_features(folder / FEATURES_FILE))

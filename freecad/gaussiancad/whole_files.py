@@ -54,6 +54,16 @@ def is_whole_document(path: Path, report: str) -> bool:
         return False
 
 
+def has_body(path: Path) -> bool:
+    """Whether a document has a body of PartDesign."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            root = ElementTree.fromstring(archive.read(_DOCUMENT))
+    except _DAMAGED:
+        return False
+    return root.find(".//Object[@type='PartDesign::Body']") is not None
+
+
 def is_whole_step(path: Path) -> bool:
     """Whether a STEP file has its end."""
     return _is_file(path) and _STEP_END in _tail(path)

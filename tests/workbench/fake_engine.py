@@ -38,6 +38,8 @@ BEHAVIOURS = (
     "liar",  # exit 0 without a file
     "half",  # exit 0 with a damaged surface
     "differs",  # features that make another solid
+    "no-features",  # no features are found
+    "features-wait",  # they are looked for until it is stopped
     "no-views",  # a sheet is read, and has no views
     "running",  # a batch: another one runs in its folder
     "batch-waits",  # a batch: waits after its second sheet until it is stopped
@@ -364,7 +366,9 @@ def features(arguments: list[str]) -> int:
     behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
     if not Path(arguments[0]).is_file():
         return refuse("model-missing", f"there is no file {arguments[0]}", 3)
-    while behaviour == "slow":
+    if behaviour == "no-features":
+        return refuse("model-unreadable", "the model has no solid", 3)
+    while behaviour in ("slow", "features-wait"):
         time.sleep(0.05)
     output = Path(arguments[arguments.index("--output") + 1])
     output.mkdir(parents=True, exist_ok=True)

@@ -108,6 +108,7 @@ class Batches(BatchCase):
         documents = self.documents()
         self.assertEqual(list(documents), list(rows))
         for name, row in documents.items():
+            self.assertEqual(row.pop("body"), "")
             self.assertEqual({key: str(row[key]) for key in row}, rows[name])
         for name in ("bracket", "Träger 1.5"):
             self.assertEqual(rows[name]["status"], "verified")
@@ -242,13 +243,13 @@ class Batches(BatchCase):
         self.behave("batch-waits")
         manifest = self.output / "manifest.sqlite"
 
-        def interrupted(row: SheetRow, kept: bool) -> SheetRow:
+        def interrupted(row: SheetRow, kept: bool, bodies: None) -> SheetRow:
             engine = wait_for_child(os.getpid(), b"batch")
             wait_until(lambda: '"b"' in manifest.read_text())
             os.kill(os.getpid(), signal.SIGTERM)
             # The engine ends while FreeCAD does something else.
             wait_until(lambda: not alive(engine))
-            return batch_documents.complete_sheet(row, kept)
+            return batch_documents.complete_sheet(row, kept, bodies)
 
         with mock.patch.object(batch, "complete_sheet", interrupted):
             self.assertEqual(self.convert(*sheets), 130)
