@@ -8,7 +8,7 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import compound_of
 from gaussiancad_core.features.difference import difference
 from gaussiancad_core.samples import SAMPLES
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
+from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, prism
 
 _BLOCK = box((0, 0, 0), (20, 10, 10))
 
@@ -45,6 +45,16 @@ def test_two_solids_are_no_solid() -> None:
 def test_faces_that_are_split_count_once() -> None:
     halves = BRepAlgoAPI_Fuse(box((0, 0, 0), (8, 10, 10)), box((8, 0, 0), (20, 10, 10))).Shape()
     assert difference(_BLOCK, halves).is_none
+
+
+def test_walls_that_differ_by_the_last_digits_are_one() -> None:
+    """As those of two features whose outlines are rounded; a step of 0.001 mm is one."""
+    for off, faces in ((4e-9, 0), (1e-3, 2)):
+        leaning = [(8, 0), (20, 0), (20, 10 + off), (8, 10 + off / 2.0)]
+        halves = BRepAlgoAPI_Fuse(
+            box((0, 0, 0), (8, 10, 10)), prism(Axis.Z, leaning, 0.0, 10.0)
+        ).Shape()
+        assert difference(_BLOCK, halves).faces == faces
 
 
 def test_a_bore_moved_by_a_hair_is_seen() -> None:
