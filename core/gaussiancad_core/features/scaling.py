@@ -8,6 +8,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.features.loops import Edge
 from gaussiancad_core.features.model import EdgeBreak, Extrusion, Feature, Holes, Sketch, Turning
+from gaussiancad_core.reasoning.curves import Point
 
 
 def scaled_shape(shape: TopoDS_Shape, factor: float) -> TopoDS_Shape:
@@ -17,47 +18,60 @@ def scaled_shape(shape: TopoDS_Shape, factor: float) -> TopoDS_Shape:
     return BRepBuilderAPI_Transform(shape, motion, True).Shape()
 
 
+_DIGITS = 8
+"""Decimal places of a length: a tenth of what FreeCAD and OpenCASCADE take for one point."""
+
+
 def scaled(feature: Feature, factor: float) -> Feature:
-    """A feature as many times as large."""
+    """A feature as many times as large, without the last digits that scaling leaves."""
     if isinstance(feature, Extrusion):
         sketch = _scaled_sketch(feature.sketch, factor)
-        return replace(feature, sketch=sketch, length=feature.length * factor)
+        return replace(feature, sketch=sketch, length=_times(feature.length, factor))
     if isinstance(feature, Turning):
         x, y = feature.point
         sketch = _scaled_sketch(feature.sketch, factor)
-        return replace(feature, sketch=sketch, point=(x * factor, y * factor))
+        return replace(feature, sketch=sketch, point=_point((x, y), factor))
     if isinstance(feature, EdgeBreak):
         places = tuple((x * factor, y * factor, z * factor) for x, y, z in feature.places)
-        other = None if feature.other is None else feature.other * factor
-        return replace(feature, places=places, size=feature.size * factor, other=other)
+        other = None if feature.other is None else _times(feature.other, factor)
+        return replace(feature, places=places, size=_times(feature.size, factor), other=other)
     return _scaled_holes(feature, factor)
 
 
 def _scaled_holes(holes: Holes, factor: float) -> Holes:
     sink = holes.sink
     if sink is not None:
-        sink = replace(sink, diameter=sink.diameter * factor, depth=sink.depth * factor)
+        sink = replace(
+            sink, diameter=_times(sink.diameter, factor), depth=_times(sink.depth, factor)
+        )
     return replace(
         holes,
-        height=holes.height * factor,
-        centres=tuple((x * factor, y * factor) for x, y in holes.centres),
-        diameter=holes.diameter * factor,
-        depth=None if holes.depth is None else holes.depth * factor,
+        height=_times(holes.height, factor),
+        centres=tuple(_point(centre, factor) for centre in holes.centres),
+        diameter=_times(holes.diameter, factor),
+        depth=None if holes.depth is None else _times(holes.depth, factor),
         sink=sink,
     )
 
 
 def _scaled_sketch(sketch: Sketch, factor: float) -> Sketch:
     loops = tuple(tuple(_scaled_edge(edge, factor) for edge in loop) for loop in sketch.loops)
-    return replace(sketch, height=sketch.height * factor, loops=loops)
+    return replace(sketch, height=_times(sketch.height, factor), loops=loops)
 
 
 def _scaled_edge(edge: Edge, factor: float) -> Edge:
-    points = (edge.start, edge.end, edge.centre)
-    start, end, centre = (
-        None if point is None else (point[0] * factor, point[1] * factor) for point in points
+    return Edge(
+        _point(edge.start, factor),
+        _point(edge.end, factor),
+        None if edge.centre is None else _point(edge.centre, factor),
+        None if edge.radius is None else _times(edge.radius, factor),
+        edge.is_ccw,
     )
-    assert start is not None
-    assert end is not None
-    radius = None if edge.radius is None else edge.radius * factor
-    return Edge(start, end, centre, radius, edge.is_ccw)
+
+
+def _point(point: Point, factor: float) -> Point:
+    return _times(point[0], factor), _times(point[1], factor)
+
+
+def _times(value: float, factor: float) -> float:
+    return round(value * factor, _DIGITS) + 0.0
