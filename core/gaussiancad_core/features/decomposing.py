@@ -61,25 +61,20 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
     box = bounding_box(shape)
     rays = Rays(shape, 4.0 * float(np.abs(box).max() + 1.0))
     edges = edges_of(shape)
-    planes: list[SweptPlane] = []
-    sweeps: list[Sweep] = []
-    samples = []
-    for frame in _frames(faces):
-        within = _box_in(frame, box)
-        found = prism_plane(edges, faces, frame, within, rays)
-        if found is not None:
-            sweeps += prisms_of(found[0], len(planes))
-            planes.append(found[0].plane)
-            samples.append(found[1])
-    for turned, seen in turned_planes(faces, box, rays):
-        sweeps += turned_sweeps(turned, len(planes))
-        planes.append(turned.plane)
-        samples.append(seen)
+    flat = [prism_plane(edges, faces, frame, _box_in(frame, box), rays) for frame in _frames(faces)]
+    prisms = [found for found in flat if found is not None]
+    turned = list(turned_planes(faces, box, rays))
+    planes = [found.plane for found, _ in [*prisms, *turned]]
     if not planes:
         return None
-    seen = joined(samples)
+    seen = joined([samples for _, samples in [*prisms, *turned]])
     best = None
     for _ in range(_ROUNDS):
+        sweeps: list[Sweep] = []
+        for number, (found, _) in enumerate(prisms):
+            sweeps += prisms_of(found, number, seen)
+        for number, (found, _) in enumerate(turned, len(prisms)):
+            sweeps += turned_sweeps(found, number, seen)
         chosen = cheapest_cover(offered(sweeps, planes, seen), seen)
         if chosen is None:
             return best

@@ -88,16 +88,22 @@ def prism_plane(
     return PrismPlane(SweptPlane(frame, cells), tuple(ordered), fills), samples
 
 
-def prisms_of(own: PrismPlane, number: int) -> Iterator[Sweep]:
+def prisms_of(own: PrismPlane, number: int, samples: Samples) -> Iterator[Sweep]:
     """The prisms of a plane: what is material in whole runs of layers, and what may be taken away.
 
     Args:
         own: the plane.
         number: that the sweeps carry.
+        samples: of the solid; what they say of cells that were looked at elsewhere counts, too.
     """
     cells, layers = own.plane.cells, len(own.levels) - 1
     inside = cells.by_cell(own.fills, np.fmin) > 1.0 - 1e-9
     touched = cells.by_cell(own.fills, np.fmax) > 1e-9
+    cell_of, layer_of = own.plane.clearly_in(samples.points), _layers_of(own, samples.points)
+    known = (cell_of >= 0) & (layer_of >= 0)
+    void, solid = known & ~samples.is_inside, known & samples.is_inside
+    inside[cell_of[void], layer_of[void]] = False
+    touched[cell_of[solid], layer_of[solid]] = True
     seen: set[tuple[frozenset[int], int, int, bool]] = set()
     for low in range(layers):
         for high in range(low + 1, layers + 1):
@@ -112,6 +118,14 @@ def prisms_of(own: PrismPlane, number: int) -> Iterator[Sweep]:
                     edges = edge_count(cells.border(group))
                     ends = own.levels[low], own.levels[high]
                     yield Sweep(number, group, ends, adds, edges)
+
+
+def _layers_of(own: PrismPlane, points: Points) -> npt.NDArray[np.int64]:
+    """(n,) numbers of the layers that points are in; -1 of those at a level or beyond all."""
+    heights = own.plane.frame.project(points)[:, 2]
+    found = [np.searchsorted(own.levels, heights + aside) - 1 for aside in (-_WITHIN, _WITHIN)]
+    within = (found[0] == found[1]) & (found[0] >= 0) & (found[0] < len(own.levels) - 1)
+    return np.where(within, found[0], -1)
 
 
 def _levels(faces: Sequence[SolidFace], frame: Frame) -> list[float]:

@@ -12,6 +12,9 @@ from gaussiancad_core.reasoning.arrangement import OUTSIDE
 
 Points = npt.NDArray[np.float64]
 
+_ASIDE = np.array([0.00137, 0.00219, -0.00173])
+"""Units beside a point at which the same cell is found, where it is clearly in one."""
+
 
 @dataclass(frozen=True)
 class TurnAxis:
@@ -51,6 +54,13 @@ class SweptPlane:
         radius = np.linalg.norm(away - along[:, None] * np.array(self.axis.direction), axis=1)
         flat = np.stack([along, radius], axis=1)
         return self.cells.locate(flat), np.zeros(len(points))
+
+    def clearly_in(self, points: Points) -> npt.NDArray[np.int64]:
+        """(n,) cells of points; -1 of those at a border between two."""
+        found = self.located(points)[0]
+        for aside in (_ASIDE, -_ASIDE):
+            found = np.where(self.located(points + aside)[0] == found, found, -1)
+        return found
 
 
 @dataclass(frozen=True)
