@@ -34,7 +34,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from freecad_window import run_in_window
 from tutorial_pictures import SHEETS as TUTORIAL
 
-PANEL = Path(__file__).resolve().parents[1] / "scripts" / "window_panel.py"
+PANEL = ROOT / "scripts" / "window_panel.py"
 
 _PANEL_SECONDS = 300.0
 """s that a sheet may take in the panel."""
