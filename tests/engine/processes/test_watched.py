@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import psutil
@@ -16,6 +17,14 @@ _SAMPLE = Path(__file__).parents[3] / "resources" / "samples" / "l-bracket.png"
 _PATIENCE_S = 60.0
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes die otherwise there")
+
+
+@pytest.fixture(autouse=True)
+def _hung_up() -> Iterator[None]:
+    """Under nohup a process ignores SIGHUP, and those that it starts do, too."""
+    before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    yield
+    signal.signal(signal.SIGHUP, before)
 
 
 def _engine_of(started: subprocess.Popen[bytes]) -> psutil.Process:
