@@ -149,7 +149,9 @@ class Engine(QtCore.QObject):
             process.setProcessEnvironment(variables)
         process.readyRead.connect(self._hear)
         process.readyReadStandardError.connect(self._note)
-        process.finished.connect(lambda *_: self._ended())
+        # A lambda would keep this alive until its child, the process, is destroyed, and then
+        # destroy it once more.
+        process.finished.connect(self._ended)
         process.errorOccurred.connect(self._failed)
         self._process = process
         process.start(program, [*first, "serve"])
@@ -187,7 +189,7 @@ class Engine(QtCore.QObject):
             told = not_started(self._program.command[0], self._process.errorString()).message
             self._give_up(told)
 
-    def _ended(self) -> None:
+    def _ended(self, *_how: object) -> None:
         last = self._complaints[-1] if self._complaints else ""
         told = translate("GaussianCAD", "The engine broke off: {reason}").format(reason=last)
         self._give_up(told)

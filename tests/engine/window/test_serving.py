@@ -1,6 +1,8 @@
 """One engine for several sheets: each gets its own answers, and breaks off only what it asked."""
 
+import gc
 import time
+import weakref
 from collections.abc import Callable
 from pathlib import Path
 
@@ -140,6 +142,23 @@ def test_one_that_does_not_start_is_told(
     wait(lambda: answers)
     assert answers[0]["error"]["code"] == "engine-broke-off"
     server.close()
+
+
+def test_one_that_does_not_start_keeps_nothing_alive(
+    tmp_path: Path, application: QtWidgets.QApplication, wait: Waiting
+) -> None:
+    """Its process, which is still to be destroyed, would destroy it with itself."""
+    engine, parent = Engine(Program((str(tmp_path / "none"),))), QtCore.QObject()
+    server = Server(engine, parent)
+    answers: list[dict] = []
+    server.ask("read", answers.append)
+    wait(lambda: answers)
+    server.close()
+    known = weakref.ref(engine)
+    del engine, server, parent
+    gc.collect()
+    assert known() is None
+    application.sendPostedEvents(None, int(QtCore.QEvent.Type.DeferredDelete.value))
 
 
 def test_an_engine_ends_when_the_application_quits(
