@@ -3,6 +3,7 @@
 import argparse
 
 from gaussiancad_core.cli import values
+from gaussiancad_core.cli.streams import say
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.events import Listener
@@ -37,6 +38,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Find features in a limited process; what takes too long stays a base without any."""
     from gaussiancad_core.cli.libraries import silence_opencascade
 
+    broken_off = ""
     if not options.unlimited:
         from gaussiancad_core.processes.supervisor import ProcessLimits, run_limited
 
@@ -46,6 +48,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         if ended.exit_code == 0:
             print(ended.output.decode("utf-8", "replace"), end="")
             return ExitCode.DONE
+        broken_off = ended.message
     silence_opencascade()
     from gaussiancad_core.features.command import write_features
 
@@ -53,5 +56,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     name = on_one_line(str(options.output))
     count = sum(len(features.features) for features in found)
     whole = sum(features.is_whole for features in found)
+    if broken_off:
+        say(f"gaussiancad: warning: features were not looked for to the end: {broken_off}")
     print(f"{name}: {count} features; {whole} of {len(found)} solids by features alone")
     return ExitCode.DONE

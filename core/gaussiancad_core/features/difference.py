@@ -19,6 +19,10 @@ Points = npt.NDArray[np.float64]
 _EXACT = 1e-6
 """Share of a solid's volume up to which a difference is none."""
 
+_MEASURED = 1e-5
+"""Share of a volume by which the kernel's measure of equal solids may differ, whose faces are split
+otherwise."""
+
 _ONE_FACE = 1e-5, 1e-4
 """Units and radians within which faces continue each other: what was cut from different sides
 agrees to the last digits only."""
@@ -67,6 +71,9 @@ def difference(solid: TopoDS_Shape, built: TopoDS_Shape) -> Difference:
             # have in common.
             apart = whole + volume(built) - 2.0 * volume(common(solid, built))
             share = min(share, abs(apart) / whole) if np.isfinite(share) else share
+        # What either has alone is at least the difference of their volumes, whatever cuts say.
+        least = abs(whole - volume(built)) / whole
+        share = max(share, least) if least > _MEASURED else share
         found = [(_within(body), inside) for body, inside in alone]
         found = [(point, inside) for point, inside in found if point is not None]
         points = np.array([point for point, _ in found]).reshape(-1, 3)

@@ -46,7 +46,7 @@ def breaks_of(blends: Iterable[Blend], undressed: TopoDS_Shape) -> tuple[EdgeBre
             taken[key].add(number)
             places.setdefault(key, []).append((float(place[0]), float(place[1]), float(place[2])))
     return tuple(
-        EdgeBreak(tuple(found), size, None, is_round)
+        EdgeBreak(tuple(found), size, is_round)
         for (is_round, size), found in sorted(places.items(), key=lambda entry: -entry[0][1])
     )
 

@@ -15,10 +15,10 @@ from gaussiancad_core.features.model import Holes, Sink
 from gaussiancad_core.features.round_holes import Bore, Section
 
 _DIGITS = 4
-"""Decimal places of mm and degrees within which holes are alike."""
+"""Decimal places of units and degrees within which holes are alike."""
 
 _POINT = 1e-4
-"""mm, radius of a cone's tip."""
+"""Units, radius of a cone's tip."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def body_of_holes(holes: Holes, reach: float) -> TopoDS_Shape:
 
     Args:
         holes: like ones.
-        reach: mm that a hole through the part is long.
+        reach: that a hole through the part is long.
 
     Raises:
         RuntimeError: the kernel fails.
@@ -141,9 +141,7 @@ def _sink(
         return list(sections), None
     section = sections[0]
     if section.is_cylinder:
-        return [], Sink(
-            round(2.0 * section.at_low, _DIGITS), round(section.high - mouth, _DIGITS), 0.0
-        )
+        return [], Sink(2.0 * section.at_low, section.high - mouth, 0.0)
     if abs(section.at_high - core.at_low) > _POINT:
         return [section], None
     return [], Sink(2.0 * section.at_low, 0.0, section.angle)

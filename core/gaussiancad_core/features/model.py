@@ -101,13 +101,11 @@ class EdgeBreak:
     Attributes:
         places: mm, a point on each edge of what was made before.
         size: mm, the radius of fillets, the legs of chamfers.
-        other: mm, the second leg of chamfers whose legs differ; else None.
         is_round: whether they are fillets.
     """
 
     places: tuple[Vector, ...]
     size: float
-    other: float | None
     is_round: bool
 
 

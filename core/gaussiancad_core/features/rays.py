@@ -11,24 +11,24 @@ from OCP.TopoDS import TopoDS_Shape
 Points = npt.NDArray[np.float64]
 
 _TOLERANCE = 1e-7
-"""mm, of the kernel's intersector."""
+"""Units, of the kernel's intersector."""
 
 _NUDGES = 4
 """Times that a line which touches the solid is moved a little aside."""
 
 _NUDGE = 3.7e-5
-"""mm by which it is."""
+"""Units by which it is."""
 
 _ONE_CROSSING = 1e-6
-"""mm within which two crossings, on an edge between faces, are one."""
+"""Units within which two crossings, on an edge between faces, are one."""
 
 
 class Rays:
     """Lines through a solid.
 
     Args:
-        shape: mm.
-        reach: mm from the origin beyond which there is none of it.
+        shape: one solid; units.
+        reach: units from the origin beyond which there is none of it.
     """
 
     def __init__(self, shape: TopoDS_Shape, reach: float) -> None:
@@ -37,7 +37,7 @@ class Rays:
         self._reach = reach
 
     def inside(self, point: Sequence[float], direction: Sequence[float]) -> Points | None:
-        """(n, 2) stretches of a line within the solid, ascending, mm along its direction from a
+        """(n, 2) stretches of a line within the solid, ascending, units along its direction from a
         point; None where the line, and others close beside it, touch the solid so that crossings
         do not pair."""
         at, aside = np.array(point, dtype=np.float64), np.array([0.577, 0.811, -0.101])

@@ -16,7 +16,7 @@ from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_ra
 Vector = npt.NDArray[np.float64]
 
 _SAME = 1e-4
-"""mm within which places are one."""
+"""Units within which places are one."""
 
 _PARALLEL = 1e-6
 """Sine of the angle between axes that are one."""
@@ -33,8 +33,8 @@ class Section:
     """A piece of a bore between two places along its axis.
 
     Attributes:
-        low, high: mm along the axis.
-        at_low, at_high: mm, its radius there; equal of a cylinder.
+        low, high: units along the axis.
+        at_low, at_high: units, its radius there; equal of a cylinder.
     """
 
     low: float
@@ -62,7 +62,7 @@ class Bore:
     """A round hole.
 
     Attributes:
-        point: mm, the point of its axis that is nearest to the origin.
+        point: units, the point of its axis that is nearest to the origin.
         direction: unit vector along which it is drilled: its mouth is at the start.
         sections: from the mouth on, along the direction.
         is_through: whether there is no material beyond its end.

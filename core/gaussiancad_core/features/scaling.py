@@ -33,8 +33,7 @@ def scaled(feature: Feature, factor: float) -> Feature:
         return replace(feature, sketch=sketch, point=_point((x, y), factor))
     if isinstance(feature, EdgeBreak):
         places = tuple((x * factor, y * factor, z * factor) for x, y, z in feature.places)
-        other = None if feature.other is None else _times(feature.other, factor)
-        return replace(feature, places=places, size=_times(feature.size, factor), other=other)
+        return replace(feature, places=places, size=_times(feature.size, factor))
     return _scaled_holes(feature, factor)
 
 

@@ -23,7 +23,7 @@ Vector = npt.NDArray[np.float64]
 Points = npt.NDArray[np.float64]
 
 _SAME = 1e-4
-"""mm within which places are one."""
+"""Units within which places are one."""
 
 _PARALLEL = 1e-6
 """Sine of the angle between axes that are one."""

@@ -168,5 +168,5 @@ def _is_far(edge: TopoDS_Shape) -> bool:
 
 def test_what_cannot_be_broken_is_none() -> None:
     block = box((0, 0, 0), (60, 40, 12))
-    assert dressed(block, [EdgeBreak(((30.0, 0.0, 12.0),), 13.0, None, True)]) is None
+    assert dressed(block, [EdgeBreak(((30.0, 0.0, 12.0),), 13.0, True)]) is None
     assert len(faces_of(block)) == 6 and len(edges_of(block)) == 12
