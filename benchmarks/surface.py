@@ -42,9 +42,10 @@ from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.samples.classed import PartClass, classed_part
+from gaussiancad_core.sheet.arranging import Drawings, arrange
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.colouring import coloured
-from gaussiancad_core.sheet.layout import find_layout
+from gaussiancad_core.sheet.layout import view_clusters
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
@@ -185,7 +186,7 @@ def registered_of(part: Part) -> RegisteredSheet:
         path = Path(folder) / "sheet.png"
         write_image(sheet.image, path)
         clean = clean_sheet(read_sheet(path).grey)
-    layout = find_layout(clean.ink, {}, Projection.THIRD)
+    layout = arrange(Drawings(view_clusters(clean.ink, 0.0), clean.ink), {}, Projection.THIRD)
     found = register_views(read_views(clean, layout), ReadingOptions())
     return replace(found, views=coloured(found.views, ReadingOptions().colour))
 

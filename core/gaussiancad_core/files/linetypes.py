@@ -37,6 +37,10 @@ _WORDS: tuple[tuple[StrokeRole, tuple[str, ...]], ...] = (
         ),
     ),
     (
+        StrokeRole.HATCH,
+        ("hatch", "schraff", "hachur", "rayado", "achurad", "штриховк", "剖面线", "ハッチ"),
+    ),
+    (
         StrokeRole.HIDDEN,
         (
             "hidden",
@@ -71,12 +75,10 @@ _WORDS: tuple[tuple[StrokeRole, tuple[str, ...]], ...] = (
         (
             r"(?:^|\W|_)dim",
             "text",
-            "hatch",
             "note",
             "title",
             "frame",
             "bema(?:ß|ss)",
-            "schraff",
             "cota",
             "quot",
             "标注",

@@ -29,12 +29,14 @@ class StrokeRole(Enum):
 
     It is a hint.  ``VISIBLE`` is a solid line of a DXF file that nothing else is said of;
     ``UNKNOWN`` is any other line that neither names nor dashes tell of, such as a solid line of a
-    PDF or SVG file.  ``OTHER`` is a line of another meaning by its name: phantom, dimension, frame.
+    PDF or SVG file.  ``HATCH`` is hatching by its name; ``OTHER`` is a line of another meaning by
+    its name: phantom, dimension, frame.
     """
 
     VISIBLE = "visible"
     HIDDEN = "hidden"
     CENTRE = "centre"
+    HATCH = "hatch"
     OTHER = "other"
     UNKNOWN = "unknown"
 

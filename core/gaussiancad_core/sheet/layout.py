@@ -1,10 +1,4 @@
-"""Find the views on a sheet and say which is which.
-
-A view is a cluster of ink.  Views that show the same axis side by side have the same interval on
-the sheet: the view that shares its columns with one neighbour and its rows with another is the
-front view, and the others' roles follow from where they stand and from the projection (ISO
-5456-2).
-"""
+"""The layout of a sheet: where its views are, and the clusters of ink that may be views."""
 
 from collections.abc import Container, Iterable
 from dataclasses import dataclass
@@ -14,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.errors import NoModelError, UsageError
+from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 
@@ -32,9 +26,6 @@ _MIN_SIDE = 12
 
 _MIN_VIEW = 32
 """px; clusters smaller than this in both directions are too small for a view."""
-
-_DEEP = 0.15
-"""Share of the part's depth by which the width of a rear view differs from it at least."""
 
 _FRAME_SHARE = 0.8
 """A cluster that spans this share of the sheet both ways, around others, is its frame."""
@@ -65,63 +56,11 @@ class Layout:
     frame: Box | None = None
 
 
-def find_layout(
-    ink: npt.NDArray[np.bool_],
-    given: dict[Role, Box],
-    projection: Projection | None,
-    stub_width: float = 0.0,
-) -> Layout:
-    """Name the views of a sheet.
-
-    Args:
-        ink: (h, w) bool.
-        given: views that the user named, each by a box around it; two or more of them are taken
-            as they are, one fixes where the others are looked for.
-        projection: as told by the user, or None to take third angle, or first where that calls
-            a view the top one and third the bottom one.
-        stub_width: px; where single lines of at most this width stick out of a view, they are
-            remains of dimensions and do not count.
-
-    Raises:
-        NoModelError: there are fewer than two views that belong together.
-        UsageError: a given box holds no ink.
-    """
-    return arrange_clusters(view_clusters(ink, stub_width), given, projection)
-
-
 def view_clusters(
     ink: npt.NDArray[np.bool_], stub_width: float, *, has_paper: bool = True
 ) -> list[Box]:
     """Boxes of connected groups of ink, largest first, without single lines that stick out."""
     return [_without_stubs(box, ink, stub_width) for box in find_clusters(ink, has_paper=has_paper)]
-
-
-def arrange_clusters(
-    clusters: list[Box], given: dict[Role, Box], projection: Projection | None
-) -> Layout:
-    """Name clusters of ink, as :func:`find_layout` does.
-
-    Raises:
-        NoModelError: there are fewer than two views that belong together.
-        UsageError: a given box holds no cluster.
-    """
-    source = "default" if projection is None else "given"
-    chosen = projection or Projection.THIRD
-    if given:
-        named = {role: _inside(clusters, box, role) for role, box in given.items()}
-        if len(named) >= 2:
-            rest = tuple(box for box in clusters if box not in named.values())
-            return Layout(named, chosen, "given" if projection else source, (), rest)
-        clusters = _with_merged(clusters, next(iter(named.values())))
-        boxes = _arrange(clusters, chosen, named)
-    else:
-        boxes = _arrange(clusters, chosen, {})
-        if projection is None and is_unusual(boxes):
-            chosen = chosen.other
-            boxes = _arrange(clusters, chosen, {})
-    rest = tuple(box for box in clusters if box not in boxes.values())
-    alternatives = (chosen.other,) if projection is None else ()
-    return Layout(boxes, chosen, source, alternatives, rest)
 
 
 def lone_layout(clusters: list[Box], projection: Projection | None) -> Layout | None:
@@ -249,105 +188,14 @@ def _has_ink(
     return x0 < x1 and y0 < y1 and bool(ink[y0:y1, x0:x1].any())
 
 
-def _arrange(
-    clusters: list[Box], projection: Projection, named: dict[Role, Box]
-) -> dict[Role, Box]:
-    """The arrangement around a front view that explains the most ink area."""
-    best: dict[Role, Box] = {}
-    best_score = (0, 0, 0.0)
-    large = [box for box in clusters if max(_width(box), _height(box)) >= _MIN_VIEW]
-    for front in large:
-        found = _around(front, large, projection)
-        if any(found.get(role) != box for role, box in named.items()):
-            continue
-        shown_axes = len({role.frame.look_axis[0] for role in found})
-        # Two views alone do not tell which is the front: usual are a top view and a view beside it
-        # on the right.
-        usual = sum(role is Role.TOP or role.slot(projection) == (1, 0) for role in found)
-        score = (shown_axes, usual, sum(_width(box) * _height(box) for box in found.values()))
-        if score > best_score:
-            best, best_score = found, score
-    if len(best) < 2:
-        raise _no_views(large)
-    return best
-
-
-def _around(front: Box, clusters: list[Box], projection: Projection) -> dict[Role, Box]:
-    """Roles of the clusters aligned with ``front``, the nearest on each side."""
-    by_slot = {
-        role.slot(projection): role for role in (Role.TOP, Role.BOTTOM, Role.LEFT, Role.RIGHT)
-    }
-    found = {Role.FRONT: front}
-    for slot, role in by_slot.items():
-        column, row = slot
-        neighbours = [
-            (gap, box)
-            for box in clusters
-            if box != front and (gap := _gap(front, box, column, row)) is not None
-        ]
-        if neighbours:
-            found[role] = min(neighbours)[1]
-    _rename_rear(found)
-    _add_rear(found, clusters)
-    return found
-
-
-def _rename_rear(found: dict[Role, Box]) -> None:
-    """Call a view beside the front one the rear view, in place, where it is as wide as that and not
-    as wide as the part is deep."""
-    depths = [_height(found[role]) for role in (Role.TOP, Role.BOTTOM) if role in found]
-    for role, other in ((Role.RIGHT, Role.LEFT), (Role.LEFT, Role.RIGHT)):
-        if role not in found or Role.REAR in found:
-            continue
-        wide = _width(found[role])
-        known = [*depths, *([_width(found[other])] if other in found else [])]
-        clash = bool(known) and min(abs(wide - depth) / depth for depth in known) > _DEEP
-        if clash and _same_interval(0.0, _width(found[Role.FRONT]), 0.0, wide):
-            found[Role.REAR] = found.pop(role)
-
-
-def _add_rear(found: dict[Role, Box], clusters: list[Box]) -> None:
-    """Add the rear view in place: as large as the front view, beyond a view beside it."""
-    front = found[Role.FRONT]
-    if Role.REAR in found:
-        return
-    for box in [found[role] for role in (Role.RIGHT, Role.LEFT) if role in found]:
-        column = 1 if box[0] > front[0] else -1
-        beyond = [
-            (gap, other)
-            for other in clusters
-            if (gap := _gap(box, other, column, 0)) is not None
-            and _gap(front, other, column, 0) is not None
-            and _same_interval(0.0, _width(front), 0.0, _width(other))
-        ]
-        if beyond:
-            found[Role.REAR] = min(beyond)[1]
-            return
-
-
-def _gap(front: Box, box: Box, column: int, row: int) -> float | None:
-    """Distance from ``front`` to an aligned ``box`` on the given side, or None."""
-    if row:
-        aligned = _same_interval(front[0], front[2], box[0], box[2])
-        gap = front[1] - box[3] if row > 0 else box[1] - front[3]
-    else:
-        aligned = _same_interval(front[1], front[3], box[1], box[3])
-        gap = box[0] - front[2] if column > 0 else front[0] - box[2]
-    return gap if aligned and gap > 0 else None
-
-
 def alignment_tolerance(extent: float) -> float:
     """How far in px the ends of two intervals of this extent may differ: a drawing that was edited
     by a few per cent is still read."""
     return max(4.0, 0.03 * extent)
 
 
-def _same_interval(a0: float, a1: float, b0: float, b1: float) -> bool:
-    tolerance = alignment_tolerance(max(a1 - a0, b1 - b0))
-    return abs(a0 - b0) <= tolerance and abs(a1 - b1) <= tolerance
-
-
-def _no_views(clusters: list[Box]) -> NoModelError:
+def no_views(clusters: list[Box]) -> NoModelError:
+    """Why some drawings are no views that belong together."""
     places = ", ".join("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in clusters[:4])
     if not clusters:
         return NoModelError(
@@ -370,34 +218,12 @@ def _no_views(clusters: list[Box]) -> NoModelError:
     )
 
 
-def _inside(clusters: list[Box], box: Box, role: Role) -> Box:
-    """Union of the clusters whose centre lies in a given box."""
-    x0, y0, x1, y1 = box
-    found = [c for c in clusters if x0 <= (c[0] + c[2]) / 2 <= x1 and y0 <= (c[1] + c[3]) / 2 <= y1]
-    if not found:
-        raise UsageError(
-            "empty-view-box",
-            "--view {view}: there are no lines in the box {box}",
-            view=role,
-            box=f"{x0:g},{y0:g},{x1:g},{y1:g}",
-        )
-    return _union(found)
-
-
-def _with_merged(clusters: list[Box], union: Box) -> list[Box]:
-    return [union, *(box for box in clusters if not _overlap(box, union))]
-
-
 def _width(box: Box) -> float:
     return box[2] - box[0]
 
 
 def _height(box: Box) -> float:
     return box[3] - box[1]
-
-
-def _overlap(a: Box, b: Box) -> bool:
-    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
 def _contains(outer: Box, inner: Box) -> bool:

@@ -15,8 +15,9 @@ from gaussiancad_core.drawing.raster import draw_stroke
 from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
 from gaussiancad_core.drawing.style import PRESETS, Cap
 from gaussiancad_core.samples import sample
+from gaussiancad_core.sheet.arranging import Drawings, arrange
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
-from gaussiancad_core.sheet.layout import Layout, find_layout
+from gaussiancad_core.sheet.layout import Layout, view_clusters
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import (
     ReadView,
@@ -141,7 +142,7 @@ def _drawn(part: str, style: str, views: str, projection: str) -> Sheet:
 def _read(part: str, style: str, views: str, projection: str) -> ReadCase:
     sheet = _drawn(part, style, views, projection)
     clean = clean_sheet(_grey(sheet.image))
-    layout = find_layout(clean.ink, {}, sheet.projection)
+    layout = arrange(Drawings(view_clusters(clean.ink, 0.0), clean.ink), {}, sheet.projection)
     found = read_views(clean, layout)
     return ReadCase(sheet, clean, layout, found, register_views(found, ReadingOptions()))
 

@@ -14,9 +14,10 @@ from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.strokes import as_plain_strokes
 from gaussiancad_core.drawing.style import PRESETS
 from gaussiancad_core.samples.classed import PartClass, classed_part
+from gaussiancad_core.sheet.arranging import Drawings, arrange
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Circle, Line
-from gaussiancad_core.sheet.layout import find_layout
+from gaussiancad_core.sheet.layout import view_clusters
 from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.sheet.shadows import without_shadows
@@ -42,7 +43,7 @@ def _view(part: TopoDS_Shape, role: Role) -> tuple[Sequence[Stroke], Sequence[St
     """The strokes of a part's view as read from a clean sheet, and as they were drawn."""
     sheet = draw_sheet(part, (Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD, PRESETS["clean"])
     clean = clean_sheet(cv2.cvtColor(sheet.image, cv2.COLOR_RGB2GRAY))
-    layout = find_layout(clean.ink, {}, Projection.THIRD)
+    layout = arrange(Drawings(view_clusters(clean.ink, 0.0), clean.ink), {}, Projection.THIRD)
     found = next(view for view in read_views(clean, layout) if view.role is role)
     drawn = next(view for view in sheet.views if view.role is role)
     return found.strokes, as_plain_strokes(drawn.strokes)

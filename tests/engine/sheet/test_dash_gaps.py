@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.arranging import Drawings, arrange
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.dash_gaps import dash_gap
-from gaussiancad_core.sheet.layout import find_layout
+from gaussiancad_core.sheet.layout import view_clusters
 from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.views import Linetype
 
@@ -65,9 +66,8 @@ def test_thin_lines_of_long_dashes_are_one_stroke(sketch: Sketch, dash: int, gap
     for y in (100.0, 160.0):
         drawn.broken((41, y), (41 + 10 * dash + 9 * gap, y), (dash, gap), 2.0)
     clean = upright_sheet(clean_sheet(drawn.grey))
-    layout = find_layout(
-        clean.ink, {Role.FRONT: (0, 0, 700, 255), Role.BOTTOM: (0, 256, 700, 500)}, None
-    )
+    given = {Role.FRONT: (0, 0, 700, 255), Role.BOTTOM: (0, 256, 700, 500)}
+    layout = arrange(Drawings(view_clusters(clean.ink, 0.0), clean.ink), given, None)
     front = read_views(clean, layout)[0]
     hidden = [stroke for stroke in front.strokes if stroke.linetype is Linetype.HIDDEN]
     assert len(hidden) == 2

@@ -4,7 +4,8 @@ import pytest
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.sheet import layout
-from gaussiancad_core.sheet.layout import Box, find_clusters, find_layout
+from gaussiancad_core.sheet.arranging import Drawings, arrange
+from gaussiancad_core.sheet.layout import Box, Layout, find_clusters, view_clusters
 
 
 def _sheet(*boxes: tuple[int, int, int, int]) -> np.ndarray:
@@ -13,6 +14,10 @@ def _sheet(*boxes: tuple[int, int, int, int]) -> np.ndarray:
         ink[y0 : y1 + 1, [x0, x1]] = True
         ink[[y0, y1], x0 : x1 + 1] = True
     return ink
+
+
+def _layout(ink: np.ndarray, given: dict[Role, Box], projection: Projection | None) -> Layout:
+    return arrange(Drawings(view_clusters(ink, 0.0), ink), given, projection)
 
 
 FRONT = (300, 300, 500, 400)
@@ -42,7 +47,7 @@ def _close(box: Box, expected: tuple[int, int, int, int]) -> bool:
 def test_roles_follow_from_place_and_projection(
     boxes: tuple, projection: Projection, expected: dict
 ) -> None:
-    layout = find_layout(_sheet(*boxes), {}, projection)
+    layout = _layout(_sheet(*boxes), {}, projection)
     wanted = {Role.FRONT: FRONT, **expected}
     assert set(layout.boxes) == set(wanted)
     assert all(_close(layout.boxes[role], box) for role, box in wanted.items())
@@ -50,7 +55,7 @@ def test_roles_follow_from_place_and_projection(
 
 
 def test_untold_projection_is_third_and_first_fits_as_well() -> None:
-    layout = find_layout(_sheet(FRONT, ABOVE, RIGHT), {}, None)
+    layout = _layout(_sheet(FRONT, ABOVE, RIGHT), {}, None)
     assert layout.projection is Projection.THIRD
     assert (layout.source, layout.alternatives) == ("default", (Projection.FIRST,))
 
@@ -59,7 +64,7 @@ def test_untold_projection_is_third_and_first_fits_as_well() -> None:
 def test_a_view_below_is_from_above_where_nobody_tells_the_projection(
     beside: tuple[int, int, int, int], role: Role
 ) -> None:
-    layout = find_layout(_sheet(FRONT, BELOW, beside), {}, None)
+    layout = _layout(_sheet(FRONT, BELOW, beside), {}, None)
     assert layout.projection is Projection.FIRST
     assert (layout.source, layout.alternatives) == ("default", (Projection.THIRD,))
     wanted = {Role.FRONT: FRONT, Role.TOP: BELOW, role: beside}
@@ -68,23 +73,23 @@ def test_a_view_below_is_from_above_where_nobody_tells_the_projection(
 
 
 def test_views_from_above_and_below_tell_no_projection() -> None:
-    layout = find_layout(_sheet(FRONT, ABOVE, BELOW, RIGHT), {}, None)
+    layout = _layout(_sheet(FRONT, ABOVE, BELOW, RIGHT), {}, None)
     assert layout.projection is Projection.THIRD
 
 
 def test_two_views_are_enough() -> None:
-    assert set(find_layout(_sheet(FRONT, ABOVE), {}, None).boxes) == {Role.FRONT, Role.TOP}
-    assert set(find_layout(_sheet(FRONT, RIGHT), {}, None).boxes) == {Role.FRONT, Role.RIGHT}
+    assert set(_layout(_sheet(FRONT, ABOVE), {}, None).boxes) == {Role.FRONT, Role.TOP}
+    assert set(_layout(_sheet(FRONT, RIGHT), {}, None).boxes) == {Role.FRONT, Role.RIGHT}
 
 
 def test_strokes_inside_a_view_belong_to_it() -> None:
     ink = _sheet(FRONT, ABOVE, RIGHT, (350, 330, 420, 370))
-    assert len(find_layout(ink, {}, None).boxes) == 3
-    assert not find_layout(ink, {}, None).left_out
+    assert len(_layout(ink, {}, None).boxes) == 3
+    assert not _layout(ink, {}, None).left_out
 
 
 def test_a_frame_around_the_views_is_none() -> None:
-    layout = find_layout(_sheet(FRONT, ABOVE, RIGHT, (10, 10, 990, 690)), {}, None)
+    layout = _layout(_sheet(FRONT, ABOVE, RIGHT, (10, 10, 990, 690)), {}, None)
     assert _close(layout.boxes[Role.FRONT], FRONT)
     assert len(layout.boxes) == 3
 
@@ -98,18 +103,18 @@ def test_in_free_space_what_goes_around_all_is_an_outline() -> None:
 
 
 def test_other_lines_are_left_out_and_told() -> None:
-    layout = find_layout(_sheet(FRONT, ABOVE, RIGHT, (800, 500, 960, 560)), {}, None)
+    layout = _layout(_sheet(FRONT, ABOVE, RIGHT, (800, 500, 960, 560)), {}, None)
     assert len(layout.boxes) == 3
     assert len(layout.left_out) == 1 and _close(layout.left_out[0], (800, 500, 960, 560))
 
 
 def test_boxes_name_views_wherever_they_stand() -> None:
     given = {Role.REAR: (290, 290, 510, 410), Role.LEFT: (550, 290, 720, 410)}
-    layout = find_layout(_sheet(FRONT, RIGHT, ABOVE), given, None)
+    layout = _layout(_sheet(FRONT, RIGHT, ABOVE), given, None)
     assert set(layout.boxes) == {Role.REAR, Role.LEFT}
     assert _close(layout.boxes[Role.REAR], FRONT)
     with pytest.raises(UsageError) as caught:
-        find_layout(_sheet(FRONT, RIGHT), {Role.TOP: (0, 0, 50, 50)}, None)
+        _layout(_sheet(FRONT, RIGHT), {Role.TOP: (0, 0, 50, 50)}, None)
     assert caught.value.code == "empty-view-box"
 
 
@@ -123,7 +128,7 @@ def test_boxes_name_views_wherever_they_stand() -> None:
 )
 def test_what_is_no_arrangement_of_views(boxes: tuple, code: str) -> None:
     with pytest.raises(NoModelError) as caught:
-        find_layout(_sheet(*boxes), {}, None)
+        _layout(_sheet(*boxes), {}, None)
     assert caught.value.code == code
 
 
@@ -134,7 +139,7 @@ def test_a_side_that_ends_short_of_all_others_belongs_to_its_view(short: int, jo
     ink[y0 : y1 + 1, x0] = True
     ink[[y0, y1], x0 : x1 - short] = True
     ink[y0 + short : y1 - short, x1] = True
-    layout = find_layout(ink, {}, Projection.THIRD)
+    layout = _layout(ink, {}, Projection.THIRD)
     assert (Role.FRONT in layout.boxes and _close(layout.boxes[Role.FRONT], FRONT)) is joined
 
 
@@ -142,8 +147,12 @@ def test_a_line_beside_an_edge_is_no_side_of_the_view() -> None:
     ink = _sheet(FRONT, ABOVE, RIGHT)
     x0, y0, _, y1 = FRONT
     ink[y0 + 5 : y1 - 5, x0 - 10] = True
-    layout = find_layout(ink, {}, Projection.THIRD)
+    layout = _layout(ink, {}, Projection.THIRD)
     assert _close(layout.boxes[Role.FRONT], FRONT)
+
+
+def _overlap(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
 def test_boxes_are_united_until_none_overlaps_another() -> None:
@@ -153,7 +162,7 @@ def test_boxes_are_united_until_none_overlaps_another() -> None:
     boxes = [(x, y, x + w, y + h) for (x, y), (w, h) in zip(corners, sizes, strict=True)]
     united = layout._merge_overlapping(boxes)
     pairs = [(a, b) for a in united for b in united if a is not b]
-    assert not any(layout._overlap(a, b) for a, b in pairs)
+    assert not any(_overlap(a, b) for a, b in pairs)
     assert all(any(layout._contains(own, box) for own in united) for box in boxes)
     assert 10 < len(united) < 300
     assert layout._merge_overlapping([]) == []

@@ -146,17 +146,18 @@ def labelled(
     if edges.sum() < _LEAST:
         return None
     inside = _inside(touches, edges)
-    rest = ~framed & ~edges
+    named = inside & np.array([_is_named_hatching(stroke) for stroke in lines], dtype=bool)
+    rest = ~framed & ~edges & ~named
     chained = chain_pieces(lines, touches, rest)
     dashed = inside & dashes(lines, touches, numbers, rest & ~chained)
-    hatched = _hatching(lines, touches, edges, inside & candidates, centres)
+    hatched = named | _hatching(lines, touches, edges, inside & candidates, centres)
     labels = [Label.OTHER] * len(lines)
     for index, stroke in enumerate(lines):
         if framed[index]:
             labels[index] = Label.FRAME
         elif askew[index]:
             labels[index] = Label.PICTORIAL
-        elif hatched[index] or stroke.kind is StrokeKind.HATCH:
+        elif hatched[index]:
             labels[index] = Label.HATCH
         elif edges[index]:
             labels[index] = Label.VISIBLE
@@ -173,6 +174,11 @@ def labelled(
     order = sorted(found, key=lambda own: -own.weight)
     told = tuple(labels), tuple(order), touches, doubtful, boxes
     return LabelledDrawing(lines, *told, frame_guessed=around.guessed)
+
+
+def _is_named_hatching(stroke: VectorStroke) -> bool:
+    """Whether a file says that a stroke is hatching."""
+    return stroke.kind is StrokeKind.HATCH or stroke.role is StrokeRole.HATCH
 
 
 def _may_be_centre(stroke: VectorStroke) -> bool:

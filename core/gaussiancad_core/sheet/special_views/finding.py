@@ -11,16 +11,15 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.erase import masked
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
+from gaussiancad_core.sheet.arranging import Drawings, arrange
 from gaussiancad_core.sheet.captioned_views import Caption, captioned, told_projection
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import (
     Layout,
-    arrange_clusters,
     find_clusters,
     lone_layout,
     view_clusters,
 )
-from gaussiancad_core.sheet.loose_views import arrange_loosely
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.silhouettes import beside, without_stickouts
@@ -29,9 +28,6 @@ from gaussiancad_core.sheet.special_views.halves import Half, completed, find_ha
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.naming import details, inside, merged, special_kind
 from gaussiancad_core.sheet.special_views.sections import hatched_box, section_kind
-
-_ENOUGH = 0.5
-"""Size of the views without the sections as a share of what is left out of them, at least."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +101,7 @@ def find_named_layout(
                 special.append(SpecialView(kind, box))
                 rest.remove(box)
     special += _askew(separated)
-    for other in _other_parts(rest, layout):
+    for other in _other_parts(rest, layout, separated.part.ink):
         special.append(SpecialView(SpecialKind.OTHER_PART, merged(other)))
         rest = [box for box in rest if box not in other]
     whole = [broken.box for broken in breaks]
@@ -197,28 +193,15 @@ def _sections(separated: SeparatedSheet, clusters: list[Box]) -> dict[Box, Speci
 def _arranged(
     clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutRequest, ink: Mask
 ) -> Layout:
-    """The views with full sections where these show another direction, or are needed; else
-    without.  One view alone where there may be one."""
+    """The views: one alone where there may be one; as captions name them; or as they agree."""
     alone = lone_layout(clusters, request.projection) if request.lone else None
     if alone is not None:
         return alone
     named = captioned(request.captions, clusters)
     if len(named) > 1:
         return _named(named, clusters, request.projection)
-    full = [box for box, kind in cut.items() if kind is SpecialKind.SECTION]
-    plain = [box for box in clusters if box not in full]
-    if full and not request.given:
-        try:
-            layout = arrange_loosely(plain, request.given, request.projection, ink)
-        except NoModelError:
-            return arrange_loosely(clusters, request.given, request.projection, ink)
-        whole = arrange_loosely(clusters, request.given, request.projection, ink)
-        if layout.boxes.items() <= whole.boxes.items() and _directions(whole) > _directions(layout):
-            return whole
-        used = sum(_area(box) for box in layout.boxes.values())
-        if used > _ENOUGH * sum(_area(box) for box in layout.left_out):
-            return replace(layout, left_out=layout.left_out + tuple(full))
-    return arrange_loosely(clusters, request.given, request.projection, ink)
+    full = frozenset(box for box, kind in cut.items() if kind is SpecialKind.SECTION)
+    return arrange(Drawings(clusters, ink, full), request.given, request.projection)
 
 
 def _named(named: dict[Role, Box], clusters: list[Box], projection: Projection | None) -> Layout:
@@ -229,19 +212,14 @@ def _named(named: dict[Role, Box], clusters: list[Box], projection: Projection |
     return Layout(named, told or Projection.THIRD, source, (), rest)
 
 
-def _directions(layout: Layout) -> int:
-    """Along how many axes views look."""
-    return len({role.frame.look_axis[0] for role in layout.boxes})
-
-
-def _other_parts(rest: list[Box], layout: Layout) -> list[list[Box]]:
+def _other_parts(rest: list[Box], layout: Layout, ink: Mask) -> list[list[Box]]:
     """Groups of views that belong together, and not to the part's."""
     least = 0.1 * min(_area(box) for box in layout.boxes.values())
     left = [box for box in rest if _area(box) > least]
     found = []
     while len(left) >= 2:
         try:
-            other = arrange_clusters(left, {}, layout.projection)
+            other = arrange(Drawings(left, ink), {}, layout.projection)
         except NoModelError:
             break
         found.append(list(other.boxes.values()))

@@ -7,7 +7,7 @@ import pytest
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.loose_views import arrange_loosely
+from gaussiancad_core.sheet.arranging import Drawings, arrange
 from gaussiancad_core.sheet.options import Box
 
 WIDE, DEEP, HIGH = 300, 120, 200
@@ -38,7 +38,7 @@ def sheet() -> np.ndarray:
 
 
 def roles(ink: np.ndarray, *boxes: Box, projection: Projection | None = None) -> dict[Role, Box]:
-    return arrange_loosely(list(boxes), {}, projection, ink).boxes
+    return arrange(Drawings(boxes, ink), {}, projection).boxes
 
 
 @pytest.mark.parametrize("projection", list(Projection))
@@ -57,7 +57,7 @@ def test_a_loose_view_below_is_the_top_view_in_first_angle() -> None:
     ink = sheet()
     views = front(ink), drawn(ink, (600, 300), (DEEP, HIGH), AWAY, UP)
     below = drawn(ink, (180, 600), (WIDE, DEEP), ACROSS, AWAY)
-    found = arrange_loosely([*views, below], {}, None, ink)
+    found = arrange(Drawings([*views, below], ink), {}, None)
     assert found.boxes == {Role.FRONT: views[0], Role.LEFT: views[1], Role.TOP: below}
     assert (found.projection, found.source) == (Projection.FIRST, "default")
     assert found.alternatives == (Projection.THIRD,)
