@@ -5,6 +5,7 @@ from gaussiancad_core.files.vectors import StrokeRole
 
 HIDDEN, CENTRE, OTHER = StrokeRole.HIDDEN, StrokeRole.CENTRE, StrokeRole.OTHER
 VISIBLE, UNKNOWN = StrokeRole.VISIBLE, StrokeRole.UNKNOWN
+HATCH = StrokeRole.HATCH
 
 
 @pytest.mark.parametrize(
@@ -30,6 +31,11 @@ VISIBLE, UNKNOWN = StrokeRole.VISIBLE, StrokeRole.UNKNOWN
         ("ACAD_ISO05W100", OTHER),
         ("DIM", OTHER),
         ("标注层", OTHER),
+        ("Hatching", HATCH),
+        ("Schraffur", HATCH),
+        ("剖面线层", HATCH),
+        ("Штриховка", HATCH),
+        ("Штриховая", HIDDEN),
         ("VISIBLE (ISO)", VISIBLE),
         ("轮廓实线层", VISIBLE),
         ("Continuous", None),

@@ -1,4 +1,4 @@
-"""Views out of line: told by extents, and by lines at the same places."""
+"""Which drawing is which view: told by places, by extents, and by lines at the same places."""
 
 from collections.abc import Sequence
 
@@ -105,3 +105,51 @@ def test_two_drawings_of_other_parts_do_not() -> None:
     with pytest.raises(NoModelError) as caught:
         roles(ink, *views)
     assert caught.value.code == "views-not-aligned"
+
+
+def test_a_section_stands_for_the_view_between_two_others() -> None:
+    ink = sheet()
+    cut = front(ink)
+    above = drawn(ink, (100, 100), (WIDE, DEEP), ACROSS, AWAY)
+    below = drawn(ink, (100, 600), (WIDE, DEEP), ACROSS, [DEEP - 1 - own for own in AWAY])
+    found = arrange(Drawings([cut, above, below], ink, {cut}), {}, Projection.THIRD)
+    assert found.boxes == {Role.FRONT: cut, Role.TOP: above, Role.BOTTOM: below}
+
+
+@pytest.mark.parametrize("is_cut", [False, True])
+def test_a_section_stands_for_no_view_whose_direction_another_one_has(is_cut: bool) -> None:
+    ink = sheet()
+    views = front(ink), drawn(ink, (500, 300), (DEEP, HIGH), AWAY, UP)
+    left = drawn(ink, (680, 300), (DEEP, HIGH), AWAY, UP)
+    drawings = Drawings([*views, left], ink, {left} if is_cut else ())
+    found = arrange(drawings, {}, Projection.THIRD)
+    assert found.boxes[Role.FRONT] == views[0] and found.boxes[Role.RIGHT] == views[1]
+    assert left not in found.boxes.values() or not is_cut
+
+
+def test_all_drawings_around_an_edge_view_are_its_views() -> None:
+    ink = sheet()
+    edge = drawn(ink, (100, 400), (WIDE, DEEP), ACROSS, AWAY)
+    above = drawn(ink, (100, 100), (WIDE, HIGH), ACROSS, UP)
+    below = drawn(ink, (100, 600), (WIDE, HIGH), ACROSS, [HIGH - 1 - own for own in UP])
+    assert roles(ink, above, below, edge) == {
+        Role.FRONT: edge,
+        Role.TOP: above,
+        Role.BOTTOM: below,
+    }
+
+
+def test_left_and_right_views_that_mirror_each_other_are_no_front_and_rear() -> None:
+    ink = sheet()
+    views = (
+        drawn(ink, (300, 300), (WIDE, HIGH), ACROSS, UP),
+        drawn(ink, (300, 100), (WIDE, DEEP), ACROSS, AWAY),
+    )
+    right = drawn(ink, (650, 300), (DEEP, HIGH), (20, 45, 70), (20, *UP))
+    left = drawn(ink, (100, 300), (DEEP, HIGH), (49, 74, 99), (20, *UP))
+    assert roles(ink, *views, right, left, projection=Projection.THIRD) == {
+        Role.FRONT: views[0],
+        Role.TOP: views[1],
+        Role.RIGHT: right,
+        Role.LEFT: left,
+    }

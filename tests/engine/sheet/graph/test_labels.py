@@ -126,6 +126,15 @@ def test_slanted_parallels_from_edge_to_edge_are_hatching() -> None:
     assert labels == [Label.VISIBLE] * 5 + [Label.HATCH] * 4
 
 
+def test_what_the_file_calls_hatching_is_hatching_within_the_part_however_few_its_lines() -> None:
+    ends = (310, 340, 350, 300), (480, 400, 500, 380), (600, 340, 640, 300)
+    named = [
+        VectorStroke(Line((a, b), (c, d)), _THIN, role=StrokeRole.HATCH) for a, b, c, d in ends
+    ]
+    assert _labels(_box(300, 300, 200, 100) + named)[-3:-1] == [Label.HATCH] * 2
+    assert _labels(_box(300, 300, 200, 100) + named)[-1] is not Label.HATCH
+
+
 def test_what_the_file_calls_a_dimension_is_none_of_the_part() -> None:
     dimension = [
         VectorStroke(own.curve, _WIDE, kind=StrokeKind.DIMENSION)
