@@ -25,7 +25,11 @@ from gaussiancad_core.sheet.options import Box, FileUnit, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.special_views.beside import sections_beside
-from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_hatched_areas
+from gaussiancad_core.sheet.special_views.hatched_areas import (
+    to_middles,
+    with_hatched_areas,
+    with_named_sections,
+)
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.special_views.threads import arcs_of, without_threads
@@ -104,6 +108,7 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         scale = _sheet_scale(job, sheet, (found, drawn), notes)
         sections = _sections(sheet, scale, layout) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
+        drawn, layout = with_named_sections(drawn, layout, [own.box for own in sections], hatched)
 
         def read(own: Layout) -> tuple[ReadView, ...]:
             more = read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)

@@ -266,23 +266,27 @@ def _hatching(
     """(n,) which lines of some are hatching: slanted, parallel, from within one edge or centre line
     to within another, and, where the part's pen drew them, evenly apart."""
     ways = np.array([_way(stroke) for stroke in strokes])
+    lengths = np.hypot(*(touches.ends[:, 1] - touches.ends[:, 0]).T)
     slanted = np.abs(ways).min(axis=1) > _LEAN
     chosen = np.flatnonzero(candidates & slanted & touches.dividing_by(edges | centres))
     found = np.zeros(len(strokes), dtype=bool)
-    for index in chosen:
+    # The longest tells the direction best: of short ones it is as rough as the file's numbers.
+    for index in chosen[np.argsort(-lengths[chosen], kind="stable")]:
         if found[index]:
             continue
         across = np.array([-ways[index][1], ways[index][0]])
-        along = chosen[np.abs(ways[chosen] @ across) < _ALONG]
-        places = np.unique(np.round(touches.ends[along, 0] @ across, 1))
+        aside = np.abs((touches.ends[:, 1] - touches.ends[:, 0]) @ across)
+        parallel = aside < np.maximum(_ALONG * lengths, 0.5 * _REACH)
+        along = chosen[parallel[chosen]]
+        places = np.sort(touches.ends[along, 0] @ across)
         apart = np.diff(places)
+        apart = apart[apart > _REACH]
         if len(apart) >= _HATCH - 1:
             steps = apart / np.median(apart)
             even = bool((np.abs(steps - np.rint(steps)) < _UNEVEN).mean() >= _EVENLY)
             found[along] |= even | ~edges[along]
             if even:
-                rest = np.flatnonzero(candidates & slanted & ~found)
-                beside = rest[np.abs(ways[rest] @ across) < _ALONG]
+                beside = np.flatnonzero(candidates & slanted & ~found & parallel)
                 kept = _between(touches, along, beside, across, float(np.median(apart)))
                 found[kept] = True
     return found

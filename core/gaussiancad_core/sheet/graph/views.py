@@ -15,10 +15,11 @@ from gaussiancad_core.files.vectors import (
     VectorStroke,
     bounds,
 )
-from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import painted_sheet
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
+from gaussiancad_core.sheet.graph.cut_areas import cut_areas
 from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing, filled_letters
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.labels.evidence import meets, meets_any
@@ -30,12 +31,6 @@ from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_symbol
-
-_COVERED = 0.75
-"""Share of an area that is near its hatching at least, if it is hatched as a whole."""
-
-_REACH = 0.75
-"""Pitches from a line of a hatching up to which it tells."""
 
 _MARKS = {
     Label.CENTRE: AnnotationKind.CENTRE_LINE,
@@ -139,7 +134,7 @@ def _part(found: LabelledDrawing, sheet: OpenedSheet) -> tuple[SeparatedSheet, V
         for stroke, label in zip(found.strokes, found.labels, strict=True)
         if label in _MARKS and (mark := _mark(stroke, _MARKS[label])) is not None
     ]
-    hatched = _hatched(found.of(Label.HATCH), part.ink)
+    hatched = cut_areas(found.of(Label.HATCH), found.of(Label.CENTRE), part.ink)
     return SeparatedSheet(part, tuple(marks), hatched), VectorSheet(drawing)
 
 
@@ -161,46 +156,3 @@ def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:
         return line_mark(kind, curve.start, curve.end)
     box = bounds([curve])
     return Mark(kind, box) if box is not None else None
-
-
-def _hatched(lines: tuple[VectorStroke, ...], ink: Mask) -> Mask | None:
-    """(h, w) the areas between edges in which hatching runs; nothing where there is none.
-
-    Where hatching fills an area in part only, it ends at a centre line (ISO 128-3): what is hatched
-    ends with it.
-    """
-    if not lines:
-        return None
-    import cv2
-
-    _, areas = cv2.connectedComponents((~ink).astype(np.uint8), connectivity=4)
-    points = np.concatenate([stroke.curve.sample(2.0) for stroke in lines])
-    columns, rows = np.clip(np.floor(points).astype(int), 0, np.array(ink.shape)[::-1] - 1).T
-    hatched = np.unique(areas[rows, columns])
-    hatched = hatched[(hatched != 0) & (hatched != areas[0, 0])]
-    found = np.isin(areas, hatched)
-    reach = 2 * round(_REACH * _pitch(lines)) + 1
-    drawn = np.zeros(ink.shape, np.uint8)
-    drawn[rows, columns] = 1
-    near = cv2.morphologyEx(drawn, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8)) > 0
-    count = int(areas.max()) + 1
-    covered = np.bincount(areas[near], minlength=count) / np.bincount(areas.ravel())
-    partly = [number for number in hatched if covered[number] < _COVERED]
-    return found & (near | ~np.isin(areas, partly))
-
-
-def _pitch(lines: tuple[VectorStroke, ...]) -> float:
-    """px between neighbouring lines of a hatching, most often."""
-    ends = np.array([(own.curve.start, own.curve.end) for own in lines if _is_line(own)])
-    if len(ends) < 2:
-        return 0.0
-    ways = ends[:, 1] - ends[:, 0]
-    way = ways[np.hypot(*ways.T).argmax()]
-    normal = np.array([-way[1], way[0]]) / np.hypot(*way)
-    apart = np.diff(np.sort(ends[:, 0] @ normal))
-    apart = apart[apart > 1.0]
-    return float(np.median(apart)) if len(apart) else 0.0
-
-
-def _is_line(stroke: VectorStroke) -> bool:
-    return isinstance(stroke.curve, Line)

@@ -11,6 +11,8 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView, Ring
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS, SpecialKind, SpecialView
+from gaussiancad_core.sheet.special_views.naming import inside
+from gaussiancad_core.sheet.special_views.sections import hatched_box
 
 _MOST_PX = 25
 """px by which an area is led to the middle of the lines around it at most."""
@@ -40,6 +42,35 @@ def with_hatched_areas(
         section = sections.get(layout.boxes[view.role])
         found.append(view if section is None else cut_open(view, section, hatched))
     return tuple(found)
+
+
+def with_named_sections(
+    drawn: Sequence[ReadView], layout: Layout, named: Sequence[Box], hatched: Mask | None
+) -> tuple[tuple[ReadView, ...], Layout]:
+    """The views and the layout, where views that the sheet names as sections are sections, however
+    little of them is hatched.
+
+    Args:
+        drawn: in the layout's order.
+        layout: of the views.
+        named: boxes of sections with titles.
+        hatched: (h, w) of the upright sheet; None where nothing is.
+    """
+    if hatched is None:
+        return tuple(drawn), layout
+    known = {own.box for own in layout.special}
+    found = []
+    for view in drawn:
+        box = layout.boxes[view.role]
+        is_named = box not in known and any(inside(box, own) for own in named)
+        x0, y0, x1, y1 = (round(value) for value in box)
+        if not is_named or not hatched[y0:y1, x0:x1].any():
+            found.append(view)
+            continue
+        section = SpecialView(SpecialKind.SECTION, box, True, hatched_box(hatched, box))
+        found.append(cut_open(view, section, hatched))
+        layout = replace(layout, special=(*layout.special, section))
+    return tuple(found), layout
 
 
 def cut_open(view: ReadView, section: SpecialView, hatched: Mask) -> ReadView:

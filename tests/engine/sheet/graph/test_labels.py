@@ -126,6 +126,17 @@ def test_slanted_parallels_from_edge_to_edge_are_hatching() -> None:
     assert labels == [Label.VISIBLE] * 5 + [Label.HATCH] * 4
 
 
+def test_short_lines_of_a_hatching_are_parallel_as_far_as_the_files_numbers_tell() -> None:
+    """In a wall of 6 px a third of a pixel turns a line by two degrees and more."""
+    part = _box(300, 300, 200, 100) + _lines((306, 300, 306, 400))
+    places = range(310, 400, 15)
+    hatching = _lines(
+        *((300, y, 306, y - 6 + (0.25 if k % 2 else 0.0)) for k, y in enumerate(places)),
+        width=_THIN,
+    )
+    assert _labels(part + hatching)[5:] == [Label.HATCH] * len(places)
+
+
 def test_what_the_file_calls_hatching_is_hatching_within_the_part_however_few_its_lines() -> None:
     ends = (310, 340, 350, 300), (480, 400, 500, 380), (600, 340, 640, 300)
     named = [
