@@ -18,12 +18,12 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.sheet.layout import (
     Layout,
-    alignment_tolerance,
     may_be_views,
     no_views,
 )
 from gaussiancad_core.sheet.levels import Levels, agreement
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.standing import gap_beside, nearest, stands
 
 Ink = npt.NDArray[np.bool_]
 
@@ -61,6 +61,9 @@ _BELOW_ALONE = 5.0
 
 _FIRST = 1.5
 """Log-odds against first angle where nobody tells the projection."""
+
+_ROW = ((1, 0), (-1, 0))
+"""Slots in one row with the front view."""
 
 _AROUND = (Role.TOP, Role.BOTTOM, Role.RIGHT, Role.LEFT)
 
@@ -163,18 +166,12 @@ def _in_line(
     front: Box, boxes: Sequence[Box], drawings: Drawings, projection: Projection
 ) -> dict[Role, Box]:
     """The front view with those of the views around it that are in line."""
-    beside = [[None, *_nearest(front, boxes, role, projection)[:_BESIDE]] for role in _AROUND]
+    beside = [[None, *nearest(front, boxes, role, projection)[:_BESIDE]] for role in _AROUND]
     tried = (
         {Role.FRONT: front, **{role: box for role, box in zip(_AROUND, own, strict=True) if box}}
         for own in product(*beside)
     )
     return max(tried, key=lambda own: _score(own, drawings, projection))
-
-
-def _nearest(front: Box, boxes: Sequence[Box], role: Role, projection: Projection) -> list[Box]:
-    """The drawings in line where a role's view stands, the nearest first."""
-    gaps = [(_gap(front, box, role.slot(projection)), box) for box in boxes if box != front]
-    return [box for gap, box in sorted((gap, box) for gap, box in gaps if gap is not None)]
 
 
 def _score(found: Mapping[Role, Box], drawings: Drawings, projection: Projection) -> float:
@@ -185,7 +182,7 @@ def _score(found: Mapping[Role, Box], drawings: Drawings, projection: Projection
         if role is not Role.FRONT:
             odds = _log_odds(role, box, known, drawings, is_in_line=True)
             total += odds + _IN_LINE - _against(role, known, projection)
-            nearer = _nearest(found[Role.FRONT], drawings.boxes, role, projection)
+            nearer = nearest(found[Role.FRONT], drawings.boxes, role, projection)
             total -= _BEYOND * (nearer.index(box) if box in nearer else 0)
         known[role] = box
     return total - _sections_against(found, drawings)
@@ -236,10 +233,11 @@ def _loose_odds(
     role: Role, box: Box, found: Mapping[Role, Box], drawings: Drawings, projection: Projection
 ) -> float:
     front = found[Role.FRONT]
-    slot = role.slot(projection)
-    if role is Role.REAR and any(_gap(front, box, way) is not None for way in ((1, 0), (-1, 0))):
+    if role is Role.REAR and any(
+        gap_beside(front, box, way) is not None for way in ((1, 0), (-1, 0))
+    ):
         odds = _log_odds(role, box, found, drawings, is_in_line=True) + _IN_LINE
-    elif may_be_views([box]) and _stands(role, box, front, slot):
+    elif may_be_views([box]) and stands(role, box, front, projection):
         odds = _log_odds(role, box, found, drawings, is_in_line=False)
     else:
         return -inf
@@ -249,17 +247,6 @@ def _loose_odds(
         - _against(role, found, projection)
         - (_sections_against(together, drawings) - _sections_against(found, drawings))
     )
-
-
-def _stands(role: Role, box: Box, front: Box, slot: tuple[int, int]) -> bool:
-    """Whether a drawing lies on the side of the front view on which a role's view does."""
-    across, up = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
-    if role is Role.REAR:
-        return not front[0] <= across <= front[2]
-    column, row = slot
-    if column:
-        return across > front[2] if column > 0 else across < front[0]
-    return up < front[1] if row > 0 else up > front[3]
 
 
 def _log_odds(
@@ -291,23 +278,6 @@ def _shown(role: Role) -> Iterator[tuple[Axis, int, bool]]:
     yield axis, sign, True
     axis, sign = role.frame.up_axis
     yield axis, -sign, False
-
-
-def _gap(front: Box, box: Box, slot: tuple[int, int]) -> float | None:
-    """px from a front view to a drawing in line with it on the side of a slot, or None."""
-    column, row = slot
-    if row:
-        in_line = _same_interval(front[0], front[2], box[0], box[2])
-        gap = front[1] - box[3] if row > 0 else box[1] - front[3]
-    else:
-        in_line = _same_interval(front[1], front[3], box[1], box[3])
-        gap = box[0] - front[2] if column > 0 else front[0] - box[2]
-    return gap if in_line and gap > 0 else None
-
-
-def _same_interval(a0: float, a1: float, b0: float, b1: float) -> bool:
-    tolerance = alignment_tolerance(max(a1 - a0, b1 - b0))
-    return abs(a0 - b0) <= tolerance and abs(a1 - b1) <= tolerance
 
 
 def _inside(boxes: Sequence[Box], box: Box, role: Role) -> Box:
