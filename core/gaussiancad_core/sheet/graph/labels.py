@@ -25,7 +25,7 @@ from gaussiancad_core.sheet.graph.pens import (
     pens_of,
 )
 from gaussiancad_core.sheet.graph.pictorials import pictorials
-from gaussiancad_core.sheet.graph.touching import Flags, Touches, touching
+from gaussiancad_core.sheet.graph.touching import Flags, Ints, Touches, touching
 from gaussiancad_core.sheet.options import Box
 
 _REACH = 0.6
@@ -55,8 +55,9 @@ _LEAST = 3
 _MOST = 20_000
 """Strokes up to which they are looked at."""
 
-_ALONG, _LEAN = 1e-2, 0.2
-"""Sines of angles: up to the first, lines are parallel; from the second, they are slanted."""
+_ALONG, _ROUGH, _LEAN = 1e-2, 0.05, 0.2
+"""Sines of angles: up to the first, lines are parallel, up to the second short ones whose ends are
+rounded; from the third, they are slanted."""
 
 _HATCH = 4
 """Parallel lines of a hatching at least."""
@@ -145,12 +146,13 @@ def labelled(
     edges &= ~askew
     if edges.sum() < _LEAST:
         return None
-    inside = _inside(touches, edges)
+    views = _views(touches, edges)
+    inside = views >= 0
     named = inside & np.array([_is_named_hatching(stroke) for stroke in lines], dtype=bool)
     rest = ~framed & ~edges & ~named
     chained = chain_pieces(lines, touches, rest)
     dashed = inside & dashes(lines, touches, numbers, rest & ~chained)
-    hatched = named | _hatching(lines, touches, edges, inside & candidates, centres)
+    hatched = named | _hatching(lines, touches, edges, np.where(candidates, views, -1), centres)
     labels = [Label.OTHER] * len(lines)
     for index, stroke in enumerate(lines):
         if framed[index]:
@@ -245,14 +247,15 @@ def _is_pointed(ends: npt.NDArray[np.float64], tips: Sequence[tuple[float, float
     return bool(away.min() <= _REACH)
 
 
-def _inside(touches: Touches, edges: Flags) -> Flags:
-    """(n,) which strokes lie within the box of a group of edges that touch."""
+def _views(touches: Touches, edges: Flags) -> Ints:
+    """(n,) within the box of which group of edges that touch a stroke lies; -1 of none."""
     groups = touches.groups(edges)
-    found = np.zeros(len(edges), dtype=bool)
+    found = np.full(len(edges), -1)
     for group in np.unique(groups[edges]):
         own = touches.boxes[groups == group]
         low, high = own[:, :2].min(axis=0) - _REACH, own[:, 2:].max(axis=0) + _REACH
-        found |= ((touches.boxes[:, :2] >= low) & (touches.boxes[:, 2:] <= high)).all(axis=1)
+        inside = (touches.boxes[:, :2] >= low) & (touches.boxes[:, 2:] <= high)
+        found[inside.all(axis=1)] = group
     return found
 
 
@@ -260,11 +263,20 @@ def _hatching(
     strokes: Sequence[VectorStroke],
     touches: Touches,
     edges: Flags,
-    candidates: Flags,
+    views: Ints,
     centres: Flags,
 ) -> Flags:
-    """(n,) which lines of some are hatching: slanted, parallel, from within one edge or centre line
-    to within another, and, where the part's pen drew them, evenly apart."""
+    """(n,) which lines are hatching: several in one view, slanted, parallel, from within one edge
+    or centre line to within another, and, where the part's pen drew them, evenly apart.
+
+    Args:
+        strokes: of the sheet.
+        touches: of the strokes.
+        edges: (n,) which of them are the part's.
+        views: (n,) in which view each lies that may be hatching; -1 of all others.
+        centres: (n,) which strokes are centre lines.
+    """
+    candidates = views >= 0
     ways = np.array([_way(stroke) for stroke in strokes])
     lengths = np.hypot(*(touches.ends[:, 1] - touches.ends[:, 0]).T)
     slanted = np.abs(ways).min(axis=1) > _LEAN
@@ -276,8 +288,9 @@ def _hatching(
             continue
         across = np.array([-ways[index][1], ways[index][0]])
         aside = np.abs((touches.ends[:, 1] - touches.ends[:, 0]) @ across)
-        parallel = aside < np.maximum(_ALONG * lengths, 0.5 * _REACH)
-        along = chosen[parallel[chosen]]
+        parallel = aside < np.clip(0.5 * _REACH, _ALONG * lengths, _ROUGH * lengths)
+        beside = parallel & (views == views[index])
+        along = chosen[beside[chosen]]
         places = np.sort(touches.ends[along, 0] @ across)
         apart = np.diff(places)
         apart = apart[apart > _REACH]
@@ -286,8 +299,8 @@ def _hatching(
             even = bool((np.abs(steps - np.rint(steps)) < _UNEVEN).mean() >= _EVENLY)
             found[along] |= even | ~edges[along]
             if even:
-                beside = np.flatnonzero(candidates & slanted & ~found & parallel)
-                kept = _between(touches, along, beside, across, float(np.median(apart)))
+                rest = np.flatnonzero(slanted & ~found & beside)
+                kept = _between(touches, along, rest, across, float(np.median(apart)))
                 found[kept] = True
     return found
 

@@ -137,6 +137,13 @@ def test_short_lines_of_a_hatching_are_parallel_as_far_as_the_files_numbers_tell
     assert _labels(part + hatching)[5:] == [Label.HATCH] * len(places)
 
 
+def test_slanted_parallels_are_no_hatching_where_each_view_has_but_one() -> None:
+    places = [(60.0 + 220.0 * k, 100.0 + 130.0 * k) for k in range(4)]
+    views = [own for x, y in places for own in _box(x, y, 120, 90)]
+    slanted = [(x, y + 90.0, x + 90.0, y) for x, y in places]
+    assert Label.HATCH not in _labels(views + _lines(*slanted, width=_THIN))
+
+
 def test_what_the_file_calls_hatching_is_hatching_within_the_part_however_few_its_lines() -> None:
     ends = (310, 340, 350, 300), (480, 400, 500, 380), (600, 340, 640, 300)
     named = [
