@@ -24,12 +24,15 @@ from gaussiancad_core.files.vectors import (
     VectorDrawing,
     VectorStroke,
     VectorText,
+    bounds,
 )
 
 _STRIP_PIXELS = 24_000_000
 
 _DEFAULT_WIDTH = 2.0
 """px, of edges whose width the file does not say: a quarter of a millimetre at 200 dpi."""
+
+_PAPER = 255
 
 _THINNEST = 1.4
 """px: thinner lines fade to grey.  Other lines than edges are as thin if the file does not say."""
@@ -46,13 +49,16 @@ _FINEST_DASH = 2.0
 """px: dashes and gaps that are shorter run together, and are drawn longer."""
 
 
-def render_svg(body: str, width: int, height: int, scale: float = 1.0) -> Grey:
+def render_svg(
+    body: str, width: int, height: int, scale: float = 1.0, corner: tuple[int, int] = (0, 0)
+) -> Grey:
     """(height, width) grey picture of SVG elements on white paper.
 
     Args:
         body: elements, in user units, the origin at the sheet's upper left corner.
         width, height: px.
         scale: px per user unit.
+        corner: px from the sheet's upper left corner to the picture's.
 
     Raises:
         ValueError: resvg cannot draw them.
@@ -61,7 +67,8 @@ def render_svg(body: str, width: int, height: int, scale: float = 1.0) -> Grey:
     rows = max(1, _STRIP_PIXELS // width)
     for top in range(0, height, rows):
         strip = sheet[top : top + rows]
-        box = f"0 {top / scale!r} {width / scale!r} {len(strip) / scale!r}"
+        left, upper = corner[0] / scale, (corner[1] + top) / scale
+        box = f"{left!r} {upper!r} {width / scale!r} {len(strip) / scale!r}"
         text = (
             '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
             f'width="{width}" height="{len(strip)}" viewBox="{box}" preserveAspectRatio="none">'
@@ -84,13 +91,38 @@ def _font_options() -> dict[str, Any]:
 
 
 def paint(drawing: VectorDrawing, width: int, height: int) -> Grey:
-    """(height, width) grey picture of a drawing, black on white."""
+    """(height, width) grey picture of a drawing, black on white.
+
+    Paper beyond what is drawn is not painted: pictures are packed and unpacked on their way.
+    """
+    sheet = np.full((height, width), _PAPER, dtype=np.uint8)
+    x0, y0, x1, y1 = _drawn_on(drawing, width, height)
+    if x0 >= x1 or y0 >= y1:
+        return sheet
     parts = ['<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">']
     parts += [_element(stroke) for stroke in drawing.strokes]
     parts.append('</g><g font-family="sans-serif">')
     parts += [_text(text) for text in drawing.texts]
     parts.append("</g>")
-    return render_svg("".join(parts), width, height)
+    sheet[y0:y1, x0:x1] = render_svg("".join(parts), x1 - x0, y1 - y0, corner=(x0, y0))
+    return sheet
+
+
+def _drawn_on(drawing: VectorDrawing, width: int, height: int) -> tuple[int, int, int, int]:
+    """x0, y0, x1, y1 in px of the part of a sheet beyond which a drawing shows nothing.
+
+    All of it where there are texts: their letters are as wide as a font makes them.
+    """
+    if drawing.texts:
+        return 0, 0, width, height
+    box = bounds([stroke.curve for stroke in drawing.strokes])
+    if box is None or not np.isfinite(box).all():
+        return 0, 0, 0 if box is None else width, height
+    reach = max(_DEFAULT_WIDTH, *(stroke.width or 0.0 for stroke in drawing.strokes), 0.0)
+    low, high = np.floor(np.array(box[:2]) - reach), np.ceil(np.array(box[2:]) + reach)
+    x0, y0 = np.clip(low, 0, (width, height)).astype(int).tolist()
+    x1, y1 = np.clip(high, 0, (width, height)).astype(int).tolist()
+    return x0, y0, x1, y1
 
 
 def _element(stroke: VectorStroke) -> str:

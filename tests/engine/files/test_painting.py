@@ -102,3 +102,15 @@ def test_texts_fill_their_boxes(angle: float) -> None:
 def test_nonsense_is_refused() -> None:
     with pytest.raises(ValueError, match=r"\w"):
         render_svg("<path", 100, 100)
+
+
+def test_only_what_is_drawn_on_is_painted_and_is_the_same() -> None:
+    stroke = VectorStroke(CircularArc((210.3, 140.7), 31.4, 0.5, 4.0), 9.0)
+    line = VectorStroke(Line((180.2, 100.9), (260.6, 190.1)), None, (6.0, 3.0))
+    far = VectorStroke(Line((-50.0, -50.0), (450.0, 350.0)), 1.0)
+    beyond = VectorStroke(Line((500.0, 10.0), (600.0, 10.0)), 2.0)
+    # A text may be as wide as its sheet: with one all of it is painted.
+    blank = VectorText(" ", (0.0, 0.0, 9.0, 9.0))
+    for strokes in ((stroke,), (line,), (line, stroke), (line, far), (beyond,), ()):
+        alone = paint(VectorDrawing(strokes, ()), 400, 300)
+        assert np.array_equal(alone, paint(VectorDrawing(strokes, (blank,)), 400, 300))
