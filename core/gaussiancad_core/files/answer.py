@@ -1,13 +1,11 @@
-"""What a reader's process answers, as JSON and grey levels: nothing in it can be executed.
+"""What a reader's process answers, as MessagePack: nothing in it can be executed.
 
-A line of JSON, then the pixels row by row: grey levels, and tints where there are some.
+Curves go by their types, as what is read back has to be of a known one.
 """
 
-import json
-from dataclasses import fields, is_dataclass
-from enum import Enum
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from gaussiancad_core.errors import (
@@ -17,10 +15,13 @@ from gaussiancad_core.errors import (
     UnreadableError,
     UsageError,
 )
-from gaussiancad_core.files.content import FileContent, Note
+from gaussiancad_core.files.content import FileContent, Grey, Note
 from gaussiancad_core.files.vectors import (
+    Box,
     Chain,
     CircularArc,
+    Colour,
+    Curve,
     EllipticArc,
     Line,
     StrokeKind,
@@ -29,49 +30,104 @@ from gaussiancad_core.files.vectors import (
     VectorStroke,
     VectorText,
 )
-from gaussiancad_core.messages import Message, filled, told
-
-_KINDS: dict[str, type[Any]] = {
-    kind.__name__: kind
-    for kind in (
-        Note,
-        Line,
-        CircularArc,
-        EllipticArc,
-        Chain,
-        StrokeRole,
-        StrokeKind,
-        VectorStroke,
-        VectorText,
-        VectorDrawing,
-    )
-}
-
-_MESSAGE = Message.__name__
+from gaussiancad_core.messages import Argument, Message, args_of, filled
 
 _ERRORS: dict[str, type[GaussianCadError]] = {
     kind.__name__: kind for kind in (UnreadableError, LimitError, NoModelError, UsageError)
 }
 
 
+class _Note(msgspec.Struct, array_like=True):
+    """A note; a message's values, None of a plain text."""
+
+    code: str
+    message: str
+    args: dict[str, Argument] | None
+    is_doubt: bool
+
+
+class _Stroke(msgspec.Struct, array_like=True):
+    """A stroke: its curve is the next one of its type."""
+
+    curve: str
+    width: float | None
+    dashes: tuple[float, ...]
+    role: StrokeRole
+    layer: str
+    kind: StrokeKind
+    colour: Colour | None
+    step: float
+
+
+class _Drawing(msgspec.Struct):
+    """A drawing, its curves by their types, each in the strokes' order."""
+
+    strokes: list[_Stroke]
+    lines: list[Line]
+    arcs: list[CircularArc]
+    ellipses: list[EllipticArc]
+    chains: list[Chain]
+    texts: tuple[VectorText, ...]
+    complete: bool
+    has_paper: bool
+    unit_mm: float | None
+    unit_px: float | None
+    pictures: tuple[Box, ...]
+
+
+class _Content(msgspec.Struct, tag=True):
+    """What was read: grey levels, and tints where there are some, row by row."""
+
+    shape: tuple[int, int]
+    planes: list[memoryview]
+    pixels_per_inch: float | None
+    vectors: _Drawing | None
+    notes: list[_Note]
+    pages: int
+    brought_together: int | None
+
+
+class _Failure(msgspec.Struct, tag=True):
+    """Why nothing was read."""
+
+    error: str
+    code: str
+    message: str
+    args: dict[str, Argument]
+
+
+def _plain(value: Any) -> Any:  # noqa: ANN401
+    """A number of numpy, or a text that knows its values, as what MessagePack has."""
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, str):
+        return str(value)
+    raise NotImplementedError(f"no part of an answer: {type(value).__name__}")
+
+
+_ENCODER = msgspec.msgpack.Encoder(enc_hook=_plain)
+_DECODER = msgspec.msgpack.Decoder(_Content | _Failure)
+
+
 def content_bytes(content: FileContent) -> bytes:
     """What was read."""
-    head = {
-        "shape": content.grey.shape,
-        "pixels_per_inch": content.pixels_per_inch,
-        "vectors": _plain(content.vectors),
-        "notes": _plain(content.notes),
-        "tinted": content.tint is not None,
-        "pages": content.pages,
-        "brought_together": content.brought_together,
-    }
     planes = [content.grey] if content.tint is None else [content.grey, content.tint]
-    return _line(head) + b"".join(np.ascontiguousarray(own).tobytes() for own in planes)
+    answer = _Content(
+        content.grey.shape,
+        [np.ascontiguousarray(plane).data.cast("B") for plane in planes],
+        content.pixels_per_inch,
+        None if content.vectors is None else _by_types(content.vectors),
+        [_told(note) for note in content.notes],
+        content.pages,
+        content.brought_together,
+    )
+    return _ENCODER.encode(answer)
 
 
 def error_bytes(error: GaussianCadError) -> bytes:
     """Why nothing was read."""
-    return _line({"error": type(error).__name__, **told(error.code, error.message)})
+    name, message = type(error).__name__, error.message
+    return _ENCODER.encode(_Failure(name, error.code, str(message), args_of(message)))
 
 
 def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
@@ -80,54 +136,91 @@ def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
     Raises:
         ValueError: it is no answer: the process did not come to its end.
     """
-    line, _, pixels = answer.partition(b"\n")
-    try:
-        head = json.loads(line)
-        if "error" in head:
-            message = filled(str(head["message"]), head.get("args", {}))
-            return _ERRORS[head["error"]](str(head["code"]), message)
-        height, width = (int(length) for length in head["shape"])
-        count = 2 if head["tinted"] else 1
-        planes = np.frombuffer(pixels, np.uint8).reshape(count, height, width).copy()
-        return FileContent(
-            planes[0],
-            head["pixels_per_inch"],
-            _made(head["vectors"]),
-            _made(head["notes"]),
-            planes[1] if count > 1 else None,
-            int(head["pages"]),
-            head["brought_together"],
+    found = _DECODER.decode(answer)
+    if isinstance(found, _Failure):
+        if found.error not in _ERRORS:
+            raise ValueError(f"no answer: {found.error}")
+        return _ERRORS[found.error](found.code, filled(found.message, found.args))
+    grey, *tints = (_plane(levels, found.shape) for levels in found.planes)
+    return FileContent(
+        grey,
+        found.pixels_per_inch,
+        None if found.vectors is None else _in_order(found.vectors),
+        tuple(_note(own) for own in found.notes),
+        tints[0] if tints else None,
+        found.pages,
+        found.brought_together,
+    )
+
+
+def _plane(levels: memoryview, shape: tuple[int, int]) -> Grey:
+    return np.frombuffer(levels, np.uint8).reshape(shape).copy()
+
+
+def _told(note: Note) -> _Note:
+    message = note.message
+    args = args_of(message) if isinstance(message, Message) else None
+    return _Note(note.code, str(message), args, note.is_doubt)
+
+
+def _note(own: _Note) -> Note:
+    message = own.message if own.args is None else filled(own.message, own.args)
+    return Note(own.code, message, own.is_doubt)
+
+
+def _by_types(drawing: VectorDrawing) -> _Drawing:
+    curves: dict[str, list[Curve]] = {kind.__name__: [] for kind in Curve.__args__}
+    strokes = []
+    for own in drawing.strokes:
+        name = type(own.curve).__name__
+        curves[name].append(own.curve)
+        strokes.append(
+            _Stroke(
+                name, own.width, own.dashes, own.role, own.layer, own.kind, own.colour, own.step
+            )
         )
-    except (TypeError, LookupError, AttributeError) as error:
-        raise ValueError(f"no answer: {error}") from error
+    return _Drawing(
+        strokes,
+        *curves.values(),
+        drawing.texts,
+        drawing.complete,
+        drawing.has_paper,
+        drawing.unit_mm,
+        drawing.unit_px,
+        drawing.pictures,
+    )
 
 
-def _line(head: dict[str, Any]) -> bytes:
-    return json.dumps(head).encode("ascii") + b"\n"
+def _in_order(found: _Drawing) -> VectorDrawing:
+    """The drawing with its curves in the strokes' order.
 
-
-def _plain(value: Any) -> Any:  # noqa: ANN401
-    """A value as JSON has it; of those with a name the name comes first."""
-    if isinstance(value, Enum):
-        return {"": [type(value).__name__, value.value]}
-    if isinstance(value, Message):
-        return {"": [_MESSAGE, str(value), *([name, own] for name, own in value.args.items())]}
-    if is_dataclass(value):
-        own = [_plain(getattr(value, field.name)) for field in fields(value)]
-        return {"": [type(value).__name__, *own]}
-    if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
-    if isinstance(value, np.generic):
-        return value.item()
-    return value
-
-
-def _made(value: Any) -> Any:  # noqa: ANN401
-    if isinstance(value, dict):
-        name, *own = value[""]
-        if name == _MESSAGE:
-            return filled(own[0], dict(own[1:]))
-        return _KINDS[name](*(_made(each) for each in own))
-    if isinstance(value, list):
-        return tuple(_made(each) for each in value)
-    return value
+    Raises:
+        ValueError: there are fewer curves of a type than strokes have.
+    """
+    lists = (found.lines, found.arcs, found.ellipses, found.chains)
+    curves = {kind.__name__: iter(own) for kind, own in zip(Curve.__args__, lists, strict=True)}
+    try:
+        strokes = tuple(
+            VectorStroke(
+                next(curves[own.curve]),
+                own.width,
+                own.dashes,
+                own.role,
+                own.layer,
+                own.kind,
+                own.colour,
+                own.step,
+            )
+            for own in found.strokes
+        )
+    except (KeyError, RuntimeError) as error:
+        raise ValueError("no answer: strokes without curves") from error
+    return VectorDrawing(
+        strokes,
+        found.texts,
+        found.complete,
+        found.has_paper,
+        found.unit_mm,
+        found.unit_px,
+        found.pictures,
+    )

@@ -1,5 +1,6 @@
 """Bézier curves back to what they stand for: lines, arcs, ellipses, and chains for all others."""
 
+import math
 from itertools import groupby
 
 import numpy as np
@@ -25,6 +26,9 @@ quarter circle does by 2.7e-4."""
 
 _SAME_PLACE = 1e-2
 """px within which the circles of neighbouring arcs are one."""
+
+_NOTHING = 1e-9
+"""px: what is shorter is a point."""
 
 _MOST_CHORDS = 512
 """Chords of one Bézier curve, whatever its size."""
@@ -68,7 +72,7 @@ def curves_from_path(pieces: list[npt.NDArray[np.float64]], step: float | None) 
     """
     curves: list[Curve] = []
     for is_bezier, group in groupby(
-        (piece for piece in pieces if np.hypot(*np.ptp(piece, axis=0)) > 1e-9),
+        (piece for piece in pieces if _extent(piece) > _NOTHING),
         key=lambda piece: len(piece) == 4,
     ):
         run = list(group)
@@ -80,6 +84,13 @@ def curves_from_path(pieces: list[npt.NDArray[np.float64]], step: float | None) 
         else:
             curves += [_chain(bezier) for bezier in run]
     return curves
+
+
+def _extent(piece: npt.NDArray[np.float64]) -> float:
+    """px of the diagonal of the box around points (n, 2)."""
+    # Most pieces are lines: numpy takes ten times as long for two points.
+    across, up = piece.T.tolist()
+    return math.hypot(max(across) - min(across), max(up) - min(up))
 
 
 def _is_straight(bezier: npt.NDArray[np.float64]) -> bool:

@@ -74,9 +74,10 @@ def wrapped(angle: float) -> float:
 
 def polygon_curves(points: npt.NDArray[np.float64]) -> list[Curve]:
     """A line for each piece of (n, 2) points that is longer than nothing."""
-    return [
-        Line(to_point(a), to_point(b)) for a, b in pairwise(points) if np.hypot(*(b - a)) > 1e-9
-    ]
+    ways = np.diff(points, axis=0)
+    long = (np.hypot(ways[:, 0], ways[:, 1]) > 1e-9).tolist()
+    corners = [(x, y) for x, y in points.tolist()]
+    return [Line(*ends) for ends, is_long in zip(pairwise(corners), long, strict=True) if is_long]
 
 
 def placed(curve: Curve, scale: float, left: float, top: float) -> Curve:

@@ -29,7 +29,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
-from scipy.special import bdtrc
 
 from gaussiancad_core.files.lattices import Fit, common_step, decimal_step
 from gaussiancad_core.files.vectors import VectorStroke
@@ -145,6 +144,9 @@ def _step_along_axes(places: tuple[Floats, Floats], lengths: Floats, scale: floa
     design = common_step(both, finest, fit)
     if design * scale <= _COARSEST_PX:
         return step
+    # Few files ask for it, and it takes longer to load than most of them to read.
+    from scipy.special import bdtrc
+
     count = len(lengths)
     chance = bdtrc(round(fit.share(both, design) * count) - 1.0, count, step / design)
     return 0.0 if chance < _CHANCE else step

@@ -136,7 +136,7 @@ def _read_page(document: pdfium.PdfDocument, path: Path, index: int) -> FileCont
     grey = _render(page, width, height)
     strokes = tuple(s for s in content.strokes if shown_share(s, grey) >= _SHOWN)
     page.close()
-    vectors = VectorDrawing(strokes, content.texts, content.complete)
+    vectors = VectorDrawing(strokes, content.texts, not content.pictures, pictures=content.pictures)
     shown = vectors if strokes or content.texts else None
     notes = notes_on(path, Sizing(scale, dpi, on_paper=True))
     return FileContent(grey, dpi, shown, notes, pages=len(document))

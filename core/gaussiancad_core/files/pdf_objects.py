@@ -5,7 +5,7 @@ the coordinates in which a path was drawn, so they are mapped like its points.
 """
 
 import ctypes
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -28,9 +28,12 @@ from gaussiancad_core.files.pdf_texts import (
     text_piece,
 )
 from gaussiancad_core.files.vectors import (
+    Box,
     Chain,
     Colour,
     Curve,
+    Line,
+    Point,
     StrokeKind,
     StrokeRole,
     VectorStroke,
@@ -64,11 +67,11 @@ class PageMap:
 
 @dataclass(frozen=True)
 class PageContent:
-    """Strokes and texts of a page in px, and whether that is all it shows."""
+    """Strokes and texts of a page in px, and boxes of what else it shows."""
 
     strokes: tuple[VectorStroke, ...]
     texts: tuple[VectorText, ...]
-    complete: bool
+    pictures: tuple[Box, ...]
 
 
 @dataclass
@@ -81,7 +84,7 @@ class _Walk:
     path: Path
     paths: list[WrittenPath] = field(default_factory=list)
     texts: list[TextPiece] = field(default_factory=list)
-    complete: bool = True
+    pictures: list[Box] = field(default_factory=list)
     objects: int = 0
     segments: int = 0
 
@@ -113,7 +116,8 @@ def page_objects(page: pdfium.PdfPage, target: PageMap) -> PageContent:
         _take_all(walk, objects, target.to_pixels, 0)
     finally:
         text_page.close()
-    return PageContent(with_steps(walk.paths), tuple(joined_texts(walk.texts)), walk.complete)
+    texts = tuple(joined_texts(walk.texts))
+    return PageContent(with_steps(walk.paths), texts, tuple(walk.pictures))
 
 
 def _take_all(
@@ -136,7 +140,18 @@ def _take_all(
                 parts = (raw.FPDFFormObj_GetObject(item, index) for index in range(count))
                 _take_all(walk, parts, _composed(outer, _matrix(item)), depth + 1)
         else:
-            walk.complete = False
+            walk.pictures.append(_box(item, outer))
+
+
+def _box(item: raw.FPDF_PAGEOBJECT, outer: Affine) -> Box:
+    """px around an object; all of the plane where PDFium does not know."""
+    left, bottom, right, top = (ctypes.c_float() for _ in range(4))
+    if not raw.FPDFPageObj_GetBounds(item, left, bottom, right, top):
+        return -np.inf, -np.inf, np.inf, np.inf
+    x, y = (left.value, right.value), (bottom.value, top.value)
+    corners = np.array([(u, v) for u in x for v in y]) @ outer[:, :2].T + outer[:, 2]
+    (x0, y0), (x1, y1) = corners.min(axis=0).tolist(), corners.max(axis=0).tolist()
+    return x0, y0, x1, y1
 
 
 def _matrix(item: raw.FPDF_PAGEOBJECT) -> Affine:
@@ -243,14 +258,22 @@ def _subpaths(walk: _Walk, item: raw.FPDF_PAGEOBJECT) -> list[Pieces]:
 def _outline(pieces: Pieces) -> Curve | None:
     """The closed chain around a filled area."""
     curves = curves_from_path(pieces, None)
-    parts = [curve.points if isinstance(curve, Chain) else curve.sample(np.inf) for curve in curves]
-    points = [to_point(point) for part in parts for point in part[1:]]
+    points = [point for curve in curves for point in _nodes(curve)[1:]]
     if not points:
         return None
     first = to_point(pieces[0][0])
     # Filling closes what the path leaves open.
     ring = (first, *points) if points[-1] == first else (first, *points, first)
     return Chain(ring) if len(ring) > 3 else None
+
+
+def _nodes(curve: Curve) -> Sequence[Point]:
+    """The ends of a line, or what stands for another curve."""
+    if isinstance(curve, Chain):
+        return curve.points
+    if isinstance(curve, Line):
+        return curve.start, curve.end
+    return [to_point(point) for point in curve.sample(np.inf)]
 
 
 def _dashes(item: raw.FPDF_PAGEOBJECT) -> tuple[float, ...]:

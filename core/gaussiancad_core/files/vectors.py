@@ -6,7 +6,6 @@ the first pixel, whose centre lies at (.5, .5).  Angles run from x towards y.
 
 from dataclasses import dataclass
 from enum import Enum
-from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -66,7 +65,10 @@ class Line:
 
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) points along the curve, at most ``step`` apart, both ends included."""
-        return np.linspace(self.start, self.end, max(2, int(np.ceil(self.length / step)) + 1))
+        count = max(1, int(np.ceil(self.length / step)))
+        if count == 1:
+            return np.array((self.start, self.end))
+        return np.linspace(self.start, self.end, count + 1)
 
 
 @dataclass(frozen=True)
@@ -178,8 +180,16 @@ class Chain:
 
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) points along the curve, at most ``step`` apart, all its own points included."""
-        pieces = [Line(a, b).sample(step)[:-1] for a, b in pairwise(self.points)]
-        return np.concatenate([*pieces, np.array(self.points[-1:])])
+        corners = np.array(self.points)
+        ways = np.diff(corners, axis=0)
+        lengths = np.hypot(ways[:, 0], ways[:, 1])
+        counts = np.maximum(np.ceil(lengths / step), 1.0).astype(np.int64)
+        if int(counts.max()) == 1:
+            return corners
+        piece = np.repeat(np.arange(len(ways)), counts)
+        number = np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)
+        points = corners[piece] + number[:, None] * (ways / counts[:, None])[piece]
+        return np.concatenate([points, corners[-1:]])
 
 
 Curve = Line | CircularArc | EllipticArc | Chain
@@ -245,6 +255,7 @@ class VectorDrawing:
         unit_mm: mm to the unit that the file says its lengths are in; None where it does not, or
             where they are the paper's.
         unit_px: px to the unit of a file that does not say which that is.
+        pictures: boxes of what else the page shows, where the file tells where that is.
     """
 
     strokes: tuple[VectorStroke, ...]
@@ -253,6 +264,7 @@ class VectorDrawing:
     has_paper: bool = True
     unit_mm: float | None = None
     unit_px: float | None = None
+    pictures: tuple[Box, ...] = ()
 
 
 def bounds(curves: list[Curve]) -> Box | None:

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn, file_directions, find_turn
 from gaussiancad_core.sheet.graph.heads import Head, arrowheads
@@ -33,7 +34,8 @@ class OpenedSheet:
     def turn(self) -> Turn:
         """By which it is turned to be upright, and px of the sheet as stored per px of it.
 
-        The strokes of a file tell it where they are all there is on the sheet.
+        The strokes of a file tell it where they are all there is on the sheet, or all that is as
+        long: then its pictures, such as a logo, say less of it.
 
         Raises:
             NoModelError: as of :attr:`clean`, which is asked where no strokes tell it.
@@ -89,9 +91,18 @@ class OpenedSheet:
     @cached_property
     def _by_strokes(self) -> Turn | None:
         drawing = self.image.vectors
-        if drawing is None or not drawing.complete or not drawing.strokes:
+        if drawing is None or not drawing.strokes:
             return None
-        return self._scaled(find_turn(*file_directions(drawing), self.shape))
+        directions, lengths = file_directions(drawing)
+        if not drawing.complete and _longest_pictured(drawing) >= max(lengths, default=0.0):
+            return None
+        return self._scaled(find_turn(directions, lengths, self.shape))
 
     def _scaled(self, turn: Turn) -> Turn:
         return replace(turn, scale=self.image.reduction)
+
+
+def _longest_pictured(drawing: VectorDrawing) -> float:
+    """px of a line that what a page shows besides strokes may have at most."""
+    sides = [(box[2] - box[0], box[3] - box[1]) for box in drawing.pictures]
+    return max((float(np.hypot(*own)) for own in sides), default=np.inf)

@@ -4,14 +4,72 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec.msgpack import encode
 from PIL import Image
 
 from gaussiancad_core.errors import LimitError, UnreadableError
-from gaussiancad_core.files.answer import outcome_of
+from gaussiancad_core.files.answer import content_bytes, outcome_of
 from gaussiancad_core.files.child import main
+from gaussiancad_core.files.content import FileContent, Note
 from gaussiancad_core.files.isolation import read_isolated
 from gaussiancad_core.files.kinds import FileKind
 from gaussiancad_core.files.pdf import read_pdf
+from gaussiancad_core.files.vectors import (
+    Chain,
+    CircularArc,
+    EllipticArc,
+    Line,
+    StrokeKind,
+    StrokeRole,
+    VectorDrawing,
+    VectorStroke,
+    VectorText,
+)
+from gaussiancad_core.messages import Message
+
+PEN = (None, (), "unknown", "", "geometry", None, 0.0)
+DRAWN = {
+    **dict.fromkeys(("strokes", "lines", "arcs", "ellipses", "chains", "texts", "pictures"), ()),
+    **dict.fromkeys(("complete", "has_paper"), True),
+    **dict.fromkeys(("unit_mm", "unit_px")),
+}
+WHOLE = {
+    "type": "_Content",
+    "shape": [2, 2],
+    "planes": [b"1234"],
+    **dict.fromkeys(("pixels_per_inch", "vectors", "brought_together")),
+    "notes": [],
+    "pages": 1,
+}
+
+
+def test_answers_come_back_as_they_were() -> None:
+    strokes = (
+        VectorStroke(Chain(((0.0, 1.0), (2.0, 3.0), (0.0, 1.0))), 1.5, kind=StrokeKind.FILL),
+        VectorStroke(Line((0.5, 1.0), (np.float64(2.0), 3.0)), None, (4.0, 2.0), StrokeRole.HIDDEN),
+        VectorStroke(CircularArc((1.0, 2.0), 3.0, 0.25, 6.0), 0.5, layer="0", colour=(1, 2, 3)),
+        VectorStroke(EllipticArc((1.0, 2.0), (3.0, 4.0), 0.5, 0.0, 1.0), 0.5, step=0.01),
+        VectorStroke(Line((5.0, 1.0), (2.0, 3.0)), None),
+    )
+    drawing = VectorDrawing(
+        strokes,
+        (VectorText("\u00d8 5", (1, 2, 3, 4)),),
+        False,
+        False,
+        25.4,
+        2.0,
+        ((1.0, 2.0, 3.0, 4.0),),
+    )
+    notes = (Note("a", Message("{count} pages", count=np.int64(3)), True), Note("b", "plain"))
+    grey = np.arange(12, dtype=np.uint8).reshape(3, 4)
+    read = outcome_of(content_bytes(FileContent(grey, 200.0, drawing, notes, grey + 1, 3, 2)))
+    assert isinstance(read, FileContent)
+    assert np.array_equal(read.grey, grey) and np.array_equal(read.tint, grey + 1)
+    assert read.grey.flags.writeable
+    assert (read.vectors, read.notes) == (drawing, notes)
+    assert dict(read.notes[0].message.args) == {"count": 3} and type(read.notes[1].message) is str
+    assert (read.pixels_per_inch, read.pages, read.brought_together) == (200.0, 3, 2)
+    assert outcome_of(encode(WHOLE)).vectors is None
 
 
 def test_the_child_reads_the_same(pdf: type, pdf_circle: Callable, save: Callable) -> None:
@@ -63,11 +121,14 @@ def test_defects_of_parsers_are_told_in_one_line(
     [
         b"",
         b"\x80\x04N.",
-        b"null\n",
-        b'{"shape": [9, 9]}\n',
-        b'{"error": "SystemExit", "code": "", "message": ""}\n',
-        b'{"shape": [1, 1], "pixels_per_inch": null, "vectors": {"": ["os.system", "x"]}, '
-        b'"notes": []}\n0',
+        b"\xc0",
+        encode({"type": "_Content", "shape": [9, 9]}),
+        encode({"type": "_Failure", "error": "SystemExit", "code": "", "message": "", "args": {}}),
+        encode({**WHOLE, "planes": [b"123"]}),
+        encode({**WHOLE, "vectors": {**DRAWN, "strokes": [["system", *PEN]]}}),
+        encode({**WHOLE, "vectors": {**DRAWN, "strokes": [["Line", *PEN]]}}),
+        encode({**WHOLE, "vectors": {**DRAWN, "chains": [{"points": "x"}]}}),
+        encode(WHOLE)[:-1],
     ],
 )
 def test_what_is_no_answer_is_refused(answer: bytes) -> None:

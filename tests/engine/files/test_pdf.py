@@ -113,6 +113,27 @@ def test_forms_are_walked_through_with_their_matrices(
     assert stroke.width == pytest.approx(2 * SCALE, abs=1e-4)
 
 
+def test_where_pictures_are_is_known(
+    pdf: type, pdf_stream: Callable[..., bytes], save: Save
+) -> None:
+    entries = b"/Type /XObject /Subtype /Form /BBox [-500 -500 500 500] /Matrix [0 1 -1 0 300 0]"
+    picture = b"q 40 0 0 20 50 60 cm BI /W 1 /H 1 /CS /G /BPC 8 ID x EI Q "
+    form = pdf_stream(picture, entries)
+    page = b"/Resources << /XObject << /F 5 0 R >> >>"
+    content = b"0 0 m 90 90 l S " + picture + b"/F Do"
+    drawing = read_pdf(
+        save("a.pdf", pdf(content, page=page, objects=(form,)).to_bytes()), 1
+    ).vectors
+    # In the form (x, y) is turned to (300 - y, x).
+    boxes = [(50.0, 60.0, 90.0, 80.0), (220.0, 50.0, 240.0, 90.0)]
+    told = [
+        (x0 * SCALE, (HEIGHT - y1) * SCALE, x1 * SCALE, (HEIGHT - y0) * SCALE)
+        for x0, y0, x1, y1 in boxes
+    ]
+    assert not drawing.complete
+    assert np.allclose(drawing.pictures, told, atol=2e-3)
+
+
 def test_crop_boxes_move_the_origin(pdf: type, save: Save) -> None:
     data = pdf(b"150 250 m 350 250 l S", page=b"/CropBox [100 200 400 500]").to_bytes()
     read = read_pdf(save("a.pdf", data), 1)
