@@ -51,15 +51,15 @@ def _repeated(strokes: Sequence[VectorStroke]) -> list[int]:
     back = there[:, ::-1].reshape(len(there), -1)
     there = there.reshape(len(there), -1)
     tree = cKDTree(there)
+    near = [tree.query_ball_point(ways, _SAME, p=np.inf) for ways in (there, back)]
     left_out: set[int] = set()
     for index, own in enumerate(curves):
         if index in left_out:
             continue
-        for way, turned in ((there[index], False), (back[index], True)):
-            near = tree.query_ball_point(way, _SAME, p=np.inf)
+        for others, turned in zip(near, (False, True), strict=True):
             left_out.update(
                 other
-                for other in near
+                for other in others[index]
                 if other > index and _is_along(own, curves[other], turned=turned)
             )
     return sorted(left_out)

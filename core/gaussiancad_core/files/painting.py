@@ -8,11 +8,12 @@ from html import escape
 from io import BytesIO
 from typing import Any
 
+import cv2
 import numpy as np
 import resvg_py
 from PIL import Image
 
-from gaussiancad_core.files.content import PAPER_LEVEL, Grey
+from gaussiancad_core.files.content import Grey
 from gaussiancad_core.files.fonts import known_font
 from gaussiancad_core.files.vectors import (
     Chain,
@@ -40,13 +41,19 @@ _THINNEST = 1.4
 _SAGITTA = 5e-3
 """px by which chords leave their circle."""
 
-_MOST_SAMPLES = 5000
-"""Points at which a stroke is looked for in the picture."""
-
 _PARTS = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
+
+_CELL = 64
+"""px of the squares of a sheet that strokes are told apart by."""
 
 _FINEST_DASH = 2.0
 """px: dashes and gaps that are shorter run together, and are drawn longer."""
+
+
+_Block = tuple[int, int, int, int]
+"""x0, y0, x1, y1 in px."""
+
+_Strokes = tuple[VectorStroke, ...]
 
 
 def render_svg(
@@ -96,33 +103,53 @@ def paint(drawing: VectorDrawing, width: int, height: int) -> Grey:
     Paper beyond what is drawn is not painted: pictures are packed and unpacked on their way.
     """
     sheet = np.full((height, width), _PAPER, dtype=np.uint8)
-    x0, y0, x1, y1 = _drawn_on(drawing, width, height)
-    if x0 >= x1 or y0 >= y1:
-        return sheet
-    parts = ['<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">']
-    parts += [_element(stroke) for stroke in drawing.strokes]
-    parts.append('</g><g font-family="sans-serif">')
-    parts += [_text(text) for text in drawing.texts]
-    parts.append("</g>")
-    sheet[y0:y1, x0:x1] = render_svg("".join(parts), x1 - x0, y1 - y0, corner=(x0, y0))
+    for (x0, y0, x1, y1), strokes in _blocks(drawing, width, height):
+        parts = ['<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">']
+        parts += [_element(stroke) for stroke in strokes]
+        parts.append('</g><g font-family="sans-serif">')
+        parts += [_text(text) for text in drawing.texts]
+        parts.append("</g>")
+        painted = render_svg("".join(parts), x1 - x0, y1 - y0, corner=(x0, y0))
+        np.minimum(sheet[y0:y1, x0:x1], painted, out=sheet[y0:y1, x0:x1])
     return sheet
 
 
-def _drawn_on(drawing: VectorDrawing, width: int, height: int) -> tuple[int, int, int, int]:
-    """x0, y0, x1, y1 in px of the part of a sheet beyond which a drawing shows nothing.
+def _blocks(drawing: VectorDrawing, width: int, height: int) -> list[tuple[_Block, _Strokes]]:
+    """Parts of a sheet that strokes apart from all others lie in, with these: what is painted.
 
-    All of it where there are texts: their letters are as wide as a font makes them.
+    All of it is one where there are texts: their letters are as wide as a font makes them.
     """
-    if drawing.texts:
-        return 0, 0, width, height
-    box = bounds([stroke.curve for stroke in drawing.strokes])
-    if box is None or not np.isfinite(box).all():
-        return 0, 0, 0 if box is None else width, height
-    reach = max(_DEFAULT_WIDTH, *(stroke.width or 0.0 for stroke in drawing.strokes), 0.0)
-    low, high = np.floor(np.array(box[:2]) - reach), np.ceil(np.array(box[2:]) + reach)
-    x0, y0 = np.clip(low, 0, (width, height)).astype(int).tolist()
-    x1, y1 = np.clip(high, 0, (width, height)).astype(int).tolist()
-    return x0, y0, x1, y1
+    sheet = 0, 0, width, height
+    strokes = drawing.strokes
+    boxes = np.array([bounds([own.curve]) for own in strokes], dtype=float).reshape(-1, 4)
+    if drawing.texts or not np.isfinite(boxes).all():
+        return [(sheet, strokes)]
+    # As far as the ends of the widest line reach, and the smooth edge around it.
+    reach = 1.0 + max(_DEFAULT_WIDTH, *(own.width or 0.0 for own in strokes), 0.0)
+    low = np.clip(np.floor(boxes[:, :2] - reach), 0, (width, height)).astype(int)
+    high = np.clip(np.ceil(boxes[:, 2:] + reach), 0, (width, height)).astype(int)
+    shown = np.flatnonzero((low < high).all(axis=1))
+    if not len(shown):
+        return []
+    taken = np.zeros((height // _CELL + 1, width // _CELL + 1), np.uint8)
+    for (x0, y0), (x1, y1) in zip(low[shown] // _CELL, (high[shown] - 1) // _CELL, strict=True):
+        taken[y0 : y1 + 1, x0 : x1 + 1] = 1
+    _, groups = cv2.connectedComponents(taken, connectivity=8)
+    columns, rows = low[shown].T // _CELL
+    of = groups[rows, columns]
+    found = [
+        ((*low[own].min(axis=0).tolist(), *high[own].max(axis=0).tolist()), own)
+        for own in (shown[of == number] for number in np.unique(of))
+    ]
+    together = (*low[shown].min(axis=0).tolist(), *high[shown].max(axis=0).tolist())
+    # A frame goes around all that lies apart from it.
+    if sum(_area(block) for block, _ in found) >= _area(together):
+        found = [(together, shown)]
+    return [(block, tuple(strokes[number] for number in own)) for block, own in found]
+
+
+def _area(block: _Block) -> int:
+    return (block[2] - block[0]) * (block[3] - block[1])
 
 
 def _element(stroke: VectorStroke) -> str:
@@ -195,17 +222,3 @@ def unturned_size(text: VectorText) -> tuple[float, float]:
 def _printable(text: str) -> str:
     """Without the control characters that XML does not allow."""
     return "".join(char for char in text if char >= " " and char not in "\ufffe\uffff")
-
-
-def shown_share(stroke: VectorStroke, grey: Grey) -> float:
-    """Share of the points along a stroke at which the picture shows anything.
-
-    Points off the sheet count as blank, those in the gaps of dashes too.
-    """
-    points = stroke.curve.sample(max(1.0, stroke.curve.length / _MOST_SAMPLES))
-    points = points[np.isfinite(points).all(axis=1)]
-    cells = np.floor(np.clip(points, -1.0, max(grey.shape) + 1.0)).astype(int)
-    height, width = grey.shape
-    inside = ((cells >= 0) & (cells < [width, height])).all(axis=1)
-    columns, rows = cells[inside].T
-    return float((grey[rows, columns] < PAPER_LEVEL).sum()) / max(len(points), 1)

@@ -22,8 +22,8 @@ from gaussiancad_core.files.content import (
     page_missing,
     too_many_pages,
 )
-from gaussiancad_core.files.painting import shown_share
 from gaussiancad_core.files.pdf_objects import PageMap, page_objects
+from gaussiancad_core.files.shown import shown_share
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi
 from gaussiancad_core.files.vectors import VectorDrawing
 

@@ -19,7 +19,8 @@ from gaussiancad_core.files.content import (
     check_pixels,
     page_missing,
 )
-from gaussiancad_core.files.painting import render_svg, shown_share
+from gaussiancad_core.files.painting import render_svg
+from gaussiancad_core.files.shown import shown_share
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_texts

@@ -278,8 +278,9 @@ def bounds(curves: list[Curve]) -> Box | None:
 
 def _curve_box(curve: Curve) -> Box:
     if isinstance(curve, Line):
-        points = np.array([curve.start, curve.end])
-    elif isinstance(curve, Chain):
+        (x0, y0), (x1, y1) = curve.start, curve.end
+        return min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1)
+    if isinstance(curve, Chain):
         points = np.array(curve.points)
     else:
         points = np.concatenate([curve.sample(np.inf), _extremes(curve)])

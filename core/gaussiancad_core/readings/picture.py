@@ -43,8 +43,9 @@ def reading_picture(reading: SheetReading, grey: npt.NDArray[np.uint8], reductio
     factor = min(1.0, _MOST_PX / max(grey.shape))
     if factor < 1.0:
         grey = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
-    pale = np.rint(255.0 - _PALE * (255.0 - grey.astype(np.float32))).astype(np.uint8)
-    picture = cv2.cvtColor(pale, cv2.COLOR_GRAY2BGR)
+    levels = np.arange(256, dtype=np.float32)
+    pale = np.rint(255.0 - _PALE * (255.0 - levels)).astype(np.uint8)
+    picture = cv2.cvtColor(pale[grey], cv2.COLOR_GRAY2BGR)
     scale = factor / reduction
     for view in reading.views:
         x0, y0, x1, y1 = (round(scale * value) for value in view.box)

@@ -125,8 +125,9 @@ def painted_sheet(drawing: VectorDrawing, shape: tuple[int, int], turn: Turn) ->
         shape: height and width of the sheet, px.
         turn: of the sheet.
     """
-    weight = (1.0 - paint(drawing, shape[1], shape[0]) / np.float32(255.0)).astype(np.float32)
-    ink = weight > _INK
+    grey = paint(drawing, shape[1], shape[0])
+    weights = 1.0 - np.arange(256, dtype=np.float32) / np.float32(255.0)
+    weight, ink = weights[grey], (weights > _INK)[grey]
     width = mean_stroke_width(ink, weight) if ink.any() else 0.0
     return CleanSheet(ink, weight, width, turn)
 

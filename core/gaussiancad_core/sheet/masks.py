@@ -116,9 +116,10 @@ def find_outline(
     best: Outline | None = None
     for closed, filled in _fillings(ink, factor):
         # By the ink as it is: closing fills what is between two edges close beside each other.
-        half = _outline_width(ink, filled) / 2 if filled.any() else 0.0
+        within = cv2.distanceTransform(filled, cv2.DIST_L2, 5)
+        half = _outline_width(ink, within) / 2 if filled.any() else 0.0
         # Distances count from the first pixel outside, half a pixel beyond the edge.
-        inside = cv2.distanceTransform(filled, cv2.DIST_L2, 5) - 0.5
+        inside = within - 0.5
         outside = cv2.distanceTransform(1 - filled, cv2.DIST_L2, 5) - 0.5
         depth = np.where(filled > 0, inside, -outside) - half
         covers = float((depth > 0).sum()) >= _LEAST_COVERED * max(area, 1.0)
@@ -209,13 +210,17 @@ def supersampling_for(side: float) -> int:
     return int(np.clip(1600 // max(side, 1.0), 1, 3))
 
 
-def _outline_width(ink: npt.NDArray[np.uint8], filled: npt.NDArray[np.uint8]) -> float:
-    """Width in px of the stroke along the outline: the depth at which most of the ink has ended."""
-    depth = cv2.distanceTransform(filled, cv2.DIST_L2, 5)
-    bins = np.floor(depth[filled > 0] * 2).astype(int)
-    inked = ink[filled > 0].astype(np.float64)
+def _outline_width(ink: npt.NDArray[np.uint8], depth: npt.NDArray[np.float32]) -> float:
+    """Width in px of the stroke along the outline: the depth at which most of the ink has ended.
+
+    Args:
+        ink: (h, w) 0 or 1.
+        depth: (h, w) px to the first pixel outside of what is filled, 0 there.
+    """
+    filled = depth > 0.0
+    bins = np.floor(depth[filled] * 2).astype(int)
     total = np.bincount(bins)
-    share = np.bincount(bins, weights=inked) / np.maximum(total, 1)
+    share = np.bincount(bins, weights=ink[filled]) / np.maximum(total, 1)
     blank = np.flatnonzero((share < 0.5) & (total > 0))
     # Bin k is k / 2 px deep; the first pixel of the outline has depth 1.
     return max(float(blank[0]) / 2 - 0.75, 1.0) if len(blank) else 1.0
@@ -230,8 +235,10 @@ def _regions(
     kept = [i for i in range(1, count) if stats[i, cv2.CC_STAT_AREA] > smallest]
     kept.sort(key=lambda i: -stats[i, cv2.CC_STAT_AREA])
     found = [_region(labels, i, stats[i], half) for i in kept]
+    areas = [_filled(mask) for mask, _ in found]
     return tuple(
-        Region(mask, corner, _parents(index, found)) for index, (mask, corner) in enumerate(found)
+        Region(mask, corner, _parents(index, found, areas))
+        for index, (mask, corner) in enumerate(found)
     )
 
 
@@ -246,17 +253,24 @@ def _region(
     return cv2.distanceTransform(other, cv2.DIST_L2, 5) < half + 0.5, (x0, y0)
 
 
-def _parents(index: int, found: list[tuple[Mask, tuple[int, int]]]) -> tuple[int, ...]:
-    """Regions that go around a region, innermost first."""
+def _parents(
+    index: int, found: list[tuple[Mask, tuple[int, int]]], areas: list[Mask]
+) -> tuple[int, ...]:
+    """Regions that go around a region, innermost first.
+
+    Args:
+        index: of the region.
+        found: all regions, and their corners.
+        areas: the regions with all that they go around.
+    """
     mask, (x, y) = found[index]
-    ys, xs = np.nonzero(mask)
     around = []
     for other, (area, (ox, oy)) in enumerate(found):
         inside_box = ox <= x and oy <= y and area.shape[1] + ox >= x + mask.shape[1]
         if other == index or not inside_box or area.shape[0] + oy < y + mask.shape[0]:
             continue
-        filled = _filled(area)
-        if filled[ys + y - oy, xs + x - ox].mean() > 0.98:
+        filled = areas[other]
+        if filled[y - oy :, x - ox :][: mask.shape[0], : mask.shape[1]][mask].mean() > 0.98:
             around.append((int(filled.sum()), other))
     return tuple(other for _, other in sorted(around))
 

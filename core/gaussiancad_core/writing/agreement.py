@@ -80,8 +80,8 @@ class Dimension:
             wanted_mm: the length.
         """
         read = self.said.millimetres(unit)
-        digits = _WHOLE.search(self.text)
-        if not self.cut or digits is None:
+        digits = _WHOLE.search(self.text) if self.cut else None
+        if digits is None:
             return read
         step = 10.0 ** len(digits[0]) * read / self.said.value
         lost = round((wanted_mm - read) / step)
@@ -229,18 +229,18 @@ def _fits(
     own: Dimension, unit: Unit, candidate: Candidate, scale: float, share: float = _AGREE
 ) -> bool:
     """Whether a length is what a dimension says, at a scale."""
-    tolerance = max(share, _MISSED / candidate.pixels)
-    return abs(math.log(_scale(own, unit, candidate, scale) / scale)) <= tolerance
+    off = abs(math.log(_scale(own, unit, candidate, scale) / scale))
+    return off <= max(share, _MISSED / candidate.pixels)
 
 
 def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Candidate | None:
     """The length of a dimension that fits a scale best; nothing if none does."""
-    fitting = [c for c in own.candidates if _fits(own, unit, c, scale, share)]
-    if not fitting:
-        return None
-    return min(
-        fitting, key=lambda c: (-c.weight, abs(math.log(_scale(own, unit, c, scale) / scale)))
-    )
+    best, least = None, (math.inf, math.inf)
+    for candidate in own.candidates:
+        off = abs(math.log(_scale(own, unit, candidate, scale) / scale))
+        if off <= max(share, _MISSED / candidate.pixels) and (-candidate.weight, off) < least:
+            best, least = candidate, (-candidate.weight, off)
+    return best
 
 
 def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:

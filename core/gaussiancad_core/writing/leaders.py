@@ -106,19 +106,24 @@ def circles_at(
     if not text.level:
         return ()
     near = _NEAR * (text.box[3] - text.box[1])
-    starts = [end for shelf in shelves if _beside(shelf, text.box, near) for end in shelf]
-    ends = np.array([end for piece in leaders for end in piece]).reshape(-1, 2)
+    ends = np.array(leaders, dtype=float).reshape(-1, 2)
+    starting = _distances(text.box, ends) <= near
+    for shelf in shelves:
+        if _beside(shelf, text.box, near):
+            for end in shelf:
+                starting |= np.hypot(*(ends - end).T) <= _TOUCH
+    centres = np.array([arc.centre for arc in arcs]).reshape(-1, 2)
+    radii = np.array([arc.radius for arc in arcs])
     missed: dict[float, tuple[float, Arc]] = {}
-    for leader in leaders:
-        for start, tip in (leader, leader[::-1]):
-            if _distance(text.box, start) <= near or any(
-                np.hypot(*(start - end)) <= _TOUCH for end in starts
-            ):
-                # Edges that a leader crosses cut it into pieces.
-                tips = [tip, *_beyond(start, tip, ends)]
-                for miss, arc in (hit for end in tips for hit in _pointed_at(start, end, arcs)):
-                    if arc.radius not in missed or miss < missed[arc.radius][0]:
-                        missed[arc.radius] = miss, arc
+    # Each leader has two ends, one after the other.
+    for number in np.flatnonzero(starting).tolist():
+        start, tip = ends[number], ends[number ^ 1]
+        # Edges that a leader crosses cut it into pieces.
+        for end in (tip, *_beyond(start, tip, ends)):
+            for miss, hit in _pointed_at(start, end, centres, radii):
+                arc = arcs[hit]
+                if arc.radius not in missed or miss < missed[arc.radius][0]:
+                    missed[arc.radius] = miss, arc
     return tuple(arc for _, arc in sorted(missed.values(), key=lambda hit: hit[0]))
 
 
@@ -138,21 +143,24 @@ def _beside(shelf: Leader, box: Box, near: float) -> bool:
     return below and left <= box[2] + near and right >= box[0] - near
 
 
-def _distance(box: Box, point: Points) -> float:
-    """px from a box to a point."""
-    dx = max(box[0] - point[0], point[0] - box[2], 0.0)
-    dy = max(box[1] - point[1], point[1] - box[3], 0.0)
-    return float(np.hypot(dx, dy))
+def _distances(box: Box, points: Points) -> Points:
+    """(n,) px from a box to points (n, 2)."""
+    off = np.maximum(np.maximum(np.array(box[:2]) - points, points - np.array(box[2:])), 0.0)
+    return np.hypot(off[:, 0], off[:, 1])
 
 
-def _pointed_at(start: Points, tip: Points, arcs: Sequence[Arc]) -> list[tuple[float, Arc]]:
-    """How far the tip misses each circle towards whose centre a leader runs."""
+def _pointed_at(
+    start: Points, tip: Points, centres: Points, radii: Points
+) -> list[tuple[float, int]]:
+    """How far the tip misses each circle towards whose centre a leader runs, and its number.
+
+    Args:
+        start, tip: (2,) px.
+        centres, radii: (n, 2) and (n,) px.
+    """
     way = (tip - start) / np.hypot(*(tip - start))
-    found = []
-    for arc in arcs:
-        offset = np.array(arc.centre) - tip
-        miss = abs(float(np.hypot(*offset)) - arc.radius)
-        beside = abs(float(way[0] * offset[1] - way[1] * offset[0]))
-        if miss <= _TOUCH and beside <= _BESIDE * arc.radius + 2.0:
-            found.append((miss, arc))
-    return found
+    offsets = centres - tip
+    miss = np.abs(np.hypot(offsets[:, 0], offsets[:, 1]) - radii)
+    beside = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
+    hit = np.flatnonzero((miss <= _TOUCH) & (beside <= _BESIDE * radii + 2.0))
+    return list(zip(miss[hit].tolist(), hit.tolist(), strict=True))

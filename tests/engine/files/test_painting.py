@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.files.fonts import known_font
-from gaussiancad_core.files.painting import paint, render_svg, shown_share, unturned_size
+from gaussiancad_core.files.painting import paint, render_svg, unturned_size
+from gaussiancad_core.files.shown import shown_share
 from gaussiancad_core.files.vectors import (
     Chain,
     CircularArc,
@@ -108,9 +109,18 @@ def test_only_what_is_drawn_on_is_painted_and_is_the_same() -> None:
     stroke = VectorStroke(CircularArc((210.3, 140.7), 31.4, 0.5, 4.0), 9.0)
     line = VectorStroke(Line((180.2, 100.9), (260.6, 190.1)), None, (6.0, 3.0))
     far = VectorStroke(Line((-50.0, -50.0), (450.0, 350.0)), 1.0)
+    apart = VectorStroke(Line((20.0, 280.5), (60.0, 280.5)), 3.0)
     beyond = VectorStroke(Line((500.0, 10.0), (600.0, 10.0)), 2.0)
     # A text may be as wide as its sheet: with one all of it is painted.
     blank = VectorText(" ", (0.0, 0.0, 9.0, 9.0))
-    for strokes in ((stroke,), (line,), (line, stroke), (line, far), (beyond,), ()):
+    for strokes in (
+        (stroke,),
+        (line,),
+        (line, stroke),
+        (line, far),
+        (apart, stroke, beyond),
+        (beyond,),
+        (),
+    ):
         alone = paint(VectorDrawing(strokes, ()), 400, 300)
         assert np.array_equal(alone, paint(VectorDrawing(strokes, (blank,)), 400, 300))

@@ -19,17 +19,22 @@ def cut_areas(
     """
     if not lines:
         return None
-    free = (~ink).astype(np.uint8)
+    x, y, width, height = cv2.boundingRect(ink.astype(np.uint8))
+    # Around the ink one ring more is outside.
+    low, high = np.maximum((x - 1, y - 1), 0), np.array((x + width + 1, y + height + 1))
+    free = (~ink[low[1] : high[1], low[0] : high[0]]).astype(np.uint8)
     for own in centres:
         if isinstance(own.curve, Line):
-            start, end = (
-                tuple(np.floor(at).astype(int).tolist()) for at in (own.curve.start, own.curve.end)
-            )
-            cv2.line(free, start, end, 0)
-    _, areas = cv2.connectedComponents(free, connectivity=4)
+            start, end = (np.floor(at).astype(int) - low for at in (own.curve.start, own.curve.end))
+            cv2.line(free, start.tolist(), end.tolist(), 0)
+    count, areas = cv2.connectedComponents(free, connectivity=4)
     # Its ends lie on the walls: no telling on which side.
     points = np.concatenate([stroke.curve.sample(2.0)[1:-1] for stroke in lines])
-    columns, rows = np.clip(np.floor(points).astype(int), 0, np.array(ink.shape)[::-1] - 1).T
-    hatched = np.unique(areas[rows, columns])
-    hatched = hatched[(hatched != 0) & (hatched != areas[0, 0])]
-    return np.isin(areas, hatched)
+    cells = np.floor(points).astype(int) - low
+    cells = cells[((cells >= 0) & (cells < areas.shape[::-1])).all(axis=1)]
+    is_cut = np.zeros(count, dtype=bool)
+    is_cut[areas[cells[:, 1], cells[:, 0]]] = True
+    is_cut[[0, areas[0, 0]]] = False
+    found = np.zeros(ink.shape, dtype=bool)
+    found[low[1] : high[1], low[0] : high[0]] = is_cut[areas]
+    return found

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import ConvexHull, QhullError, cKDTree
 
-from gaussiancad_core.files.vectors import Chain, Line, StrokeKind, VectorStroke
+from gaussiancad_core.files.vectors import Chain, Line, StrokeKind, VectorStroke, bounds
 
 _SHORTEST, _LONGEST = 4.0, 80.0
 """px of a head along its axis: 0.5 to 10 mm at 200 dpi."""
@@ -103,8 +103,10 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
     for stroke in strokes:
         if stroke.kind is not StrokeKind.FILL or not isinstance(stroke.curve, Chain):
             continue
-        points = np.unique(np.array(stroke.curve.points), axis=0)
-        size = float(np.ptp(points, axis=0).max())
+        x0, y0, x1, y1 = bounds([stroke.curve])
+        size = max(x1 - x0, y1 - y0)
+        # Most of what is filled are letters: no place counts twice among their points.
+        points = np.array(list(dict.fromkeys(stroke.curve.points)))
         if len(points) < 3 or not _SHORTEST <= size <= _LONGEST:
             continue
         try:
