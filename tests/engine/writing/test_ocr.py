@@ -70,3 +70,13 @@ def test_the_extra_may_be_absent(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(ocr, "distribution", missing)
     assert "pip install rapidocr" in ocr_problem()
+
+
+@needs_ocr
+def test_what_was_read_before_is_not_read_again() -> None:
+    picture = written("17.5", 18.0)
+    first = read_text(picture)
+    known = ocr._read_prepared.cache_info()
+    assert read_text(picture.copy()) == first
+    assert ocr._read_prepared.cache_info().hits == known.hits + 1
+    assert ocr._read_prepared.cache_info().misses == known.misses
