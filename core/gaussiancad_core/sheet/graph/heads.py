@@ -41,6 +41,11 @@ _AROUND = 1.1
 _SAME = 1.0
 """px within which two tips are one."""
 
+_ANGLES = np.radians([0.0, 22.5, 45.0, 67.5])
+
+_TURNS = np.array([[[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]] for a in _ANGLES])
+"""(4, 2, 2) by which points are turned before boxes are laid around them."""
+
 Point = npt.NDArray[np.float64]
 
 
@@ -109,6 +114,8 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
         points = np.array(list(dict.fromkeys(stroke.curve.points)))
         if len(points) < 3 or not _SHORTEST <= size <= _LONGEST:
             continue
+        if not _may_be_triangle(points, _BESIDE * size):
+            continue
         try:
             hull = points[ConvexHull(points).vertices]
         except QhullError:
@@ -116,6 +123,24 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
         corners = _three(hull, _BESIDE * size)
         if corners is not None:
             yield corners
+
+
+def _may_be_triangle(points: Point, near: float) -> bool:
+    """Whether the outline of some points may have three corners, as far as boxes around it tell.
+
+    A corner of a triangle lies on two sides of any box around it: in a corner of the box, unless
+    two opposite sides are as one.
+
+    Args:
+        points: (n, 2) px.
+        near: px by which points of the outline may lie beside its corners.
+    """
+    turned = points @ _TURNS
+    low, high = turned.min(axis=1, keepdims=True), turned.max(axis=1, keepdims=True)
+    reach = (1.0 + 1e-6) * near
+    in_corner = ((turned - low <= reach) | (high - turned <= reach)).all(axis=2).any(axis=1)
+    narrow = (high - low).min(axis=(1, 2)) <= 2.0 * reach
+    return bool((in_corner | narrow).all())
 
 
 def _three(hull: Point, near: float) -> Point | None:

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial import ConvexHull
 
 from gaussiancad_core.files.vectors import Chain, Line, StrokeKind, VectorStroke
+from gaussiancad_core.sheet.graph import heads
 from gaussiancad_core.sheet.graph.heads import arrowheads
 
 _PLACE = st.tuples(st.floats(100.0, 900.0), st.floats(100.0, 900.0))
@@ -64,3 +66,23 @@ def test_two_heads_tip_to_tip_are_two() -> None:
     tips = [_corners((300.0, 300.0), angle, 20.0, 7.0) for angle in (0.0, np.pi)]
     found = arrowheads([stroke for corners in tips for stroke in _filled(corners)])
     assert sorted(round(head.way[0]) for head in found) == [-1, 1]
+
+
+def test_no_outline_of_three_corners_is_passed_over() -> None:
+    random = np.random.default_rng(7)
+    for _ in range(2000):
+        corners = random.uniform(0.0, 40.0, (3, 2))
+        size = float(np.ptp(corners, axis=0).max())
+        near = 0.06 * size
+        # Rounded corners, and points within the outline.
+        ends = corners[random.integers(0, 3, 12)] + random.uniform(-0.7, 0.7, (12, 2)) * near
+        inner = random.dirichlet((1.0, 1.0, 1.0), 5) @ corners
+        points = np.concatenate([corners, ends, inner])
+        hull = points[ConvexHull(points).vertices]
+        if heads._three(hull, near) is not None:
+            assert heads._may_be_triangle(points, near)
+    angles = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
+    round_one = 10.0 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    square = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]])
+    assert not heads._may_be_triangle(round_one, 1.2)
+    assert not heads._may_be_triangle(square, 0.6)
