@@ -17,7 +17,7 @@ from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
-from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies
+from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies, try_numbers
 from freecad.gaussiancad.objects.feature_file import FEATURES_FILE, read_features
 from freecad.gaussiancad.objects.solid_parts import write_solid
 from freecad.gaussiancad.preferences import read_preferences
@@ -48,7 +48,8 @@ def remodel(part: FreeCAD.DocumentObject) -> tuple[MadeBody, ...]:
 def add_found(
     part: FreeCAD.DocumentObject, result: RunResult, folder: Path
 ) -> tuple[MadeBody, ...]:
-    """Add a body of the features that the engine has found on a part, in one undo step.
+    """Add a body of the features that the engine has found on a part, in one undo step, and try
+    its numbers.
 
     Args:
         part: a feature with the solid.
@@ -60,4 +61,4 @@ def add_found(
     """
     if result.state is not RunState.DONE:
         raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, result.words)
-    return add_bodies(part, read_features(folder / FEATURES_FILE))
+    return tuple(map(try_numbers, add_bodies(part, read_features(folder / FEATURES_FILE))))

@@ -177,9 +177,14 @@ class Numbers(BodyCase):
             ("chamfer", box.makeChamfer, "Size"),
         ):
             exact = dress(4.0, [edge for edge in box.Edges if edge.BoundBox.ZLength > 19][:1])
-            broken = {"kind": kind, "name": "Edges", "size": 4.0, "places": [[0.0, 0.0, 9.0]]}
+            broken = {
+                "kind": kind,
+                "name": f"Edges{kind}",
+                "size": 4.0,
+                "places": [[0.0, 0.0, 9.0]],
+            }
             with self.subTest(kind):
                 made = self.made(
                     exact, *box_of(40, 30, 20), {**broken, "sources": {"size": "sheet"}}
                 )
-                self.assertEqual(made.from_sheet, (f"Edges.{name} = 4 mm",))
+                self.assertEqual(made.from_sheet, (f"Edges{kind}.{name} = 4 mm",))

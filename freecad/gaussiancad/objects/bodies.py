@@ -13,27 +13,29 @@ In ``freecadcmd``, of a solid whose features ``gaussiancad features`` has found:
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import FreeCAD
 import Part
 
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
-from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
+from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.objects.body_features import add_feature
 from freecad.gaussiancad.objects.body_model import (
-    ON_SHEET,
     Condition,
     Feature,
     Holes,
     Number,
     SolidFeatures,
 )
+from freecad.gaussiancad.objects.body_numbers import DrivingNumber
+from freecad.gaussiancad.objects.body_properties import body_properties, trial_properties
 from freecad.gaussiancad.objects.known_sheets import reconstruction_among
 from freecad.gaussiancad.objects.loading import read_shape
-from freecad.gaussiancad.objects.properties import PropertySpec, add_properties
+from freecad.gaussiancad.objects.number_trials import NumberTrials, TrialOutcome
+from freecad.gaussiancad.objects.properties import add_properties
 from freecad.gaussiancad.objects.solid_parts import local_shape
 from freecad.gaussiancad.objects.transaction import transaction
 
@@ -45,15 +47,31 @@ class MadeBody:
     Attributes:
         body: in the document.
         features: number of its features.
-        from_sheet, measured: its numbers that the drawing tells, and the others.
+        numbers: that drive it.
         over_base: whether the features stand over a solid that has none.
+        trials: what is known of changing its numbers; nothing before they were tried.
     """
 
     body: FreeCAD.DocumentObject
     features: int
-    from_sheet: tuple[str, ...]
-    measured: tuple[str, ...]
+    numbers: tuple[DrivingNumber, ...]
     over_base: bool
+    trials: TrialOutcome = field(default_factory=TrialOutcome)
+
+    @property
+    def from_sheet(self) -> tuple[str, ...]:
+        """The numbers that the drawing tells."""
+        return tuple(number.listed for number in self.numbers if number.on_sheet)
+
+    @property
+    def measured(self) -> tuple[str, ...]:
+        """The other numbers."""
+        return tuple(number.listed for number in self.numbers if not number.on_sheet)
+
+    @property
+    def breaking(self) -> tuple[str, ...]:
+        """The numbers that cannot be changed alone, as far as they were tried."""
+        return tuple(number.listed for number in self.trials.breaking)
 
 
 def undo_step() -> str:
@@ -114,7 +132,7 @@ def make_body(
     body.Label = translate("GaussianCAD", "Body of {name}").format(name=name)
     if features.base is not None:
         _stand_on(body, read_shape(features.base))
-    numbers: list[tuple[str, Number]] = []
+    numbers: list[DrivingNumber] = []
     for feature in features.features:
         try:
             kept = add_feature(body, feature)
@@ -122,14 +140,41 @@ def make_body(
             text = translate("GaussianCAD", "{feature} cannot be made ({reason})")
             reason = text.format(feature=feature.name, reason=error)
             raise _failed(name, reason) from error
-        numbers.extend((feature.name, each) for each in _numbers_of(feature, kept))
+        # Its name is another where the document has one of that name already.
+        made = body.Tip.Name
+        numbers.extend(
+            DrivingNumber(made, each.name, each.value, each.source)
+            for each in _numbers_of(feature, kept)
+        )
     check = check_body(body.Shape, exact)
     if not check.is_equal:
         raise _failed(name, check.words)
-    from_sheet = tuple(_listed(*each) for each in numbers if each[1].source == ON_SHEET)
-    measured = tuple(_listed(*each) for each in numbers if each[1].source != ON_SHEET)
-    add_properties(body, _properties(from_sheet, measured))
-    return MadeBody(body, len(features.features), from_sheet, measured, features.base is not None)
+    add_properties(body, body_properties(numbers))
+    over_base = features.base is not None
+    return MadeBody(body, len(features.features), tuple(numbers), over_base)
+
+
+def try_numbers(made: MadeBody) -> MadeBody:
+    """Change each number of a body on a copy, and note in its properties which break it.
+
+    Returns:
+        The same body, with what is known of its numbers.
+    """
+    with NumberTrials(made.body, made.numbers) as trials:
+        return note_trials(made, trials.run())
+
+
+def note_trials(made: MadeBody, outcome: TrialOutcome) -> MadeBody:
+    """Note what became of trials in a body's properties; that belongs to the step that made it.
+
+    Returns:
+        The same body, with what is known of its numbers.
+    """
+    tried = replace(made, trials=outcome)
+    add_properties(made.body, trial_properties(tried.breaking, outcome.untried))
+    # The shape does not follow from what is said of it.
+    made.body.purgeTouched()
+    return tried
 
 
 def _name_of(part: FreeCAD.DocumentObject) -> str:
@@ -147,25 +192,6 @@ def _stand_on(body: FreeCAD.DocumentObject, shape: Part.Shape) -> None:
     body.Document.recompute()
 
 
-def _properties(from_sheet: Sequence[str], measured: Sequence[str]) -> list[PropertySpec]:
-    return [
-        PropertySpec(
-            "StringList",
-            "NumbersFromSheet",
-            "GaussianCAD",
-            QT_TRANSLATE_NOOP("App::Property", "Numbers of the body that the drawing tells"),
-            list(from_sheet),
-        ),
-        PropertySpec(
-            "StringList",
-            "NumbersMeasured",
-            "GaussianCAD",
-            QT_TRANSLATE_NOOP("App::Property", "Numbers of the body that are not on the drawing"),
-            list(measured),
-        ),
-    ]
-
-
 def _numbers_of(feature: Feature, kept: Sequence[Condition]) -> list[Number]:
     """Those of its sketch that hold, and those of the feature itself, each once.
 
@@ -178,10 +204,6 @@ def _numbers_of(feature: Feature, kept: Sequence[Condition]) -> list[Number]:
     ]
     is_drawn = isinstance(feature, Holes) and any(each.kind == "diameter" for each in kept)
     return drawn + [n for n in feature.numbers if not (is_drawn and n.name == "Diameter")]
-
-
-def _listed(feature: str, number: Number) -> str:
-    return f"{feature}.{number.name} = {number.value:g} mm"
 
 
 def _failed(name: str, reason: str) -> WorkbenchError:

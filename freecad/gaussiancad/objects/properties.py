@@ -6,7 +6,7 @@ from enum import IntFlag
 
 import FreeCAD
 
-PropertyValue = str | float | int | bool | list[str]
+PropertyValue = str | float | int | bool | list[str] | list[float]
 
 
 class Access(IntFlag):
