@@ -3,9 +3,10 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gaussiancad_core.features.constraints import Constraint, Kind, Numbers, constraints_of
+from gaussiancad_core.features.constraints import Numbers, constraints_of
+from gaussiancad_core.features.dimension_names import dimension_names
 from gaussiancad_core.features.frames import MAIN_FRAMES, Frame
-from gaussiancad_core.features.loops import Edge
+from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.model import (
     EdgeBreak,
     Extrusion,
@@ -20,14 +21,6 @@ SCHEMA = "gaussiancad-features/1"
 
 FEATURES_FILE = "features.json"
 """In the output folder."""
-
-_STEMS = {
-    Kind.DISTANCE_X: "X",
-    Kind.DISTANCE_Y: "Y",
-    Kind.RADIUS: "Radius",
-    Kind.DIAMETER: "Diameter",
-}
-"""Names of dimensions, which are counted."""
 
 
 def named(features: Sequence[Feature]) -> list[tuple[str, Feature]]:
@@ -88,7 +81,7 @@ def _holes(values: dict[str, Any], holes: Holes, numbers: Numbers) -> dict[str, 
     values |= {
         "plane": _plane(holes.frame, holes.height),
         "centres": [list(centre) for centre in holes.centres],
-        "constraints": _constraints(constraints_of(circles, numbers), numbers),
+        "constraints": _constraints(circles, numbers),
         "downward": holes.is_downward,
         "diameter": holes.diameter,
         "depth": holes.depth,
@@ -122,14 +115,15 @@ def _sketch(sketch: Sketch, numbers: Numbers) -> dict[str, Any]:
     return {
         "plane": _plane(sketch.frame, sketch.height),
         "geometry": [_edge(edge) for loop in sketch.loops for edge in loop],
-        "constraints": _constraints(constraints_of(sketch.loops, numbers), numbers),
+        "constraints": _constraints(sketch.loops, numbers),
     }
 
 
-def _constraints(found: Sequence[Constraint], numbers: Numbers) -> list[dict[str, Any]]:
-    counts: dict[str, int] = {}
+def _constraints(loops: Sequence[Loop], numbers: Numbers) -> list[dict[str, Any]]:
+    found = constraints_of(loops, numbers)
+    names = dimension_names(found, [edge for loop in loops for edge in loop])
     values = []
-    for constraint in found:
+    for constraint, name in zip(found, names, strict=True):
         value: dict[str, Any] = {
             "kind": constraint.kind.value,
             "of": [
@@ -138,16 +132,10 @@ def _constraints(found: Sequence[Constraint], numbers: Numbers) -> list[dict[str
             ],
         }
         if constraint.value is not None:
-            stem = _STEMS[constraint.kind]
-            counts[stem] = counts.get(stem, 0) + 1
             source = numbers.source_of(constraint.value)
             if constraint.source is not None:
                 source = constraint.source
-            value |= {
-                "name": f"{stem}{counts[stem]}",
-                "value": constraint.value,
-                "source": source.value,
-            }
+            value |= {"name": name, "value": constraint.value, "source": source.value}
         values.append(value)
     return values
 

@@ -1,5 +1,6 @@
 """Features as a build123d script: parameters by name at the top, the solid when it is run."""
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -72,6 +73,12 @@ THROUGH = {through!r}  # mm, longer than the part
 '''
 
 
+_COUNTED_STEMS = ("X", "Y", "RADIUS")
+"""Of parameters that a feature may have several of."""
+
+_COUNTED = tuple(f"_{stem}" for stem in _COUNTED_STEMS)
+
+
 def script_of(solids: Sequence[dict[str, Any]], stem: str = "part") -> str:
     """The script of solids.
 
@@ -90,8 +97,9 @@ def script_of(solids: Sequence[dict[str, Any]], stem: str = "part") -> str:
         for feature in solid["features"]:
             prefix = f"{part}_{feature['name']}" if len(solids) > 1 else feature["name"]
             writer = _Writer(prefix.upper(), part)
-            body += writer.lines(feature)
-            parameters += writer.parameters
+            lines = writer.lines(feature)
+            body += writer.settled(lines)
+            parameters += writer.settled(writer.parameters)
     names = [f"part{k}" for k in range(1, len(solids) + 1)] if len(solids) > 1 else ["part"]
     whole = names[0] if len(names) == 1 else f"Compound([{', '.join(names)}])"
     ends = ["", f"export_step({whole}, {stem + '.step'!r})", ""]
@@ -128,11 +136,24 @@ class _Writer:
         self.parameters: list[str] = []
         self._prefix, self._part = prefix, part
         self._known: dict[tuple[str, float], str] = {}
+        self._told: dict[tuple[str, float], tuple[str, str]] = {}
+
+    def settled(self, lines: Sequence[str]) -> list[str]:
+        """Lines in which what there is once has no number; once all were written."""
+        known = set(self._known.values())
+        single = [
+            name[:-1]
+            for name in known
+            if name[:-1].endswith(_COUNTED) and f"{name[:-1]}2" not in known and name[-1] == "1"
+        ]
+        words = "|".join(single)
+        return [re.sub(rf"\b({words})1\b", r"\1", line) if single else line for line in lines]
 
     def lines(self, feature: dict[str, Any]) -> list[str]:
         """What makes a feature."""
         kind = feature["kind"]
         found = ["", f"# {feature['name']}"]
+        self._told = dict(_told(feature.get("sketch", feature)))
         if kind in ("fillet", "chamfer"):
             size = self._parameter("SIZE", feature["size"], feature["sources"]["size"])
             edges = ", ".join(f"nearest({self._part}, {tuple(p)!r})" for p in feature["places"])
@@ -215,14 +236,15 @@ class _Writer:
         if abs(value) < 1e-9:
             return "0"
         sign = "-" if value < 0.0 else ""
-        return sign + self._parameter(axis, abs(value), "")
+        stem, source = self._told.get((axis, round(abs(value), 6)), (axis, ""))
+        return sign + self._parameter(stem, abs(value), source)
 
     def _parameter(self, stem: str, value: float, source: str) -> str:
         """The name of a number, made once."""
         key = stem, round(value, 6)
         if key not in self._known:
             count = sum(1 for known, _ in self._known if known == stem) + 1
-            name = f"{self._prefix}_{stem}{count if stem in ('X', 'Y', 'RADIUS') else ''}"
+            name = f"{self._prefix}_{stem}{count if stem in _COUNTED_STEMS else ''}"
             self._known[key] = name
             note = "  # on the sheet" if source == "sheet" else ""
             self.parameters.append(f"{name} = {round(value, 9)!r}{note}")
@@ -231,3 +253,25 @@ class _Writer:
     def _plane(self, plane: dict[str, Any]) -> str:
         origin = tuple(round(plane["offset"] * part, 9) + 0.0 for part in plane["normal"])
         return f"plane({origin!r}, {tuple(plane['right'])!r}, {tuple(plane['normal'])!r})"
+
+
+def _told(sketch: dict[str, Any]) -> Iterator[tuple[tuple[str, float], tuple[str, str]]]:
+    """Of coordinates that are dimensions of the sketch, the dimension's name and its source, by the
+    axis and the value: the dimension's other end is at 0."""
+    axes = {"distance-x": (0, "X"), "distance-y": (1, "Y")}
+    for constraint in sketch.get("constraints", ()):
+        if constraint["kind"] not in axes:
+            continue
+        axis, letter = axes[constraint["kind"]]
+        if any(abs(_coordinate(sketch, *each, axis)) < 1e-9 for each in constraint["of"]):
+            name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", constraint["name"]).upper()
+            yield (letter, round(constraint["value"], 6)), (name, constraint["source"])
+
+
+def _coordinate(sketch: dict[str, Any], element: int, spot: str | None, axis: int) -> float:
+    """Of a point that a constraint names."""
+    if element < 0:
+        return 0.0
+    if "centres" in sketch:
+        return float(sketch["centres"][element][axis])
+    return float(sketch["geometry"][element][spot or "start"][axis])
