@@ -12,7 +12,7 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.gaussiancad.batch_bodies import NO_SOLID, NOT_ADDED, BodyMaker
-from freecad.gaussiancad.batch_report import SheetRow
+from freecad.gaussiancad.batch_report import BodyOutcome, SheetRow
 from freecad.gaussiancad.batch_stop import BatchStopped
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.report import Status, read_report
@@ -35,16 +35,17 @@ class MadeDocuments:
 
     Attributes:
         status: of the result.
-        body: why there is no body, where one was asked for: a sentence, or empty.
+        body: what became of the body, where one was asked for.
     """
 
     status: Status
-    body: str
+    body: BodyOutcome
 
     @property
     def outcome(self) -> str:
         """The same for people."""
-        return f"{self.status.value}. {self.body}" if self.body else self.status.value
+        words = self.body.words
+        return f"{self.status.value}. {words}" if words else self.status.value
 
 
 def complete_sheet(row: SheetRow, kept: bool, bodies: BodyMaker | None = None) -> SheetRow:
@@ -71,9 +72,9 @@ def complete_sheet(row: SheetRow, kept: bool, bodies: BodyMaker | None = None) -
         lacking = _lacking(folder, report.text)
         if lacking:
             job = ReconstructJob.told(row.sheet, row.folder, report.group("settings"))
-            row = replace(row, body=make_documents(job, folder, lacking, bodies).body)
+            row = row.with_body(make_documents(job, folder, lacking, bodies).body)
         if bodies is not None and _DOCUMENT not in lacking:
-            row = replace(row, body=_kept_without(folder))
+            row = row.with_body(_kept_body(folder))
     except BatchStopped:
         return row.stopped()
     except WorkbenchError as error:
@@ -106,7 +107,7 @@ def make_documents(
         WorkbenchError: the engine's files are not usable, or a file could not be written whole.
         OSError: the folder cannot be written.
     """
-    without_body = ""
+    body = BodyOutcome()
     _refuse_what_is_no_text(job.sheet)
     _refuse_what_is_no_text(str(target))
     try:
@@ -116,7 +117,7 @@ def make_documents(
             for suffix in suffixes:
                 path = _with_suffix(staged, suffix)
                 if suffix == _DOCUMENT:
-                    without_body = _write_document(run, path, bodies)
+                    body = _write_document(run, path, bodies)
                 else:
                     _write_exchange(run, suffix, path)
                 _check(path, run.report.text)
@@ -127,7 +128,7 @@ def make_documents(
     except Exception as error:  # FreeCAD raises its own types; the next sheet goes on
         message = f"the result of {job.sheet} is unusable: {error}"
         raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, message) from error
-    return MadeDocuments(run.report.status, without_body)
+    return MadeDocuments(run.report.status, body)
 
 
 def remove_documents(target: Path) -> None:
@@ -152,11 +153,12 @@ def _lacking(target: Path, report: str) -> tuple[str, ...]:
     )
 
 
-def _kept_without(target: Path) -> str:
-    """Why a document that was there already has no body; empty where it has one."""
+def _kept_body(target: Path) -> BodyOutcome:
+    """What is known of the body of a document that was there already."""
     if has_body(_with_suffix(target, _DOCUMENT)):
-        return ""
-    return NOT_ADDED if (target / PartSource.SOLID.value).is_file() else NO_SOLID
+        return BodyOutcome()
+    is_solid = (target / PartSource.SOLID.value).is_file()
+    return BodyOutcome(NOT_ADDED if is_solid else NO_SOLID)
 
 
 def _refuse_links(folder: Path) -> None:
@@ -176,16 +178,16 @@ def _refuse_what_is_no_text(path: str) -> None:
         raise WorkbenchError(ErrorCode.NAME_NO_TEXT, message) from error
 
 
-def _write_document(run: LoadedRun, path: Path, bodies: BodyMaker | None) -> str:
-    """Write the document; why it has no body, where one was asked for."""
+def _write_document(run: LoadedRun, path: Path, bodies: BodyMaker | None) -> BodyOutcome:
+    """Write the document; what became of its body, where one was asked for."""
     document = FreeCAD.newDocument(hidden=True)
     try:
         group = add_reconstruction(document, run)
-        without_body = bodies.add(group, run) if bodies is not None else ""
+        body = bodies.add(group, run) if bodies is not None else BodyOutcome()
         document.saveAs(str(path))
     finally:
         FreeCAD.closeDocument(document.Name)
-    return without_body
+    return body
 
 
 def _write_exchange(run: LoadedRun, suffix: str, path: Path) -> None:

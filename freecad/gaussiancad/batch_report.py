@@ -16,6 +16,33 @@ _STOPPED = "the batch was stopped before its document was made: go on with --res
 
 
 @dataclass(frozen=True)
+class BodyOutcome:
+    """What became of the body of a document.
+
+    Attributes:
+        lacking: why there is none, a sentence; empty where there is one.
+        breaking: its numbers that break it when they are changed.
+        untried: how many of its numbers were not tried for that.
+    """
+
+    lacking: str = ""
+    breaking: tuple[str, ...] = ()
+    untried: int = 0
+
+    @property
+    def words(self) -> str:
+        """The same for people; empty where there is nothing to say."""
+        told = [self.lacking] if self.lacking else []
+        if self.breaking:
+            told.append(
+                f"The body breaks when one of these is changed: {', '.join(self.breaking)}."
+            )
+        if self.untried:
+            told.append(f"Numbers of the body that were not tried: {self.untried}.")
+        return " ".join(told)
+
+
+@dataclass(frozen=True)
 class SheetRow:
     """What became of a sheet.
 
@@ -30,6 +57,8 @@ class SheetRow:
         message: a sentence about the error, or empty.
         seconds: of the engine.
         body: why the document has no body, where one was asked for: a sentence, or empty.
+        body_breaking: numbers of the body that break it when they are changed.
+        body_untried: how many of its numbers were not tried for that.
     """
 
     name: str
@@ -42,6 +71,8 @@ class SheetRow:
     message: str
     seconds: float
     body: str = ""
+    body_breaking: tuple[str, ...] = ()
+    body_untried: int = 0
 
     @classmethod
     def of(cls, event: Event) -> "SheetRow":
@@ -62,7 +93,14 @@ class SheetRow:
     def outcome(self) -> str:
         """What became of it, for people."""
         said = self.message or self.status
-        return f"{said}. {self.body}" if self.body else said
+        words = BodyOutcome(self.body, self.body_breaking, self.body_untried).words
+        return f"{said}. {words}" if words else said
+
+    def with_body(self, body: BodyOutcome) -> "SheetRow":
+        """The row with what became of the body."""
+        return replace(
+            self, body=body.lacking, body_breaking=body.breaking, body_untried=body.untried
+        )
 
     def without_document(self, code: str, message: str) -> "SheetRow":
         """The row of a sheet of which the engine made a model, and FreeCAD no document."""

@@ -11,6 +11,7 @@ from test_batch import BatchCase, wait_for_child
 
 from freecad.gaussiancad.batch_bodies import NO_SOLID, NOT_ADDED
 from freecad.gaussiancad.batch_options import parse_options
+from freecad.gaussiancad.batch_report import BodyOutcome
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.whole_files import has_body
 
@@ -44,11 +45,23 @@ class Bodies(BatchCase):
             self.assertEqual(body.Label, "Body of a")
             self.assertEqual(check_body(body.Shape, part.Shape).words, "")
             self.assertEqual((len(body.NumbersFromSheet), len(body.NumbersMeasured)), (3, 2))
+            self.assertEqual((body.NumbersThatBreak, body.NumbersNotTried), ([], 0))
             self.assertEqual((part.Visibility, body.Visibility), (False, True))
             hidden = document.getObject("Reconstruction").HiddenAtFirst
             self.assertLessEqual({"Part", "Pad1Sketch"}, set(hidden))
             self.assertTrue({"Body", "Pad1"}.isdisjoint(hidden))
         self.check_files(self.output / "a")
+
+    def test_the_report_names_numbers_that_break_the_body(self) -> None:
+        self.assertEqual(self.words("--body"), "")
+        row = self.documents()["a"]
+        self.assertEqual((row["body_breaking"], row["body_untried"]), ([], 0))
+        told = BodyOutcome("", ("Pad1.Width = 60 mm",), 2).words
+        self.assertEqual(
+            told,
+            "The body breaks when one of these is changed: Pad1.Width = 60 mm. "
+            "Numbers of the body that were not tried: 2.",
+        )
 
     def test_without_the_option_there_is_none(self) -> None:
         out = ["--output", str(self.output)]

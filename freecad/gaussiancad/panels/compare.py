@@ -20,7 +20,8 @@ from freecad.gaussiancad.objects.comparison import (
 )
 from freecad.gaussiancad.objects.sources import Source
 from freecad.gaussiancad.panels.comparison_view import ComparisonView
-from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts
+from freecad.gaussiancad.panels.follow_up import Success
 from freecad.gaussiancad.panels.model_box import ModelBox
 from freecad.gaussiancad.panels.widgets import bring_into_sight
 from freecad.gaussiancad.qt import QtWidgets

@@ -21,6 +21,7 @@ from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.panels.follow_up import FollowUp, Success
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.run_view import RunView
 from freecad.gaussiancad.panels.widgets import standard_buttons
@@ -45,19 +46,6 @@ class PanelTexts:
     icon: str
 
 
-@dataclass(frozen=True)
-class Success:
-    """What a panel shows after a run that succeeded.
-
-    Attributes:
-        headline: one sentence.
-        lines: details.
-    """
-
-    headline: str
-    lines: tuple[str, ...] = ()
-
-
 class EnginePanel(ABC):
     """The panel; FreeCAD shows the widgets in ``form``.
 
@@ -75,6 +63,7 @@ class EnginePanel(ABC):
         self.run_view.destroyed.connect(self._leave)
         self._closed = False
         self._run: EngineRun | None = None
+        self._follow_up: FollowUp | None = None
         self._scratch: tempfile.TemporaryDirectory[str] | None = None
 
     @abstractmethod
@@ -130,6 +119,14 @@ class EnginePanel(ABC):
         """What may help after a run that did not succeed: a button's text and what it does."""
         return None
 
+    def follow_up(self, success: Success) -> FollowUp | None:
+        """What to go on with once the result is in the document; None for nothing.
+
+        Args:
+            success: what is known so far.
+        """
+        return None
+
     @property
     def running(self) -> bool:
         """Whether the engine works for this panel."""
@@ -157,10 +154,10 @@ class EnginePanel(ABC):
         self._run.start()
 
     def cancel(self) -> None:
-        """Ask the engine to stop."""
+        """Ask the engine to stop, or what follows its run."""
         if self._run is not None:
             self.run_view.say_cancelling()
-            self._run.cancel()
+            (self._follow_up or self._run).cancel()
 
     def dress(self) -> None:
         """Give the task boxes their icon; call it once ``form`` is complete."""
@@ -193,7 +190,10 @@ class EnginePanel(ABC):
     def _leave(self) -> None:
         """The panel was closed from outside: stop the engine, and touch no widget any more."""
         self._closed = True
-        if self._run is not None:
+        if self._follow_up is not None:
+            self._follow_up.leave()
+            self._forget_run()
+        elif self._run is not None:
             self._run.cancel()
 
     def _take_event(self, event: Event) -> None:
@@ -210,16 +210,24 @@ class EnginePanel(ABC):
             self._forget_run()
             return
         success, complaint = self._outcome(result)
+        self._follow_up = None if success is None else self.follow_up(success)
+        if self._follow_up is not None:
+            self._follow_up.start(self._end)
+            return
         if success is not None:
-            self.run_view.show_report(success.lines)
-            self.run_view.end(success.headline, whole=True)
+            self._end(success)
         else:
             stopped = translate("GaussianCAD", "Stopped") if complaint else result.words
             left = self.give_up(complaint or result.words)
             self.run_view.end(f"{stopped.rstrip('.')}. {left}" if left else stopped, whole=False)
-        self._forget_run()
+            self._forget_run()
         if complaint:
             self._help(result, complaint)
+
+    def _end(self, success: Success) -> None:
+        self.run_view.show_report(success.lines)
+        self.run_view.end(success.headline, whole=True)
+        self._forget_run()
 
     def _help(self, result: RunResult, complaint: str) -> None:
         """Say what went wrong, with what may help."""
@@ -258,7 +266,7 @@ class EnginePanel(ABC):
         if self._scratch is not None:
             self._scratch.cleanup()
             self._scratch = None
-        self._run = None
+        self._run = self._follow_up = None
         if not self._closed:
             self.set_editable(True)
 

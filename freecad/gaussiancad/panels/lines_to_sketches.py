@@ -19,8 +19,9 @@ from freecad.gaussiancad.objects.known_sheets import group_of
 from freecad.gaussiancad.objects.sketches import add_cleaned
 from freecad.gaussiancad.panels.chosen_sheet import ask_sheet, sheet_among
 from freecad.gaussiancad.panels.correct import open_sheet
-from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts
 from freecad.gaussiancad.panels.fitted_view import show_all
+from freecad.gaussiancad.panels.follow_up import Success
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.qt import QtWidgets
 

@@ -26,8 +26,9 @@ from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.chosen_sheet import ask_sheet
 from freecad.gaussiancad.panels.correct import open_canvas, open_sheet
 from freecad.gaussiancad.panels.document_source import DocumentSource
-from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts
 from freecad.gaussiancad.panels.fitted_view import show_all
+from freecad.gaussiancad.panels.follow_up import Success
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.page_pictures import PagePictures
 from freecad.gaussiancad.panels.settings_form import SettingsForm

@@ -130,6 +130,20 @@ class RunView(QtWidgets.QWidget):
         self.stage.setText(headline)
         self.repaint()
 
+    def begin_part(self, headline: str) -> None:
+        """Show that a run goes on with something else; how far that is is not known yet."""
+        self.stage.setText(headline)
+        self._remaining = None
+        self._stage_count = 0
+        self.fraction.setRange(0, 0)
+        self.overall.setRange(0, 0)
+
+    def show_fraction(self, fraction: float) -> None:
+        """Show how far that is, from 0 to 1."""
+        for bar in (self.fraction, self.overall):
+            bar.setRange(0, _STEPS)
+            bar.setValue(round(fraction * _STEPS))
+
     def say_cancelling(self) -> None:
         """Show that the engine was asked to stop."""
         self.stage.setText(translate("GaussianCAD", "Cancelling"))

@@ -1,6 +1,6 @@
 """The task panel of *To Body…*: finds the features of a solid, and shows how far that is."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import FreeCAD
@@ -12,8 +12,10 @@ from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies, undo_step
 from freecad.gaussiancad.objects.feature_file import FEATURES_FILE, read_features
 from freecad.gaussiancad.objects.solid_parts import solid_among, write_solid
-from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts
+from freecad.gaussiancad.panels.follow_up import Success
 from freecad.gaussiancad.panels.messages import show_error
+from freecad.gaussiancad.panels.number_stage import NumberStage
 from freecad.gaussiancad.qt import QtWidgets
 
 
@@ -57,6 +59,7 @@ class BodyPanel(EnginePanel):
             )
         )
         self._document_name, self._part_name = part.Document.Name, part.Name
+        self._made: tuple[MadeBody, ...] = ()
         self.form = [_part_box(part.Label), self.run_view]
         self.dress()
 
@@ -66,10 +69,12 @@ class BodyPanel(EnginePanel):
 
     def absorb(self, scratch: Path) -> Success:
         """Add the body to the document in one step."""
-        made = add_bodies(self._part(), read_features(scratch / FEATURES_FILE))
-        headline = " ".join(told_body(each) for each in made)
-        FreeCAD.Console.PrintMessage(f"{undo_step()}: {headline}\n")
-        return Success(headline, tuple(line for each in made for line in told_numbers(each)))
+        self._made = add_bodies(self._part(), read_features(scratch / FEATURES_FILE))
+        return Success("")
+
+    def follow_up(self, success: Success) -> NumberStage:
+        """Try the body's numbers; the end tells all of it."""
+        return NumberStage(self._made, self.run_view)
 
     def set_editable(self, editable: bool) -> None:
         """There is nothing to choose."""
@@ -81,34 +86,6 @@ class BodyPanel(EnginePanel):
             text = translate("GaussianCAD", "The part is not in its document any more.")
             raise WorkbenchError(ErrorCode.NO_BODY, text)
         return part
-
-
-def told_body(made: MadeBody) -> str:
-    """How many features a body has, and where its numbers are from."""
-    text = translate(
-        "GaussianCAD",
-        "Features: {features}. Numbers from the sheet: {sheet}, measured: {measured}.",
-    )
-    sentence = text.format(
-        features=made.features, sheet=len(made.from_sheet), measured=len(made.measured)
-    )
-    if made.over_base:
-        sentence += " " + translate(
-            "GaussianCAD", "They stand over a base solid, of which no features are known."
-        )
-    return sentence
-
-
-def told_numbers(made: MadeBody) -> Iterator[str]:
-    """The numbers of a body, first those that the drawing tells."""
-    headings = (
-        (translate("GaussianCAD", "From the sheet:"), made.from_sheet),
-        (translate("GaussianCAD", "Not on the sheet:"), made.measured),
-    )
-    for heading, numbers in headings:
-        if numbers:
-            yield heading
-            yield from numbers
 
 
 def _part_box(label: str) -> QtWidgets.QWidget:
