@@ -6,7 +6,7 @@ of their own, looked at, and put in place, the document last: once it is there, 
 
 import shutil
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import FreeCAD

@@ -1,8 +1,10 @@
 """Each kind of feature of a body makes what it should."""
 
+from math import pi
+
 import FreeCAD
 import Part
-from body_cases import XY, XZ, YZ, BodyCase, arc, box_of, cylinder, hole, lines, pad
+from body_cases import XY, XZ, YZ, BodyCase, arc, box_of, cylinder, hole, lines, number, pad
 from FreeCAD import Vector
 
 
@@ -20,6 +22,28 @@ class Kinds(BodyCase):
             {"kind": "groove", "name": "Groove", "sketch": groove, "axis": axis},
         )
         self.assert_is(made, exact)
+
+    def test_an_axis_goes_with_the_outline(self) -> None:
+        axis = {"point": [0.0, 10.0], "direction": [1.0, 0.0]}
+        numbers = [
+            *({"kind": "coincident", "of": [[n, "end"], [(n + 1) % 4, "start"]]} for n in range(4)),
+            *({"kind": "horizontal", "of": [[n, None]]} for n in (0, 2)),
+            *({"kind": "vertical", "of": [[n, None]]} for n in (1, 3)),
+            {"kind": "coincident", "of": [[-1, "start"], [0, "start"]]},
+            number("distance-y", [[0, "start"], [2, "start"]], 10.0, "Height"),
+            number("distance-x", [[0, "start"], [1, "start"]], 30.0, "Width"),
+        ]
+        outline = {"plane": XY, "geometry": lines((0, 0), (30, 0), (30, 10), (0, 10))}
+        outline["constraints"] = numbers
+        exact = cylinder(10, 30, (0, 10, 0), (1, 0, 0))
+        made = self.made(
+            exact, {"kind": "revolution", "name": "Turned", "sketch": outline, "axis": axis}
+        )
+        self.assert_is(made, exact)
+        sketch = self.document.getObject("TurnedSketch")
+        sketch.setDatum("Height", FreeCAD.Units.Quantity("12 mm"))
+        self.document.recompute()
+        self.assertAlmostEqual(made.body.Shape.Volume, 30 * pi * 144, places=3)
 
     def test_an_axis_beside_the_origin(self) -> None:
         axis = {"point": [5.0, 7.0], "direction": [-1.0, 0.0]}

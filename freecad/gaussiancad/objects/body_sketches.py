@@ -1,16 +1,20 @@
 """Sketches of a body on the planes of its origin, at an offset: never on a face, whose number
 changes with the shape."""
 
-from collections.abc import Iterable
+from collections.abc import Iterator, Sequence
 from math import atan2, hypot
 
 import FreeCAD
 import Part
+import Sketcher
 
 from freecad.gaussiancad.objects.body_model import Condition, Curve, Plane, PlaneSketch, Point
-from freecad.gaussiancad.objects.sketch_conditions import constrain, fix
+from freecad.gaussiancad.objects.sketch_conditions import constrain, fix, reference
 
 _Z = FreeCAD.Vector(0.0, 0.0, 1.0)
+
+_ON_AXIS = 1e-6
+"""mm from an axis within which a point lies on it."""
 
 
 def add_sketch(
@@ -50,9 +54,12 @@ def attach(body: FreeCAD.DocumentObject, sketch: FreeCAD.DocumentObject, plane: 
 
 
 def add_axis(
-    sketch: FreeCAD.DocumentObject, curves: Iterable[Curve], point: Point, direction: Point
+    sketch: FreeCAD.DocumentObject, curves: Sequence[Curve], point: Point, direction: Point
 ) -> None:
-    """Draw the axis of a turning into its sketch, as long as the outline, as construction line.
+    """Draw the axis of a turning into its sketch, as construction line.
+
+    Where the outline has two points on it, it goes with them when a number moves them; elsewhere it
+    is as long as the outline, and fixed.
 
     Raises:
         ValueError: the direction has no length.
@@ -61,14 +68,31 @@ def add_axis(
     if size == 0.0:
         raise ValueError("an axis without direction")
     x, y = direction[0] / size, direction[1] / size
-    along = [
-        (end[0] - point[0]) * x + (end[1] - point[1]) * y
-        for curve in curves
-        for end in (curve.start, curve.end, curve.centre)
-    ]
-    ends = (FreeCAD.Vector(point[0] + t * x, point[1] + t * y, 0.0) for t in _span(along))
-    number = sketch.addGeometry(Part.LineSegment(*ends), True)
-    fix(sketch, [number])
+    offsets = [((end[0] - point[0], end[1] - point[1]), of) for end, of in _ends(curves)]
+    along = [dx * x + dy * y for (dx, dy), _ in offsets]
+    on_axis = sorted(
+        (place, of)
+        for place, ((dx, dy), of) in zip(along, offsets, strict=True)
+        if abs(dx * y - dy * x) < _ON_AXIS and of[1] != "centre"
+    )
+    tied = len(on_axis) > 1 and on_axis[-1][0] - on_axis[0][0] > _ON_AXIS
+    span = (on_axis[0][0], on_axis[-1][0]) if tied else _span(along)
+    places = (FreeCAD.Vector(point[0] + t * x, point[1] + t * y, 0.0) for t in span)
+    number = sketch.addGeometry(Part.LineSegment(*places), True)
+    if not tied:
+        fix(sketch, [number])
+        return
+    for spot, (_, of) in ((1, on_axis[0]), (2, on_axis[-1])):
+        place = reference(of, curves)
+        sketch.addConstraint(Sketcher.Constraint("Coincident", number, spot, *place))
+
+
+def _ends(curves: Sequence[Curve]) -> Iterator[tuple[Point, tuple[int, str]]]:
+    """Points of curves, and how conditions name them."""
+    for number, curve in enumerate(curves):
+        spots = {"line": ("start", "end"), "circle": ("centre",)}
+        for spot in spots.get(curve.kind, ("start", "end", "centre")):
+            yield getattr(curve, spot), (number, spot)
 
 
 def _span(values: list[float]) -> tuple[float, float]:

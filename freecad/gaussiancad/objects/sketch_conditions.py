@@ -149,14 +149,14 @@ def _constraint(condition: Condition, curves: Sequence[Curve]) -> object:
             first, second = (_place(place, curves)[form.axis] for place in places)
             # FreeCAD counts from the first point to the second one.
             places, value = (places if second >= first else places[::-1]), abs(value)
-    numbers = [number for place in places for number in _reference(place, curves)]
+    numbers = [number for place in places for number in reference(place, curves)]
     numbers.extend(form.trailing)
     if value is None:
         return Sketcher.Constraint(form.name, *numbers)
     return Sketcher.Constraint(form.name, *numbers, radians(value) if form.is_angle else value)
 
 
-def _reference(place: tuple[int, str], curves: Sequence[Curve]) -> tuple[int, ...]:
+def reference(place: tuple[int, str], curves: Sequence[Curve]) -> tuple[int, ...]:
     """FreeCAD's numbers of a curve, or of a point on it; its arcs run counterclockwise."""
     number, point = place
     if not point:
