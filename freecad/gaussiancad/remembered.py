@@ -32,6 +32,7 @@ class Choices:
         scale_down: by which the images' edges are divided; None where it follows the preset.
         colour: of the part, ``#RRGGBB``.
         output_folder: receives a folder for each run; empty for a temporary one.
+        body: whether an exact solid becomes an editable body as well.
     """
 
     projection: Projection
@@ -41,6 +42,7 @@ class Choices:
     scale_down: int | None = None
     colour: str = ReconstructJob.colour
     output_folder: str = ""
+    body: bool = True
 
 
 def starting_choices(preferences: Preferences) -> Choices:
@@ -56,6 +58,7 @@ def starting_choices(preferences: Preferences) -> Choices:
         scale_down if 1 <= scale_down <= LARGEST_SCALE_DOWN else None,
         colour if _is_colour(colour) else ReconstructJob.colour,
         _word("OutputFolder", preferences.output_folder),
+        group.GetBool("Body", True),
     )
 
 
@@ -73,6 +76,7 @@ def remember(choices: Choices, preferences: Preferences) -> None:
     group.SetString("Recipe", choices.recipe.value)
     group.SetInt("ScaleDown", choices.scale_down or 0)
     group.SetString("Colour", choices.colour)
+    group.SetBool("Body", choices.body)
 
 
 def is_more_open() -> bool:

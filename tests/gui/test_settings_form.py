@@ -26,6 +26,7 @@ def visible(form: QtWidgets.QWidget) -> set[str]:
 class Settings(WindowCase):
     def setUp(self) -> None:
         super().setUp()
+        FreeCAD.ParamGet(LAST).RemBool("Body")
         FreeCAD.newDocument("Test")
 
     def opened(self) -> SettingsForm:

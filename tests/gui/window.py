@@ -13,6 +13,7 @@ from support import FAKE_ENGINE, FolderCase, draw_sheet
 from freecad.gaussiancad.panels.messages import BOX_NAME
 from freecad.gaussiancad.preferences import GROUP
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+from freecad.gaussiancad.remembered import LAST
 
 PATIENCE_SECONDS = 60.0
 
@@ -48,6 +49,8 @@ class WindowCase(FolderCase):
         super().setUp()
         self.set_variable("GAUSSIANCAD_PYTHON", FAKE_ENGINE.python)
         self.addCleanup(FreeCAD.ParamGet(GROUP).Clear)
+        # Those of the tests that are about the body ask for one.
+        FreeCAD.ParamGet(LAST).SetBool("Body", False)
         self.sheet = draw_sheet(self.folder / "bracket.png")
         self.window = FreeCADGui.getMainWindow()
         self.addCleanup(self.close_all)

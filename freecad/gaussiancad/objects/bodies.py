@@ -21,6 +21,7 @@ import Part
 
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.bodies_of_parts import hide_bodies
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.objects.body_features import add_feature
 from freecad.gaussiancad.objects.body_model import (
@@ -31,7 +32,11 @@ from freecad.gaussiancad.objects.body_model import (
     SolidFeatures,
 )
 from freecad.gaussiancad.objects.body_numbers import DrivingNumber
-from freecad.gaussiancad.objects.body_properties import body_properties, trial_properties
+from freecad.gaussiancad.objects.body_properties import (
+    body_properties,
+    made_of,
+    trial_properties,
+)
 from freecad.gaussiancad.objects.known_sheets import reconstruction_among
 from freecad.gaussiancad.objects.loading import read_shape
 from freecad.gaussiancad.objects.number_trials import NumberTrials, TrialOutcome
@@ -104,8 +109,10 @@ def add_bodies(
             make_body(part.Document, features, name, solid)
             for features, solid in zip(solids, exact.Solids, strict=True)
         )
+        hide_bodies(part)
         for each in made:
             each.body.Placement = part.getGlobalPlacement()
+            add_properties(each.body, [made_of(part.Name)])
         part.Visibility = False
         part.Document.recompute()
     return made

@@ -11,7 +11,16 @@ FROM_SHEET, MEASURED = "NumbersFromSheet", "NumbersMeasured"
 SHEET_VALUES = "SheetValues"
 """The numbers of :data:`FROM_SHEET` without loss, mm, in the same order."""
 
+MADE_OF = "MadeOf"
+"""Internal name of the part that the body is the solid of; no link: neither follows the other."""
+
 BREAKING, UNTRIED = "NumbersThatBreak", "NumbersNotTried"
+
+
+def made_of(part: str) -> PropertySpec:
+    """Which part a body was made of, by its internal name."""
+    tip = QT_TRANSLATE_NOOP("App::Property", "The part that this body was made of")
+    return PropertySpec("String", MADE_OF, "GaussianCAD", tip, part, Access.HIDDEN)
 
 
 def body_properties(numbers: Sequence[DrivingNumber]) -> list[PropertySpec]:

@@ -10,6 +10,7 @@ import Part
 from freecad.gaussiancad.engine.report import Report, Status
 from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.bodies_of_parts import set_shape
 from freecad.gaussiancad.objects.gaussians import fill_points
 from freecad.gaussiancad.objects.loading import LoadedPart, LoadedRun, PartSource
 from freecad.gaussiancad.objects.properties import add_properties
@@ -108,7 +109,7 @@ def add_empty_part(group: FreeCAD.DocumentObject) -> None:
 
 def change_part(feature: FreeCAD.DocumentObject, shape: Part.Shape, report: Report) -> None:
     """Give a part another exact shape, and what is known of it."""
-    _set_in_place(feature, "Shape", shape)
+    _set_shape(feature, shape)
     _name(feature, _solid_label(report.status, report.sketched))
     add_properties(feature, part_properties(report.status, exact=True))
     if report.agreement is not None:
@@ -160,6 +161,12 @@ def _set_in_place(feature: FreeCAD.DocumentObject, name: str, geometry: object) 
     feature.Placement = placement
 
 
+def _set_shape(part: FreeCAD.DocumentObject, shape: Part.Shape) -> None:
+    placement = part.Placement
+    set_shape(part, shape)
+    part.Placement = placement
+
+
 def _put_run_part(place: _Place, run: LoadedRun) -> None:
     label = _part_label(run.part, run.report)
     feature, new = _put_part(place, run.part, label, run.report.status)
@@ -173,7 +180,7 @@ def _put_part(
     place: _Place, part: LoadedPart, label: str, status: Status
 ) -> tuple[FreeCAD.DocumentObject, bool]:
     feature, new = place.take(_PART)
-    _set_in_place(feature, "Shape", part.shape)
+    _set_shape(feature, part.shape)
     _name(feature, label)
     add_properties(feature, part_properties(status, part.source is PartSource.SOLID))
     return feature, new

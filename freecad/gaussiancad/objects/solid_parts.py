@@ -26,6 +26,20 @@ def solid_among(selected: Iterable[FreeCAD.DocumentObject]) -> FreeCAD.DocumentO
     return None
 
 
+def part_named(document: str, name: str) -> FreeCAD.DocumentObject:
+    """The part of those internal names.
+
+    Raises:
+        WorkbenchError: somebody removed it, or closed its document.
+    """
+    known = FreeCAD.listDocuments().get(document)
+    part = None if known is None else known.getObject(name)
+    if part is None:
+        text = translate("GaussianCAD", "The part is not in its document any more.")
+        raise WorkbenchError(ErrorCode.NO_BODY, text)
+    return part
+
+
 def _has_one_solid(part: FreeCAD.DocumentObject) -> bool:
     """Whether it is a shape of one solid, and no step on the way to a body."""
     if not part.isDerivedFrom("Part::Feature"):

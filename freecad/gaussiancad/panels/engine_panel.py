@@ -192,7 +192,6 @@ class EnginePanel(ABC):
         self._closed = True
         if self._follow_up is not None:
             self._follow_up.leave()
-            self._forget_run()
         elif self._run is not None:
             self._run.cancel()
 
@@ -225,8 +224,9 @@ class EnginePanel(ABC):
             self._help(result, complaint)
 
     def _end(self, success: Success) -> None:
-        self.run_view.show_report(success.lines)
-        self.run_view.end(success.headline, whole=True)
+        if not self._closed:
+            self.run_view.show_report(success.lines)
+            self.run_view.end(success.headline, whole=True)
         self._forget_run()
 
     def _help(self, result: RunResult, complaint: str) -> None:

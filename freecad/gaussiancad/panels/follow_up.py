@@ -26,7 +26,7 @@ class FollowUp(ABC):
         """Begin.
 
         Args:
-            done: is called once, with what the panel shows at the end; not after :meth:`leave`.
+            done: is called once, with what the panel shows at the end, also after :meth:`leave`.
         """
 
     @abstractmethod
@@ -35,4 +35,4 @@ class FollowUp(ABC):
 
     @abstractmethod
     def leave(self) -> None:
-        """End at once, and touch no widget any more: the panel is gone."""
+        """End soon, and touch no widget any more: the panel is gone."""

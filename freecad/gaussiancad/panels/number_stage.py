@@ -43,6 +43,7 @@ class NumberStage(FollowUp):
         self._gone = True
         while self._left:
             self._note()
+        self._end()
 
     def _turn(self) -> None:
         if self._gone:

@@ -23,6 +23,7 @@ from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction_features import part_length
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
+from freecad.gaussiancad.panels.body_stage import BodyStage, why_no_body
 from freecad.gaussiancad.panels.chosen_sheet import ask_sheet
 from freecad.gaussiancad.panels.correct import open_canvas, open_sheet
 from freecad.gaussiancad.panels.document_source import DocumentSource
@@ -84,6 +85,7 @@ class ReconstructPanel(EnginePanel):
         self._early: EarlyPart | None = None
         self._source: tuple[str, FreeCAD.DocumentObject] | None = None
         self._holder = ""
+        self._body_of: FreeCAD.DocumentObject | None = None
         selected = first_sheet_object(FreeCADGui.Selection.getSelection())
         if selected is not None:
             self.take_source(selected)
@@ -159,7 +161,17 @@ class ReconstructPanel(EnginePanel):
             self._offer_choice(group)
         elif run.report.status is not Status.VERIFIED:
             self.run_view.offer(_correct_text(), self._correct)
-        return Success(verdict_text(run.report), tuple(report_lines(run.report)))
+        verdict, self._body_of = verdict_text(run.report), None
+        if self.settings.wants_body:
+            reason = why_no_body(group, run)
+            verdict = f"{verdict} {reason}".rstrip()
+            self._body_of = None if reason else group
+        return Success(verdict, tuple(report_lines(run.report)))
+
+    def follow_up(self, success: Success) -> BodyStage | None:
+        """Make the body of an exact solid, which is shown already."""
+        group, self._body_of = self._body_of, None
+        return None if group is None else BodyStage(group, self.run_view, success)
 
     def set_editable(self, editable: bool) -> None:
         """Let the user change drawing and settings, or not."""

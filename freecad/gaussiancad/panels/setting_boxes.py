@@ -3,6 +3,7 @@
 from freecad.gaussiancad.engine.job import Outcome, Preset, Projection, Recipe, ScaleKind
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.widgets import ModeBox
+from freecad.gaussiancad.qt import QtWidgets
 
 
 def projection_box(start: Projection) -> ModeBox[Projection]:
@@ -23,6 +24,21 @@ def projection_box(start: Projection) -> ModeBox[Projection]:
         )
     )
     box.choose(start)
+    return box
+
+
+def body_box(checked: bool) -> QtWidgets.QCheckBox:
+    """Whether an exact solid becomes an editable body."""
+    box = QtWidgets.QCheckBox(translate("GaussianCAD", "Make an editable body"))
+    box.setObjectName("body")
+    box.setChecked(checked)
+    box.setToolTip(
+        translate(
+            "GaussianCAD",
+            "Makes a body with sketches, pads and holes of an exact solid, once that is shown; the "
+            "solid stays beside it, hidden",
+        )
+    )
     return box
 
 

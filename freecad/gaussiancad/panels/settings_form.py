@@ -13,6 +13,7 @@ from freecad.gaussiancad.engine.job import (
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.more_settings import MoreSettings, narrow_rows
 from freecad.gaussiancad.panels.setting_boxes import (
+    body_box,
     outcome_box,
     preset_box,
     projection_box,
@@ -60,6 +61,7 @@ class SettingsForm(QtWidgets.QWidget):
         self.mm_per_pixel.setValue(_DEFAULT_MM_PER_PIXEL)
         self.mm_per_pixel.setSuffix(" mm")
         self.colour = ColourButton(start.colour)
+        self.body = body_box(start.body)
         self.page = QtWidgets.QSpinBox()
         self.page.setObjectName("page")
         self.page.setRange(1, 9999)
@@ -86,7 +88,13 @@ class SettingsForm(QtWidgets.QWidget):
             self.images.chosen,
             self.colour.colour,
             self.output.path,
+            self.body.isChecked(),
         )
+
+    @property
+    def wants_body(self) -> bool:
+        """Whether an exact solid becomes a body."""
+        return self.body.isChecked() and self.outcome.mode is not Outcome.SURFACE
 
     def job(self, sheet: str, output: str) -> ReconstructJob:
         """The job that the widgets describe.
@@ -178,6 +186,7 @@ class SettingsForm(QtWidgets.QWidget):
     def _show_images(self) -> None:
         self._images_label.setVisible(self._perspective)
         self.images.setVisible(self._perspective)
+        self.body.setEnabled(self.outcome.mode is not Outcome.SURFACE)
 
     def _lay_out(self) -> None:
         self._page_label = QtWidgets.QLabel(translate("GaussianCAD", "Page"))
@@ -191,6 +200,7 @@ class SettingsForm(QtWidgets.QWidget):
         few.addRow(translate("GaussianCAD", "Scale"), self.scale)
         few.addRow(self._value_label, values)
         few.addRow(translate("GaussianCAD", "Result"), self.outcome)
+        few.addRow(self.body)
         more = self.more.rows
         more.addRow(translate("GaussianCAD", "Projection"), self.projection)
         more.addRow(translate("GaussianCAD", "Quality"), self.preset)

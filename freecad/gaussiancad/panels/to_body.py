@@ -7,11 +7,10 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.features_job import FeaturesJob
-from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies, undo_step
 from freecad.gaussiancad.objects.feature_file import FEATURES_FILE, read_features
-from freecad.gaussiancad.objects.solid_parts import solid_among, write_solid
+from freecad.gaussiancad.objects.solid_parts import part_named, solid_among, write_solid
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts
 from freecad.gaussiancad.panels.follow_up import Success
 from freecad.gaussiancad.panels.messages import show_error
@@ -80,12 +79,7 @@ class BodyPanel(EnginePanel):
         """There is nothing to choose."""
 
     def _part(self) -> FreeCAD.DocumentObject:
-        document = FreeCAD.listDocuments().get(self._document_name)
-        part = None if document is None else document.getObject(self._part_name)
-        if part is None:
-            text = translate("GaussianCAD", "The part is not in its document any more.")
-            raise WorkbenchError(ErrorCode.NO_BODY, text)
-        return part
+        return part_named(self._document_name, self._part_name)
 
 
 def _part_box(label: str) -> QtWidgets.QWidget:
