@@ -20,6 +20,7 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
 from freecad.gaussiancad.objects.loading import LoadedRun, PartSource, load_run
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction
+from freecad.gaussiancad.objects.shown_objects import save_shown
 from freecad.gaussiancad.staging import put_in_place, staging
 from freecad.gaussiancad.whole_files import has_body, is_whole_document, is_whole_step, is_whole_stl
 
@@ -184,7 +185,7 @@ def _write_document(run: LoadedRun, path: Path, bodies: BodyMaker | None) -> Bod
     try:
         group = add_reconstruction(document, run)
         body = bodies.add(group, run) if bodies is not None else BodyOutcome()
-        document.saveAs(str(path))
+        save_shown(document, path)
     finally:
         FreeCAD.closeDocument(document.Name)
     return body

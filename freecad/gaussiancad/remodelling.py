@@ -1,9 +1,11 @@
 """A part as an editable body from a script, in ``freecadcmd`` too::
 
+from pathlib import Path
+from freecad.gaussiancad.objects.shown_objects import save_shown
 from freecad.gaussiancad.remodelling import remodel
 
 (made,) = remodel(document.getObject("Part"))
-made.body.Document.saveAs("part.FCStd")
+save_shown(made.body.Document, Path("part.FCStd"))
 """
 
 import os

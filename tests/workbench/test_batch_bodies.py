@@ -1,7 +1,9 @@
 """Many sheets without a window, each document with a body beside the solid."""
 
 import io
+import re
 import signal
+import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stdout
 
@@ -13,6 +15,7 @@ from freecad.gaussiancad.batch_bodies import NO_SOLID, NOT_ADDED
 from freecad.gaussiancad.batch_options import parse_options
 from freecad.gaussiancad.batch_report import BodyOutcome
 from freecad.gaussiancad.objects.body_check import check_body
+from freecad.gaussiancad.objects.shown_objects import GUI_FILE
 from freecad.gaussiancad.whole_files import has_body
 
 
@@ -51,6 +54,12 @@ class Bodies(BatchCase):
             self.assertLessEqual({"Part", "Pad1Sketch"}, set(hidden))
             self.assertTrue({"Body", "Pad1"}.isdisjoint(hidden))
         self.check_files(self.output / "a")
+        with zipfile.ZipFile(self.made) as archive:
+            seen = archive.read(GUI_FILE).decode("utf-8")
+        pattern = r'ViewProvider name="(\w+)".*?Bool value="(\w+)"'
+        shown = dict(re.findall(pattern, seen, re.DOTALL))
+        names = ("Body", "Pad1", "Part", "Pad1Sketch", "Origin")
+        self.assertEqual([shown[name] for name in names], ["true"] * 2 + ["false"] * 3)
 
     def test_the_report_names_numbers_that_break_the_body(self) -> None:
         self.assertEqual(self.words("--body"), "")
