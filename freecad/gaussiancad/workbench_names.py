@@ -10,7 +10,13 @@ TOOLBAR = (
     "GaussianCAD_CheckEngine",
 )
 
-MENU = (*TOOLBAR[:-1], "GaussianCAD_FailedSheets", TOOLBAR[-1], "GaussianCAD_InstallEngine")
+MENU = (
+    *TOOLBAR[:-1],
+    "GaussianCAD_SheetNumbers",
+    "GaussianCAD_FailedSheets",
+    TOOLBAR[-1],
+    "GaussianCAD_InstallEngine",
+)
 
 OF_A_RECONSTRUCTION = (
     "GaussianCAD_Correct",

@@ -5,13 +5,17 @@ from __future__ import annotations
 from itertools import combinations
 from math import hypot
 
-from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke, View, distance
+from freecad.gaussiancad.canvas.sheet import Box, Point, Sheet, Stroke, View, distance
+from freecad.gaussiancad.language import translate
 
 OPEN = "open-outline"
 """The engine's code for a view whose outline has a gap."""
 
 _MEET_PX = 3.0
 """px within which an end meets another stroke."""
+
+_PIN = 8.0
+"""px of the sheet around an end that is marked."""
 
 _FAR = 0.5
 """Share of a view's longer side that a gap is long at most."""
@@ -39,6 +43,21 @@ def closing_lines(sheet: Sheet, view: View) -> list[tuple[Point, Point]]:
             taken |= {a, b}
             found.append((a, b))
     return found
+
+
+def problem_marks(sheet: Sheet) -> list[tuple[Box, str]]:
+    """Places of problems and what they are; where outlines are open, of the ends that nothing
+    meets."""
+    marks = [(own.box, own.message) for own in sheet.problems if own.box and own.pinned]
+    if any(own.code == OPEN for own in sheet.problems):
+        text = translate("GaussianCAD", "Nothing meets this end")
+        marks += [
+            ((x - _PIN, y - _PIN, x + _PIN, y + _PIN), text)
+            for view in sheet.views
+            if view.shown
+            for x, y in open_ends(sheet, view)
+        ]
+    return marks
 
 
 def _open(sheet: Sheet, view: View) -> list[tuple[str, Point]]:

@@ -7,9 +7,10 @@ number, it is shown all the time.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from freecad.gaussiancad.canvas.changes import CHANGED, Change, new_texts
 from freecad.gaussiancad.canvas.kinds import NUMBER, OTHER
 from freecad.gaussiancad.canvas.sheet import Box, Point, Sheet
 
@@ -36,11 +37,20 @@ class Label:
         return x0 <= at[0] <= x1 and y0 <= at[1] <= y1
 
 
-def labels_of(sheet: Sheet) -> list[Label]:
-    """The labels of a sheet's numbers and notes."""
+def labels_of(sheet: Sheet, changes: Sequence[Change] = ()) -> list[Label]:
+    """The labels of a sheet's numbers and notes.
+
+    Args:
+        sheet: has them.
+        changes: numbers that are others in the body.
+    """
+    changed = new_texts(sheet, changes)
     doubted = [place for row in sheet.problems if row.of_numbers for place in row.places]
     found = []
     for number in sheet.numbers:
+        if number.id in changed:
+            found.append(Label(changed[number.id], number.box, CHANGED, quiet=False))
+            continue
         quiet = not number.given and not _meets_any(number.box, doubted)
         text = f"{number.value:g}" if number.given else number.text
         found.append(Label(text, number.box, NUMBER if number.used else OTHER, quiet))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from freecad.gaussiancad.canvas.changes import Change
 from freecad.gaussiancad.canvas.legend import Legend
 from freecad.gaussiancad.canvas.scene import Mark, SheetScene
 from freecad.gaussiancad.canvas.sheet import Box, Point, Sheet
@@ -54,6 +55,10 @@ class Pane(QtWidgets.QGraphicsView):
     def show_marks(self, marks: Iterable[Mark]) -> None:
         """Show places of problems and disagreements."""
         self._drawing.show_marks(marks)
+
+    def take_changes(self, changes: Iterable[Change]) -> None:
+        """Show numbers that are others in the body, with the next sheet."""
+        self._drawing.take_changes(changes)
 
     def set_layer(self, name: str, shown: bool) -> None:
         """Show a layer, or not."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Set
 
+from freecad.gaussiancad.canvas.changes import Change
 from freecad.gaussiancad.canvas.doubts import doubt_in_words
 from freecad.gaussiancad.canvas.handles import corners_of, handles_of
 from freecad.gaussiancad.canvas.kinds import (
@@ -61,6 +62,11 @@ class SheetScene(QtWidgets.QGraphicsScene):
         self._bare = False
         self._quiet: dict[Label, QtWidgets.QGraphicsSimpleTextItem] = {}
         self._pointed: Point | None = None
+        self._changes: tuple[Change, ...] = ()
+
+    def take_changes(self, changes: Iterable[Change]) -> None:
+        """Numbers that are others in the body; they show with the next sheet."""
+        self._changes = tuple(changes)
 
     def show_picture(self, path: str, size: tuple[int, int] | None) -> None:
         """Show the picture of a sheet that is ``size`` px large as stored."""
@@ -89,7 +95,7 @@ class SheetScene(QtWidgets.QGraphicsScene):
         for own in sheet.strokes:
             self._add_stroke(own, chosen=own.id in chosen)
         self._quiet = {}
-        for label in labels_of(sheet):
+        for label in labels_of(sheet, self._changes):
             self._add_label(label)
         for own in sheet.planes:
             self._add_plane(own.label, own.line)

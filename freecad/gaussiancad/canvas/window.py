@@ -13,14 +13,14 @@ from freecad.gaussiancad.canvas import saying
 from freecad.gaussiancad.canvas.asking import Asking
 from freecad.gaussiancad.canvas.bars import RunBar, ToolBar
 from freecad.gaussiancad.canvas.board import Board
+from freecad.gaussiancad.canvas.changes import Change, change_lines
 from freecad.gaussiancad.canvas.desk import Desk
 from freecad.gaussiancad.canvas.doubts import doubt_lines
-from freecad.gaussiancad.canvas.gaps import OPEN, open_ends
+from freecad.gaussiancad.canvas.gaps import problem_marks
 from freecad.gaussiancad.canvas.helping import Helping
 from freecad.gaussiancad.canvas.keeping import Beside, Keeper
 from freecad.gaussiancad.canvas.pages import Pages
 from freecad.gaussiancad.canvas.rows import Line, Rows
-from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.selection_menu import SelectionMenu
 from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Sheet
@@ -28,9 +28,6 @@ from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_line, ve
 from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
-
-_PIN = 8.0
-"""px of the sheet around an end that is marked."""
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -71,6 +68,8 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._settled: set[str] = set()
         self._pictured = False
         self._left_out: list[Line] = []
+        self._changes: tuple[Change, ...] = ()
+        self._back: Callable[[], None] = _nothing
         self._menu = SelectionMenu(self.board)
         self._asking = Asking(self.board, self.desk, self)
         self._helping = Helping(self.desk, self.board.take_tool, self._asking)
@@ -145,6 +144,14 @@ class SheetWindow(QtWidgets.QMainWindow):
         """Put a button for something else beside what a report says under a code."""
         self._helping.add(code, text, called)
 
+    def show_changes(self, changes: tuple[Change, ...], back: Callable[[], None]) -> None:
+        """Show numbers that are others in the body, and a button that takes these back."""
+        self._changes, self._back = changes, back
+        self.board.take_changes(changes)
+        if self.sheet is not None:
+            self.board.show_sheet(self.sheet)
+            self._show_rows()
+
     def tell(self, text: str) -> None:
         """Put a sentence in place of the list."""
         self.problems.show_lines([Line(own) for own in text.splitlines() if own.strip()])
@@ -214,28 +221,14 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._report = None
         sheet = self.sheet
         self.board.show_sheet(sheet)
-        self.board.show_marks(self._marks())
+        self.board.show_marks(problem_marks(sheet))
         self._show_rows()
         self._tools.show_choices(sheet)
 
     def _was_solved(self, report: dict, _folder: str) -> None:
         self._report = report
-        self.board.show_marks([*marks_of(report), *self._marks()])
+        self.board.show_marks([*marks_of(report), *problem_marks(self.sheet)])
         self._show_rows()
-
-    def _marks(self) -> list[Mark]:
-        """Places of problems; where outlines are open, of the ends that nothing meets."""
-        sheet = self.sheet
-        marks = [(own.box, own.message) for own in sheet.problems if own.box and own.pinned]
-        if any(own.code == OPEN for own in sheet.problems):
-            text = translate("GaussianCAD", "Nothing meets this end")
-            marks += [
-                ((x - _PIN, y - _PIN, x + _PIN, y + _PIN), text)
-                for view in sheet.views
-                if view.shown
-                for x, y in open_ends(sheet, view)
-            ]
-        return marks
 
     def _show_rows(self) -> None:
         """What the last run says; until there is one, what is in doubt of what was read."""
@@ -257,6 +250,8 @@ class SheetWindow(QtWidgets.QMainWindow):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
         lines += self._left_out
+        if sheet is not None:
+            lines = [*change_lines(sheet, self._changes, self._back), *lines]
         if report is None:
             lines.append(Line(translate("GaussianCAD", "Corrections by hand: {0}").format(count)))
         self.problems.show_lines(lines)
@@ -292,3 +287,7 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def _set_live(self, live: bool) -> None:
         self.desk.live = live
+
+
+def _nothing() -> None:
+    """Without a body there is no way back."""

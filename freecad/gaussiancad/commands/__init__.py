@@ -14,6 +14,7 @@ def register() -> None:
     from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
     from freecad.gaussiancad.commands.report import ReportCommand
     from freecad.gaussiancad.commands.run_again import RunAgainCommand
+    from freecad.gaussiancad.commands.sheet_numbers import SheetNumbersCommand
     from freecad.gaussiancad.commands.solutions import SolutionsCommand
     from freecad.gaussiancad.commands.to_body import ToBodyCommand
 
@@ -23,6 +24,7 @@ def register() -> None:
         CorrectCommand,
         LinesToSketchesCommand,
         ToBodyCommand,
+        SheetNumbersCommand,
         SolutionsCommand,
         CompareCommand,
         FailedSheetsCommand,

@@ -19,6 +19,7 @@ from freecad.gaussiancad.objects.corrected_sheet import (
     take_solution,
 )
 from freecad.gaussiancad.objects.reconstruction_features import CHOICE, find_part
+from freecad.gaussiancad.panels.body_changes import BodyChanges
 from freecad.gaussiancad.panels.chosen_sheet import ask_sheet, sheet_among
 from freecad.gaussiancad.panels.engine_program import engine_program
 from freecad.gaussiancad.panels.fitted_view import show_all
@@ -132,6 +133,8 @@ class CanvasDock(QtWidgets.QDockWidget):
         desk.changed.connect(self._keep_reading)
         desk.solved.connect(self._take)
         self.canvas.board.installEventFilter(self)
+        self.changes = BodyChanges(keeper, self.canvas)
+        desk.read.connect(self.changes.follow)
         self._observer = _Observer(self)
         FreeCAD.addDocumentObserver(self._observer)
 
@@ -145,6 +148,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         if self._observer is not None:
             FreeCAD.removeDocumentObserver(self._observer)
             self._observer = None
+        self.changes.close()
         self.canvas.close()
         super().closeEvent(event)
 
