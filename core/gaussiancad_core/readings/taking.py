@@ -133,6 +133,7 @@ def taken_lines(
         scale = _scale(reading, turn)
         told = in_worked_px(_told_axis(job, reading).reading, turn)
         options = tell_scale(told, scale, drawn, notes)
+        notes.tell(dimensions=scale.dimensions)
         for problem in reading.problems:
             if problem.code in _CARRIED:
                 tell = notes.doubt if problem.severity == "doubt" else notes.warn

@@ -51,6 +51,19 @@ def test_what_was_read_makes_the_same_solid(sheet: Path, read: Path, tmp_path: P
     assert _json(tmp_path / "direct" / "reading.json")["strokes"] == _json(read)["strokes"]
 
 
+def test_the_report_has_the_numbers_of_what_was_read(tmp_path: Path) -> None:
+    solid, drawn = SAMPLES / "l-bracket.step", tmp_path / "drawn.png"
+    assert main(["draw", str(solid), str(drawn), "--style", "dimensioned"]) == 0
+    assert main(["read", str(drawn), "--output", str(tmp_path / "read")]) == 0
+    read = tmp_path / "read" / "reading.json"
+    options = ("--output", str(tmp_path / "taken"), "--result", "solid", "--reading", str(read))
+    assert main(["reconstruct", str(drawn), *options]) == 0
+    found = _json(tmp_path / "taken" / "report.json")["dimensions"]
+    written = {entry["value_mm"] for entry in found if entry["used"]}
+    assert {80.0, 60.0, 50.0, 14.0, 12.0} <= written
+    assert len(found) == len(_json(read)["dimensions"])
+
+
 def test_a_hidden_line_that_was_missed_is_drawn_by_hand(
     sheet: Path, read: Path, tmp_path: Path
 ) -> None:
