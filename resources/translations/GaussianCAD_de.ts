@@ -203,6 +203,22 @@
         <source>The corrections that the part follows from</source>
         <translation>Die Korrekturen, aus denen das Teil folgt</translation>
     </message>
+    <message>
+        <source>Numbers that break the body if they are changed alone by 3 %</source>
+        <translation>Maße, mit denen der Körper zerfällt, wenn sie allein um 3 % geändert werden</translation>
+    </message>
+    <message>
+        <source>How many numbers were not tried for that</source>
+        <translation>Wie viele Maße darauf nicht geprüft wurden</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s numbers when the body was made</source>
+        <translation>Die Maße der Zeichnung, als der Körper erzeugt wurde</translation>
+    </message>
+    <message>
+        <source>The part that this body was made of</source>
+        <translation>Das Bauteil, aus dem dieser Körper erzeugt wurde</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCAD</name>
@@ -2898,6 +2914,74 @@
         <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or {canvas}.</source>
         <translation>Die Zeichnung hat eine Ansicht und eine Dicke, und nichts sagt ihren Maßstab. Geben Sie eine Länge an, die die Ansicht zeigt, unter „Maßstab“ oder {canvas}.</translation>
     </message>
+    <message>
+        <source>These numbers cannot be set back: {names}</source>
+        <translation>Diese Maße lassen sich nicht zurücksetzen: {names}</translation>
+    </message>
+    <message>
+        <source>No body has a number that is another than on the sheet.</source>
+        <translation>Kein Körper hat ein anderes Maß als die Zeichnung.</translation>
+    </message>
+    <message>
+        <source>No body was made: the part is no exact solid.</source>
+        <translation>Es wurde kein Körper erzeugt: Das Bauteil ist kein exakter Festkörper.</translation>
+    </message>
+    <message>
+        <source>Back to the Sheet&apos;s Numbers</source>
+        <translation>Zurück zu den Maßen der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Makes a body with sketches, pads and holes of an exact solid, once that is shown; the solid stays beside it, hidden</source>
+        <translation>Erzeugt aus einem exakten Festkörper, sobald er gezeigt ist, einen Körper mit Skizzen, Aufpolsterungen und Bohrungen; der Festkörper bleibt daneben, ausgeblendet</translation>
+    </message>
+    <message>
+        <source>{name}: {sheet} mm on the sheet, {now} mm in the body</source>
+        <translation>{name}: {sheet} mm auf der Zeichnung, {now} mm im Körper</translation>
+    </message>
+    <message>
+        <source>Make an editable body</source>
+        <translation>Bearbeitbaren Körper erzeugen</translation>
+    </message>
+    <message>
+        <source>The part is the same: its body stays as it is.</source>
+        <translation>Das Bauteil ist dasselbe: Sein Körper bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>The body breaks when one of these numbers is changed: {numbers}.</source>
+        <translation>Der Körper zerfällt, wenn eines dieser Maße geändert wird: {numbers}.</translation>
+    </message>
+    <message>
+        <source>No body was made: {reason}.</source>
+        <translation>Es wurde kein Körper erzeugt: {reason}.</translation>
+    </message>
+    <message>
+        <source>Changing each number on a copy</source>
+        <translation>Ändere jedes Maß an einer Kopie</translation>
+    </message>
+    <message>
+        <source>Numbers that were not tried: {count}.</source>
+        <translation>Nicht geprüfte Maße: {count}.</translation>
+    </message>
+    <message>
+        <source>No body was made: it was cancelled.</source>
+        <translation>Es wurde kein Körper erzeugt: Das wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Break the body when they are changed:</source>
+        <translation>Der Körper zerfällt, wenn sie geändert werden:</translation>
+    </message>
+    <message>
+        <source>In the body numbers are others than on the sheet</source>
+        <translation>Im Körper sind Maße anders als auf der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Each number can be changed.</source>
+        <translation>Jedes Maß lässt sich ändern.</translation>
+    </message>
+    <message>
+        <source>No body was made: several solids fit the sheet. Choose one, then use To Body.</source>
+        <translation>Es wurde kein Körper erzeugt: Mehrere Festkörper passen zur Zeichnung. Wählen Sie einen und dann In Körper umwandeln.</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -3098,6 +3182,17 @@
     <message>
         <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
         <translation>Blättert durch die Körper, die alle die Linien der Zeichnung haben, und behält einen</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_SheetNumbers</name>
+    <message>
+        <source>Sets all numbers of the body that the drawing tells back to the drawing&apos;s</source>
+        <translation>Setzt alle Maße des Körpers, die auf der Zeichnung stehen, auf die der Zeichnung zurück</translation>
+    </message>
+    <message>
+        <source>Back to the Sheet&apos;s Numbers</source>
+        <translation>Zurück zu den Maßen der Zeichnung</translation>
     </message>
 </context>
 <context>

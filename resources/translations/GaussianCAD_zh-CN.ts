@@ -203,6 +203,22 @@
         <source>Which of the solutions was kept by hand</source>
         <translation>手工保留的是哪一个解</translation>
     </message>
+    <message>
+        <source>Numbers that break the body if they are changed alone by 3 %</source>
+        <translation>单独改变 3 % 就会使主体失效的尺寸</translation>
+    </message>
+    <message>
+        <source>How many numbers were not tried for that</source>
+        <translation>有多少尺寸没有为此试过</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s numbers when the body was made</source>
+        <translation>生成主体时图纸上的尺寸</translation>
+    </message>
+    <message>
+        <source>The part that this body was made of</source>
+        <translation>生成这个主体所用的零件</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCAD</name>
@@ -2898,6 +2914,74 @@
         <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or {canvas}.</source>
         <translation>图纸只有一个视图和一个厚度，没有任何内容说明其比例。请在“比例”下或{canvas}指定视图所示的一个长度。</translation>
     </message>
+    <message>
+        <source>These numbers cannot be set back: {names}</source>
+        <translation>这些尺寸无法恢复：{names}</translation>
+    </message>
+    <message>
+        <source>No body has a number that is another than on the sheet.</source>
+        <translation>没有主体的尺寸与图纸不同。</translation>
+    </message>
+    <message>
+        <source>No body was made: the part is no exact solid.</source>
+        <translation>没有生成主体：零件不是精确的实体。</translation>
+    </message>
+    <message>
+        <source>Back to the Sheet&apos;s Numbers</source>
+        <translation>恢复图纸上的尺寸</translation>
+    </message>
+    <message>
+        <source>Makes a body with sketches, pads and holes of an exact solid, once that is shown; the solid stays beside it, hidden</source>
+        <translation>精确的实体显示之后，用草图、凸台和孔把它做成主体；实体隐藏保留在旁边</translation>
+    </message>
+    <message>
+        <source>{name}: {sheet} mm on the sheet, {now} mm in the body</source>
+        <translation>{name}：图纸上 {sheet} mm，主体中 {now} mm</translation>
+    </message>
+    <message>
+        <source>Make an editable body</source>
+        <translation>生成可编辑的主体</translation>
+    </message>
+    <message>
+        <source>The part is the same: its body stays as it is.</source>
+        <translation>零件没有变化：它的主体保持原样。</translation>
+    </message>
+    <message>
+        <source>The body breaks when one of these numbers is changed: {numbers}.</source>
+        <translation>改变其中任一尺寸都会使主体失效：{numbers}。</translation>
+    </message>
+    <message>
+        <source>No body was made: {reason}.</source>
+        <translation>没有生成主体：{reason}。</translation>
+    </message>
+    <message>
+        <source>Changing each number on a copy</source>
+        <translation>正在副本上逐个改变尺寸</translation>
+    </message>
+    <message>
+        <source>Numbers that were not tried: {count}.</source>
+        <translation>没有试过的尺寸：{count}。</translation>
+    </message>
+    <message>
+        <source>No body was made: it was cancelled.</source>
+        <translation>没有生成主体：已取消。</translation>
+    </message>
+    <message>
+        <source>Break the body when they are changed:</source>
+        <translation>改变后会使主体失效：</translation>
+    </message>
+    <message>
+        <source>In the body numbers are others than on the sheet</source>
+        <translation>主体中的尺寸与图纸不同</translation>
+    </message>
+    <message>
+        <source>Each number can be changed.</source>
+        <translation>每个尺寸都可以改变。</translation>
+    </message>
+    <message>
+        <source>No body was made: several solids fit the sheet. Choose one, then use To Body.</source>
+        <translation>没有生成主体：有多个实体与图纸相符。请先选择一个，再使用“转换为主体”。</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -3098,6 +3182,17 @@
     <message>
         <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
         <translation>逐一查看符合图纸线条的实体，并保留其中一个</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_SheetNumbers</name>
+    <message>
+        <source>Sets all numbers of the body that the drawing tells back to the drawing&apos;s</source>
+        <translation>把主体中图纸给出的所有尺寸恢复为图纸上的尺寸</translation>
+    </message>
+    <message>
+        <source>Back to the Sheet&apos;s Numbers</source>
+        <translation>恢复图纸上的尺寸</translation>
     </message>
 </context>
 <context>
