@@ -45,6 +45,8 @@ class BodyOfReconstruction(WindowCase):
         body = self.document.getObject("Body")
         self.assertEqual((body.Visibility, self.part.Visibility), (True, False))
         self.assertEqual(bodies_of(self.part), (body,))
+        colours = [each.ViewObject.ShapeColor[:3] for each in (body.Tip, self.part)]
+        self.assertEqual(colours[0], colours[1])
         self.picture("reconstruct-body")
         self.assertEqual(self.document.UndoNames, ["To Body", "Reconstruct from Drawing"])
         self.document.undo()

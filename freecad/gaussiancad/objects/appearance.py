@@ -26,6 +26,15 @@ def dress(group: FreeCAD.DocumentObject, colour: str | None = None) -> None:
             _set_quietly(child.ViewObject, "ShapeColor", _channels(colour))
 
 
+def dress_like(body: FreeCAD.DocumentObject, part: FreeCAD.DocumentObject) -> None:
+    """Give a body and its features the colour of a part; without a window nothing happens."""
+    if not FreeCAD.GuiUp or not hasattr(part.ViewObject, "ShapeColor"):
+        return
+    for each in (body, *body.Group):
+        if hasattr(each.ViewObject, "ShapeColor"):
+            each.ViewObject.ShapeColor = part.ViewObject.ShapeColor
+
+
 def show_vertex_colours(feature: FreeCAD.DocumentObject) -> None:
     """Switch the colours of a mesh on; a switch that is on already must be moved."""
     view = feature.ViewObject

@@ -21,6 +21,7 @@ import Part
 
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.appearance import dress_like
 from freecad.gaussiancad.objects.bodies_of_parts import hide_bodies
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.objects.body_features import add_feature
@@ -113,6 +114,7 @@ def add_bodies(
         for each in made:
             each.body.Placement = part.getGlobalPlacement()
             add_properties(each.body, [made_of(part.Name)])
+            dress_like(each.body, part)
         part.Visibility = False
         part.Document.recompute()
     return made
