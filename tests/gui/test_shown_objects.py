@@ -16,6 +16,8 @@ class ShownObjects(WindowCase):
         for name in ("Shown", "Hidden"):
             document.addObject("Part::Box", name)
         document.addObject("PartDesign::Body", "Body")
+        group = document.addObject("App::DocumentObjectGroupPython", "Group")
+        group.addObjects([document.Shown, document.Hidden])
         document.Hidden.Visibility = False
         document.recompute()
         saved, path = self.folder / "saved.FCStd", self.folder / "bare.FCStd"
@@ -33,5 +35,5 @@ class ShownObjects(WindowCase):
         document = FreeCAD.openDocument(str(self.saved_without_window()))
         spin(200)
         shown = {each.Name for each in document.Objects if each.ViewObject.Visibility}
-        self.assertLessEqual({"Shown", "Body"}, shown)
+        self.assertLessEqual({"Shown", "Body", "Group"}, shown)
         self.assertTrue({"Hidden", "Origin"}.isdisjoint(shown))

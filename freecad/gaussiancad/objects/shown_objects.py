@@ -19,13 +19,20 @@ _HEAD = """<?xml version='1.0' encoding='utf-8'?>
 """
 
 _OBJECT = """        <ViewProvider name={name} expanded="0">
-            <Properties Count="1" TransientCount="0">
+            <Properties Count="{count}" TransientCount="0">
                 <Property name="Visibility" type="App::PropertyBool">
                     <Bool value="{shown}"/>
                 </Property>
-            </Properties>
+{more}            </Properties>
         </ViewProvider>
 """
+
+_PROXY = """                <Property name="Proxy" type="App::PropertyPythonObject">
+                    <Python value="MQ==" encoded="yes" json="yes"/>
+                </Property>
+"""
+"""The number 1 as the Python object of a view, as FreeCAD itself has it where there is none.  A
+group without would be set up late, and show all that is in it."""
 
 _TAIL = """    </ViewProviderData>
     <Camera settings=""/>
@@ -57,5 +64,7 @@ def gui_document(document: FreeCAD.Document) -> str:
         # A window hides the origin of a new body.
         is_shown = each.Visibility and each.TypeId != "App::Origin"
         shown = "true" if is_shown else "false"
-        parts.append(_OBJECT.format(name=quoteattr(each.Name), shown=shown))
+        more = _PROXY if hasattr(each, "Proxy") else ""
+        name, count = quoteattr(each.Name), 2 if more else 1
+        parts.append(_OBJECT.format(name=name, count=count, shown=shown, more=more))
     return "".join([*parts, _TAIL])
