@@ -268,10 +268,16 @@ def _way(points: Floats, arc: Arc | None, at: Floats) -> Floats:
 
 
 def _arc_of(one: Floats, other: Floats, profile: Profile) -> int | None:
-    """Number of the arc that both ends of a chord lie on, next to each other."""
-    for number, arc in enumerate(profile.arcs):
-        away = np.hypot(*(np.array([one, other]) - arc.centre).T) - arc.radius
-        chord = float(np.hypot(*(other - one)))
-        if np.abs(away).max() <= profile.near and chord < 4.0 * np.pi * arc.radius / _CHORDS:
-            return number
-    return None
+    """Number of the arc that both ends of a chord lie on, next to each other: of several that touch
+    each other there, the one that they lie on best."""
+    chord = float(np.hypot(*(other - one)))
+    offsets = [
+        float(np.abs(np.hypot(*(np.array([one, other]) - arc.centre).T) - arc.radius).max())
+        for arc in profile.arcs
+    ]
+    found = [
+        number
+        for number, (arc, off) in enumerate(zip(profile.arcs, offsets, strict=True))
+        if off <= profile.near and chord < 4.0 * np.pi * arc.radius / _CHORDS
+    ]
+    return min(found, key=offsets.__getitem__, default=None)
