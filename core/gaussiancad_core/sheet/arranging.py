@@ -52,6 +52,9 @@ _SECTION = 1.5
 _UNEXPLAINED = 6.0
 """Log-odds against an arrangement that leaves out all that is drawn; in part if in part."""
 
+_UNSEEN = 6.0
+"""Log-odds against views that look along two axes alone: three views mostly look along three."""
+
 _UNUSUAL = {Role.LEFT: 1.0, Role.BOTTOM: 2.0, Role.REAR: 4.0}
 """Log-odds against a view beside the front view on the left, as third angle has it, and against
 views from below and behind."""
@@ -159,7 +162,10 @@ def _arrangements(
             continue
         against = 0.0 if is_told or projection is Projection.THIRD else _FIRST
         left = 1.0 - sum(map(_area, found.values())) / total
-        yield _Arrangement(found, projection, odds - against - _UNEXPLAINED * left)
+        against += _UNEXPLAINED * left
+        if len({role.frame.look_axis[0] for role in found}) < len(Axis):
+            against += _UNSEEN
+        yield _Arrangement(found, projection, odds - against)
 
 
 def _in_line(

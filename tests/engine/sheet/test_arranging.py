@@ -153,3 +153,14 @@ def test_left_and_right_views_that_mirror_each_other_are_no_front_and_rear() -> 
         Role.RIGHT: right,
         Role.LEFT: left,
     }
+
+
+def test_of_two_ways_to_leave_one_drawing_out_the_one_with_three_directions_counts() -> None:
+    """Two edge views above and below a plan, and a side view beside the lower one."""
+    ink = sheet()
+    plan = drawn(ink, (100, 250), (WIDE, HIGH), ACROSS, UP)
+    above = drawn(ink, (100, 80), (WIDE, DEEP), ACROSS, AWAY)
+    below = drawn(ink, (100, 500), (WIDE, DEEP), ACROSS, AWAY)
+    side = drawn(ink, (450, 500), (HIGH, DEEP), [HIGH - 1 - own for own in UP], AWAY)
+    found = roles(ink, plan, above, below, side, projection=Projection.THIRD)
+    assert found == {Role.FRONT: below, Role.TOP: plan, Role.RIGHT: side}
