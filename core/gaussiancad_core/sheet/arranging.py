@@ -46,8 +46,9 @@ _SURE = log(100.0)
 _BEYOND = 3.0
 """Log-odds against a drawing beyond another one that may be the view as well."""
 
-_SECTION = 1.5
-"""Log-odds against a section in place of a view: most stand beside the view of their direction."""
+_SECTION = 4.0
+"""Log-odds against a section in place of a view: most stand beside the view of their direction, or
+between it and its neighbour."""
 
 _UNEXPLAINED = 6.0
 """Log-odds against an arrangement that leaves out all that is drawn; in part if in part."""
@@ -195,11 +196,11 @@ def _score(found: Mapping[Role, Box], drawings: Drawings, projection: Projection
 
 
 def _sections_against(found: Mapping[Role, Box], drawings: Drawings) -> float:
-    """Log-odds against sections in place of views: there is none where another view looks along the
-    same axis."""
+    """Log-odds against sections in place of views: beside the front view there is none where another
+    view looks along the same axis."""
     cut = [role for role, box in found.items() if box in drawings.sections]
     looks = [role.frame.look_axis[0] for role in found]
-    if any(looks.count(role.frame.look_axis[0]) > 1 for role in cut):
+    if any(looks.count(own.frame.look_axis[0]) > 1 for own in cut if own is not Role.FRONT):
         return inf
     return _SECTION * len(cut)
 

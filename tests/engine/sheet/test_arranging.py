@@ -164,3 +164,11 @@ def test_of_two_ways_to_leave_one_drawing_out_the_one_with_three_directions_coun
     side = drawn(ink, (450, 500), (HIGH, DEEP), [HIGH - 1 - own for own in UP], AWAY)
     found = roles(ink, plan, above, below, side, projection=Projection.THIRD)
     assert found == {Role.FRONT: below, Role.TOP: plan, Role.RIGHT: side}
+
+
+def test_a_section_between_a_view_and_its_plan_is_not_the_plan() -> None:
+    ink = sheet()
+    views = front(ink), drawn(ink, (100, 700), (WIDE, DEEP), ACROSS, AWAY)
+    between = drawn(ink, (100, 540), (WIDE, DEEP), (40, *ACROSS), AWAY)
+    found = arrange(Drawings([*views, between], ink, {between}), {}, Projection.FIRST)
+    assert found.boxes == {Role.FRONT: views[0], Role.TOP: views[1]}
