@@ -56,7 +56,7 @@ _UNEXPLAINED = 6.0
 _UNSEEN = 6.0
 """Log-odds against views that look along two axes alone: three views mostly look along three."""
 
-_UNUSUAL = {Role.LEFT: 1.0, Role.BOTTOM: 2.0, Role.REAR: 4.0}
+_UNUSUAL = {Role.LEFT: 1.0, Role.BOTTOM: 2.0, Role.REAR: 1.0}
 """Log-odds against a view beside the front view on the left, as third angle has it, and against
 views from below and behind."""
 
@@ -196,8 +196,8 @@ def _score(found: Mapping[Role, Box], drawings: Drawings, projection: Projection
 
 
 def _sections_against(found: Mapping[Role, Box], drawings: Drawings) -> float:
-    """Log-odds against sections in place of views: beside the front view there is none where another
-    view looks along the same axis."""
+    """Log-odds against sections in place of views: beside the front view none stands where another
+    view looks along its axis."""
     cut = [role for role, box in found.items() if box in drawings.sections]
     looks = [role.frame.look_axis[0] for role in found]
     if any(looks.count(own.frame.look_axis[0]) > 1 for own in cut if own is not Role.FRONT):
