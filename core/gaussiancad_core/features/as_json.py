@@ -16,6 +16,7 @@ from gaussiancad_core.features.model import (
     Sketch,
     Turning,
 )
+from gaussiancad_core.features.standing_values import with_standing
 
 SCHEMA = "gaussiancad-features/1"
 
@@ -55,6 +56,7 @@ def solid_values(found: FeatureList, numbers: Numbers, base: str | None) -> dict
         base: name of the file of the base that they stand over; None of a whole solid.
     """
     features = [feature_values(name, each, numbers) for name, each in named(found.features)]
+    features = with_standing(found.features, features)
     return {"whole": found.is_whole, "base": base, "features": features}
 
 

@@ -28,15 +28,18 @@ def body_of(feature: Extrusion | Turning) -> TopoDS_Shape:
     Raises:
         RuntimeError: the kernel fails.
     """
-    face = face_of(feature.sketch)
+    return _swept(feature, face_of(feature.sketch))
+
+
+def _swept(feature: Extrusion | Turning, drawn: TopoDS_Shape) -> TopoDS_Shape:
     frame = feature.sketch.frame
     if isinstance(feature, Extrusion):
         way = gp_Vec(*(feature.length * part for part in frame.normal))
-        return BRepPrimAPI_MakePrism(face, way).Shape()
+        return BRepPrimAPI_MakePrism(drawn, way).Shape()
     start = _place(feature.sketch, feature.point)
     direction = np.array(feature.direction)
     along = direction[0] * np.array(frame.right) + direction[1] * np.array(frame.up)
-    return BRepPrimAPI_MakeRevol(face, gp_Ax1(start, gp_Dir(*along.tolist()))).Shape()
+    return BRepPrimAPI_MakeRevol(drawn, gp_Ax1(start, gp_Dir(*along.tolist()))).Shape()
 
 
 def combined(features: Sequence[Extrusion | Turning]) -> TopoDS_Shape:
@@ -88,6 +91,15 @@ def face_of(sketch: Sketch) -> TopoDS_Face:
     for hole in holes:
         made.Add(hole)
     return made.Face()
+
+
+def wall_of(feature: Extrusion | Turning, edge: Edge) -> TopoDS_Shape:
+    """The face that an edge of a feature's sketch sweeps.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    return _swept(feature, _edge(feature.sketch, edge))
 
 
 def _wire(sketch: Sketch, loop: Loop) -> TopoDS_Wire:

@@ -19,6 +19,7 @@ from gaussiancad_core.features.filling import without_faces, without_holes
 from gaussiancad_core.features.model import EdgeBreak, FeatureList, Holes
 from gaussiancad_core.features.scaling import scaled, scaled_shape
 from gaussiancad_core.features.solid_faces import solid_faces
+from gaussiancad_core.features.supports import beginning_on_faces
 from gaussiancad_core.reasoning.planes import UNITS
 
 
@@ -63,8 +64,8 @@ def features_of(shape: TopoDS_Shape) -> FeatureList:
         last = (*stripped.breaks, *stripped.holes)
         found = decomposed(stripped.body)
         if found is not None and _is_made(stripped, found.shape, solid):
-            features = (*found.bodies, *last)
-            return FeatureList(tuple(scaled(feature, 1.0 / factor) for feature in features))
+            features = tuple(scaled(each, 1.0 / factor) for each in (*found.bodies, *last))
+            return FeatureList(beginning_on_faces(features))
         if over is None and last and _is_made(stripped, stripped.body, solid):
             over = stripped
     if over is None:

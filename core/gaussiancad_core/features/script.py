@@ -1,77 +1,15 @@
 """Features as a build123d script: parameters by name at the top, the solid when it is run."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
+
+from gaussiancad_core.features.script_head import HEAD
+from gaussiancad_core.features.script_offsets import Terms, edge_place, less, turned, written
+from gaussiancad_core.features.standing import Side
 
 SCRIPT_FILE = "features.py"
 """In the output folder."""
-
-_HEAD = '''"""A part by its features; written by GaussianCAD.
-
-It needs build123d (pip install build123d).  Run it to write {stem}.step; change a number first to
-have another part.  Lengths are mm.
-"""
-
-from math import cos, hypot, radians, sin, tan
-
-from build123d import *
-
-
-def plane(origin, right, normal):
-    return Plane(origin=origin, x_dir=right, z_dir=normal)
-
-
-def arc(start, end, centre, is_counterclockwise):
-    """The arc around a centre; the radius is that of its start."""
-    from math import atan2, pi
-
-    radius = hypot(start[0] - centre[0], start[1] - centre[1])
-    first = atan2(start[1] - centre[1], start[0] - centre[0])
-    last = atan2(end[1] - centre[1], end[0] - centre[0])
-    turn = (last - first) % (2 * pi) if is_counterclockwise else -((first - last) % (2 * pi))
-    middle = first + turn / 2
-    return ThreePointArc(
-        start,
-        (centre[0] + radius * cos(middle), centre[1] + radius * sin(middle)),
-        end,
-    )
-
-
-def region(outlines):
-    """The face between outlines: the first one is around the others."""
-    outer, *holes = (make_face(Wire(edges)) for edges in outlines)
-    for hole in holes:
-        outer -= hole
-    return outer
-
-
-def nearest(part, place):
-    return min(part.edges(), key=lambda edge: edge.distance_to(Vector(place)))
-
-
-def drilled(where, centre, diameter, depth, tip, sink):
-    """What a drill takes away that enters a plane against its normal."""
-    at = where.location * Location((*centre, 0))
-    radius = diameter / 2
-    body = at * Location((0, 0, -depth / 2)) * Cylinder(radius, depth)
-    if tip:
-        length = radius / tan(radians(tip) / 2)
-        body += at * Location((0, 0, -depth - length / 2)) * Cone(0, radius, length)
-    if sink:
-        wide, deep, angle = sink
-        if angle:
-            length = (wide / 2 - radius) / tan(radians(angle) / 2)
-            body += at * Location((0, 0, -length / 2)) * Cone(radius, wide / 2, length)
-        else:
-            body += at * Location((0, 0, -deep / 2)) * Cylinder(wide / 2, deep)
-    return body
-
-
-THROUGH = {through!r}  # mm, longer than the part
-
-'''
-
 
 _COUNTED_STEMS = ("X", "Y", "RADIUS")
 """Of parameters that a feature may have several of."""
@@ -94,16 +32,21 @@ def script_of(solids: Sequence[dict[str, Any]], stem: str = "part") -> str:
             body.append(f"{part} = Part() + import_step({solid['base']!r})")
         else:
             body.append(f"{part} = Part()")
+        writers: dict[str, _Writer] = {}
+        lines: list[str] = []
         for feature in solid["features"]:
             prefix = f"{part}_{feature['name']}" if len(solids) > 1 else feature["name"]
-            writer = _Writer(prefix.upper(), part)
-            lines = writer.lines(feature)
-            body += writer.settled(lines)
+            writer = _Writer(prefix.upper(), part, writers)
+            lines += writer.lines(feature)
+            writers[feature["name"]] = writer
+        for writer in writers.values():
+            lines = writer.settled(lines)
             parameters += writer.settled(writer.parameters)
+        body += lines
     names = [f"part{k}" for k in range(1, len(solids) + 1)] if len(solids) > 1 else ["part"]
     whole = names[0] if len(names) == 1 else f"Compound([{', '.join(names)}])"
     ends = ["", f"export_step({whole}, {stem + '.step'!r})", ""]
-    head = _HEAD.format(stem=stem, through=_reach(solids))
+    head = HEAD.format(stem=stem, through=_reach(solids))
     return "\n".join([head + "\n".join(parameters), "", *body, *ends])
 
 
@@ -130,11 +73,15 @@ class _Writer:
     Args:
         prefix: of its parameters' names.
         part: name of the variable that it changes.
+        earlier: writers of what was made before, by the features' names.
     """
 
-    def __init__(self, prefix: str, part: str) -> None:
+    def __init__(self, prefix: str, part: str, earlier: Mapping[str, "_Writer"]) -> None:
         self.parameters: list[str] = []
-        self._prefix, self._part = prefix, part
+        self._prefix, self._part, self._earlier = prefix, part, earlier
+        self._feature: dict[str, Any] = {}
+        self._start: Terms = ()
+        self._end: Terms = ()
         self._known: dict[tuple[str, float], str] = {}
         self._told: dict[tuple[str, float], tuple[str, str]] = {}
 
@@ -151,6 +98,7 @@ class _Writer:
 
     def lines(self, feature: dict[str, Any]) -> list[str]:
         """What makes a feature."""
+        self._feature = feature
         kind = feature["kind"]
         found = ["", f"# {feature['name']}"]
         self._told = dict(_told(feature.get("sketch", feature)))
@@ -162,13 +110,13 @@ class _Writer:
             return [*found, *self._holes(feature)]
         name = feature["name"].lower()
         sketch = feature["sketch"]
-        found += [f"{name}_plane = {self._plane(sketch['plane'])}", f"{name} = region(["]
+        self._start = self._begins(sketch["plane"])
+        found += [f"{name}_plane = {_plane(sketch['plane'], self._start)}", f"{name} = region(["]
         found += [f"    [{', '.join(edges)}]," for edges in self._outlines(sketch)]
         found.append("])")
         if kind in ("pad", "pocket"):
-            length = self._parameter("LENGTH", abs(feature["length"]), feature["sources"]["length"])
-            way = "" if feature["length"] > 0.0 else "-"
-            body = f"extrude({name}_plane.location * {name}, {way}{length})"
+            length = self._length("LENGTH", feature["length"], "length")
+            body = f"extrude({name}_plane.location * {name}, {written(length)})"
         else:
             (x, y), (dx, dy) = feature["axis"]["point"], feature["axis"]["direction"]
             axis = f"Axis(({x!r}, {y!r}, 0), ({dx!r}, {dy!r}, 0))"
@@ -179,18 +127,19 @@ class _Writer:
     def _holes(self, feature: dict[str, Any]) -> Iterator[str]:
         sources, sink = feature["sources"], feature["sink"]
         diameter = self._parameter("DIAMETER", feature["diameter"], sources["diameter"])
-        depth = "THROUGH"
-        if feature["depth"] is not None:
-            depth = self._parameter("DEPTH", feature["depth"], sources["depth"])
         plane = dict(feature["plane"])
-        flip = 1.0
+        start = self._start = self._begins(plane)
+        depth = "THROUGH"
+        flip = 1.0 if feature["downward"] else -1.0
+        if feature["depth"] is not None:
+            length = self._length("DEPTH", -flip * feature["depth"], "depth")
+            depth = written(turned(length) if feature["downward"] else length)
         if not feature["downward"]:
             # A drill goes against the normal of its plane.
-            plane["normal"] = [-value for value in plane["normal"]]
-            plane["offset"] = -plane["offset"]
-            flip = -1.0
+            plane["normal"] = [0.0 - value for value in plane["normal"]]
+            start = turned(start)
         name = feature["name"].lower()
-        yield f"{name}_plane = {self._plane(plane)}"
+        yield f"{name}_plane = {_plane(plane, start)}"
         widening = "None"
         if sink is not None:
             wide = self._parameter("SINK_DIAMETER", sink["diameter"], sink["sources"]["diameter"])
@@ -203,6 +152,37 @@ class _Writer:
                 f"{self._part} -= drilled({name}_plane, {centre}, {diameter}, {depth}, "
                 f"{feature['tip_degrees']!r}, {widening})"
             )
+
+    def _begins(self, plane: dict[str, Any]) -> Terms:
+        """The offset of the feature's plane: that of what it stands on, or a number of its own."""
+        on = self._feature.get("stands_on")
+        if on is not None:
+            return self._earlier[on["feature"]].face(on, plane["normal"])
+        if abs(plane["offset"]) < 1e-9:
+            return ()
+        name = self._parameter("OFFSET", abs(plane["offset"]), "")
+        return ((1 if plane["offset"] > 0.0 else -1, name),)
+
+    def _length(self, stem: str, length: float, key: str) -> Terms:
+        """From the feature's plane to its end along the normal."""
+        normal = self._feature.get("sketch", self._feature)["plane"]["normal"]
+        at = self._feature.get("ends_at")
+        if at is not None:
+            self._end = self._earlier[at["feature"]].face(at, normal)
+            return less(self._end, self._start)
+        name = self._parameter(stem, abs(length), self._feature["sources"][key])
+        found = ((1 if length > 0.0 else -1, name),)
+        self._end = (*self._start, *found)
+        return found
+
+    def face(self, support: dict[str, Any], normal: Sequence[float]) -> Terms:
+        """Where one of the feature's faces lies along a normal."""
+        if support["side"] != Side.WALL.value:
+            return self._start if support["side"] == Side.START.value else self._end
+        sketch = self._feature["sketch"]
+        letter, value, way = edge_place(sketch, support["edge"], normal)
+        name = self._place(letter, abs(value))
+        return () if name == "0" else ((way if value > 0.0 else -way, name),)
 
     def _outlines(self, sketch: dict[str, Any]) -> Iterator[list[str]]:
         """Edges of each outline."""
@@ -250,9 +230,9 @@ class _Writer:
             self.parameters.append(f"{name} = {round(value, 9)!r}{note}")
         return self._known[key]
 
-    def _plane(self, plane: dict[str, Any]) -> str:
-        origin = tuple(round(plane["offset"] * part, 9) + 0.0 for part in plane["normal"])
-        return f"plane({origin!r}, {tuple(plane['right'])!r}, {tuple(plane['normal'])!r})"
+
+def _plane(plane: dict[str, Any], offset: Terms) -> str:
+    return f"plane({written(offset)}, {tuple(plane['right'])!r}, {tuple(plane['normal'])!r})"
 
 
 def _told(sketch: dict[str, Any]) -> Iterator[tuple[tuple[str, float], tuple[str, str]]]:
