@@ -38,6 +38,7 @@ from freecad.gaussiancad.objects.body_properties import (
     made_of,
     trial_properties,
 )
+from freecad.gaussiancad.objects.body_supports import MadeFeature, has_expression
 from freecad.gaussiancad.objects.known_sheets import reconstruction_among
 from freecad.gaussiancad.objects.loading import read_shape
 from freecad.gaussiancad.objects.number_trials import NumberTrials, TrialOutcome
@@ -142,18 +143,20 @@ def make_body(
     if features.base is not None:
         _stand_on(body, read_shape(features.base))
     numbers: list[DrivingNumber] = []
+    earlier: dict[str, MadeFeature] = {}
     for feature in features.features:
         try:
-            kept = add_feature(body, feature)
+            kept = add_feature(body, feature, earlier)
         except Exception as error:  # FreeCAD raises its own types, which differ between versions
             text = translate("GaussianCAD", "{feature} cannot be made ({reason})")
             reason = text.format(feature=feature.name, reason=error)
             raise _failed(name, reason) from error
         # Its name is another where the document has one of that name already.
-        made = body.Tip.Name
+        made = body.Tip
+        earlier[feature.name] = MadeFeature(feature, made)
         numbers.extend(
-            DrivingNumber(made, each.name, each.value, each.source)
-            for each in _numbers_of(feature, kept)
+            DrivingNumber(made.Name, each.name, each.value, each.source)
+            for each in _numbers_of(feature, kept, made)
         )
     check = check_body(body.Shape, exact)
     if not check.is_equal:
@@ -201,10 +204,13 @@ def _stand_on(body: FreeCAD.DocumentObject, shape: Part.Shape) -> None:
     body.Document.recompute()
 
 
-def _numbers_of(feature: Feature, kept: Sequence[Condition]) -> list[Number]:
+def _numbers_of(
+    feature: Feature, kept: Sequence[Condition], made: FreeCAD.DocumentObject
+) -> list[Number]:
     """Those of its sketch that hold, and those of the feature itself, each once.
 
-    A diameter in the sketch of a hole is the hole's: it counts as the sketch's.
+    A diameter in the sketch of a hole is the hole's: it counts as the sketch's.  What follows from
+    other numbers is none.
     """
     drawn = [
         Number(each.name or each.kind, each.value, each.source)
@@ -212,7 +218,8 @@ def _numbers_of(feature: Feature, kept: Sequence[Condition]) -> list[Number]:
         if each.value is not None
     ]
     is_drawn = isinstance(feature, Holes) and any(each.kind == "diameter" for each in kept)
-    return drawn + [n for n in feature.numbers if not (is_drawn and n.name == "Diameter")]
+    own = [n for n in feature.numbers if not (is_drawn and n.name == "Diameter")]
+    return drawn + [n for n in own if not has_expression(made, n.name)]
 
 
 def _failed(name: str, reason: str) -> WorkbenchError:

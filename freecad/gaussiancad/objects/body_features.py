@@ -15,6 +15,7 @@ from freecad.gaussiancad.objects.body_model import (
     Turning,
 )
 from freecad.gaussiancad.objects.body_sketches import add_axis, add_sketch
+from freecad.gaussiancad.objects.body_supports import Earlier, bind_length, bind_offset
 
 _FULL_TURN = 360.0
 
@@ -29,8 +30,15 @@ _TYPES = {
 }
 
 
-def add_feature(body: FreeCAD.DocumentObject, feature: Feature) -> tuple[Condition, ...]:
+def add_feature(
+    body: FreeCAD.DocumentObject, feature: Feature, earlier: Earlier
+) -> tuple[Condition, ...]:
     """Add a feature to a body, with its sketch, and compute it.
+
+    Args:
+        body: receives it; its tip is the feature afterwards.
+        feature: what is made.
+        earlier: the features that the body has.
 
     Returns:
         The conditions that hold in its sketch.
@@ -39,7 +47,7 @@ def add_feature(body: FreeCAD.DocumentObject, feature: Feature) -> tuple[Conditi
         ValueError: it cannot be made; the body may be broken now.
     """
     beneath = body.Tip
-    kept = _MAKERS[type(feature)](body, feature)
+    kept = _MAKERS[type(feature)](body, feature, earlier)
     body.Document.recompute()
     made = body.Tip
     if made is beneath or not made.isValid() or made.Shape.isNull():
@@ -58,17 +66,21 @@ def _new(body: FreeCAD.DocumentObject, feature: Feature) -> FreeCAD.DocumentObje
     return made
 
 
-def _extrude(body: FreeCAD.DocumentObject, feature: Extrusion) -> tuple[Condition, ...]:
+def _extrude(
+    body: FreeCAD.DocumentObject, feature: Extrusion, earlier: Earlier
+) -> tuple[Condition, ...]:
     sketch, kept = add_sketch(body, f"{feature.name}Sketch", feature.sketch)
+    bind_offset(sketch, feature.sketch.plane, feature.stands_on, earlier)
     made = _new(body, feature)
     made.Profile = sketch
     made.Length = abs(feature.length)
+    bind_length(made, "Length", feature, earlier)
     # FreeCAD's pads go along the normal, its pockets against it.
     made.Reversed = (feature.length < 0.0) == (feature.kind == "pad")
     return kept
 
 
-def _turn(body: FreeCAD.DocumentObject, feature: Turning) -> tuple[Condition, ...]:
+def _turn(body: FreeCAD.DocumentObject, feature: Turning, _: Earlier) -> tuple[Condition, ...]:
     sketch, kept = add_sketch(body, f"{feature.name}Sketch", feature.sketch)
     add_axis(sketch, feature.sketch.curves, feature.point, feature.direction)
     made = _new(body, feature)
@@ -78,8 +90,9 @@ def _turn(body: FreeCAD.DocumentObject, feature: Turning) -> tuple[Condition, ..
     return kept
 
 
-def _drill(body: FreeCAD.DocumentObject, feature: Holes) -> tuple[Condition, ...]:
+def _drill(body: FreeCAD.DocumentObject, feature: Holes, earlier: Earlier) -> tuple[Condition, ...]:
     sketch, kept = add_sketch(body, f"{feature.name}Sketch", feature.sketch)
+    bind_offset(sketch, feature.sketch.plane, feature.stands_on, earlier)
     # FreeCAD 0.20 refuses the numbers of a hole whose sketch is not computed.
     body.Document.recompute()
     made = _new(body, feature)
@@ -95,6 +108,7 @@ def _drill(body: FreeCAD.DocumentObject, feature: Holes) -> tuple[Condition, ...
     else:
         made.DepthType = "Dimension"
         made.Depth = feature.depth
+        bind_length(made, "Depth", feature, earlier)
         made.DrillPoint = "Angled" if feature.tip_degrees else "Flat"
         if feature.tip_degrees:
             made.DrillPointAngle = feature.tip_degrees
@@ -110,7 +124,9 @@ def _drill(body: FreeCAD.DocumentObject, feature: Holes) -> tuple[Condition, ...
     return kept
 
 
-def _break_edges(body: FreeCAD.DocumentObject, feature: EdgeBreak) -> tuple[Condition, ...]:
+def _break_edges(
+    body: FreeCAD.DocumentObject, feature: EdgeBreak, _: Earlier
+) -> tuple[Condition, ...]:
     beneath = body.Tip
     names = dict.fromkeys(_edge_at(beneath.Shape, place) for place in feature.places)
     made = _new(body, feature)
@@ -136,7 +152,7 @@ def _edge_at(shape: Part.Shape, place: Triple) -> str:
     return f"Edge{min(distances)[1]}"
 
 
-_MAKERS: dict[type, Callable[[FreeCAD.DocumentObject, Feature], tuple[Condition, ...]]] = {
+_MAKERS: dict[type, Callable[[FreeCAD.DocumentObject, Feature, Earlier], tuple[Condition, ...]]] = {
     Extrusion: _extrude,
     Turning: _turn,
     Holes: _drill,

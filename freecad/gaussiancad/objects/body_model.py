@@ -87,6 +87,22 @@ class Number:
 
 
 @dataclass(frozen=True)
+class Support:
+    """A face of an earlier feature that a sketch, or the far end of a feature, lies in.
+
+    Attributes:
+        feature: its name.
+        side: ``start``, ``end``, or ``wall`` of one that an edge of its sketch sweeps.
+        dimensions: of a wall, names of the sketch's numbers whose sum tells where it is along the
+            normal of what stands there, each with 1 or -1; None where no numbers do.
+    """
+
+    feature: str
+    side: str
+    dimensions: tuple[tuple[str, int], ...] | None = None
+
+
+@dataclass(frozen=True)
 class PlaneSketch:
     """Closed outlines on a plane; without conditions they stay as they are."""
 
@@ -97,13 +113,19 @@ class PlaneSketch:
 
 @dataclass(frozen=True)
 class Extrusion:
-    """A pad or a pocket: an outline moved along its plane's normal by a length in mm."""
+    """A pad or a pocket: an outline moved along its plane's normal by a length in mm.
+
+    Attributes:
+        stands_on, ends_at: the faces that its sketch and its far end lie in, or None.
+    """
 
     kind: str
     name: str
     sketch: PlaneSketch
     length: float
     numbers: tuple[Number, ...] = ()
+    stands_on: Support | None = None
+    ends_at: Support | None = None
 
 
 @dataclass(frozen=True)
@@ -142,6 +164,7 @@ class Holes:
         tip_degrees: of the drill's point; 0 of a flat end.
         sink: at the mouth, or None.
         numbers: of these, those of which it is known where they are from.
+        stands_on, ends_at: the faces that their sketch and their far end lie in, or None.
     """
 
     kind: str
@@ -153,6 +176,8 @@ class Holes:
     tip_degrees: float
     sink: Sink | None
     numbers: tuple[Number, ...] = ()
+    stands_on: Support | None = None
+    ends_at: Support | None = None
 
 
 @dataclass(frozen=True)

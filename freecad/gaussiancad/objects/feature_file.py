@@ -20,6 +20,7 @@ from freecad.gaussiancad.objects.body_model import (
     Point,
     Sink,
     SolidFeatures,
+    Support,
     Triple,
     Turning,
 )
@@ -63,7 +64,8 @@ def _solid(values: dict[str, Any], folder: Path) -> SolidFeatures:
 def _extrusion(values: dict[str, Any]) -> Extrusion:
     sketch, length = _sketch(values["sketch"]), float(values["length"])
     numbers = _numbers(values, {"length": "Length"})
-    return Extrusion(values["kind"], str(values["name"]), sketch, length, numbers)
+    supports = _support(values, "stands_on"), _support(values, "ends_at")
+    return Extrusion(values["kind"], str(values["name"]), sketch, length, numbers, *supports)
 
 
 def _turning(values: dict[str, Any]) -> Turning:
@@ -94,7 +96,19 @@ def _holes(values: dict[str, Any]) -> Holes:
         None if sink is None else _sink(sink),
         _numbers(values, {"diameter": "Diameter", "depth": "Depth"})
         + _numbers(sink or {}, {"diameter": "HoleCutDiameter", "depth": "HoleCutDepth"}),
+        _support(values, "stands_on"),
+        _support(values, "ends_at"),
     )
+
+
+def _support(values: dict[str, Any], key: str) -> Support | None:
+    found = values.get(key)
+    if found is None:
+        return None
+    dimensions = found.get("dimensions")
+    if dimensions is not None:
+        dimensions = tuple((str(name), int(way)) for name, way in dimensions.items())
+    return Support(str(found["feature"]), str(found["side"]), dimensions)
 
 
 def _sink(values: dict[str, Any]) -> Sink:
