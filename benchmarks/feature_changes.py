@@ -24,6 +24,8 @@ from gaussiancad_core.features.model import (
     Holes,
     Turning,
 )
+from gaussiancad_core.features.standing import Standing, standing
+from gaussiancad_core.features.supports import standing_of
 
 _ROUND = (Kind.RADIUS, Kind.DIAMETER)
 
@@ -45,16 +47,16 @@ class Number:
 
 
 def numbers_of(features: Sequence[Feature]) -> Iterator[Number]:
-    """All of them, feature by feature."""
-    for k, feature in enumerate(features):
+    """All of them, feature by feature; what follows from others is none."""
+    for k, (feature, where) in enumerate(zip(features, standing_of(features), strict=True)):
         if isinstance(feature, EdgeBreak):
             yield Number(k, "size", "size")
             continue
         if isinstance(feature, Holes):
-            yield from _of_holes(k, feature)
-        elif feature.sketch.height:
+            yield from _of_holes(k, feature, where)
+        elif feature.sketch.height and where.begins is None:
             yield Number(k, "height", "place")
-        if isinstance(feature, Extrusion):
+        if isinstance(feature, Extrusion) and where.ends is None:
             yield Number(k, "length", "length")
         for number, constraint in enumerate(constraints_of(outlines(feature), Numbers())):
             if constraint.value is None:
@@ -64,11 +66,11 @@ def numbers_of(features: Sequence[Feature]) -> Iterator[Number]:
                 yield Number(k, number, "radius" if is_round else "distance")
 
 
-def _of_holes(k: int, holes: Holes) -> Iterator[Number]:
+def _of_holes(k: int, holes: Holes, where: Standing) -> Iterator[Number]:
     yield Number(k, "diameter", "diameter")
-    if holes.height:
+    if holes.height and where.begins is None:
         yield Number(k, "height", "place")
-    if holes.depth is not None:
+    if holes.depth is not None and where.ends is None:
         yield Number(k, "depth", "depth")
     if holes.tip:
         yield Number(k, "tip", "angle")
@@ -89,14 +91,15 @@ def outlines(feature: Extrusion | Turning | Holes) -> tuple[Loop, ...]:
 
 
 def changed(features: Sequence[Feature], number: Number, factor: float) -> tuple[Feature, ...]:
-    """Features with one number as many times as large.
+    """Features with one number as many times as large; what stands on others goes with them.
 
     Raises:
         UnsolvedError: the sketch has no solution then.
     """
     feature = features[number.feature]
     made = _changed(feature, number, factor)
-    return (*features[: number.feature], made, *features[number.feature + 1 :])
+    others = (*features[: number.feature], made, *features[number.feature + 1 :])
+    return standing(others, standing_of(features))
 
 
 def _changed(feature: Feature, number: Number, factor: float) -> Feature:
