@@ -124,14 +124,17 @@ class _Faces:
         frame = frame_of(feature)
         drawn = [replace(each, height=each.height + length) for each in _drawn(feature)]
         height = drawn[0].height
-        outermost = None
+        found = outermost = None
         for support in self._in_plane(number, frame, height):
             into = self._outward(support, frame) * length < 0.0
-            if not adds and into and self._features[support.feature].adds:
-                continue
-            if self._shares(support, drawn):
-                return support
-            outermost = outermost or (None if into else support)
+            if not self._shares(support, drawn):
+                outermost = outermost or (None if into else support)
+            elif not adds and into and self._features[support.feature].adds:
+                return None
+            else:
+                found = found or support
+        if found is not None:
+            return found
         # Where a part has a step a pocket goes on past it, as far as the part does.
         is_through = not adds and self._reaches_to(number, frame, np.sign(length) * height, length)
         return outermost if is_through else None
