@@ -54,17 +54,17 @@ def standing_of(features: Sequence[Feature]) -> tuple[Standing, ...]:
 
 def beginning_on_faces(features: Sequence[Feature]) -> tuple[Feature, ...]:
     """The same bodies, each with its sketch where it touches an earlier one: a pocket's at its
-    mouth, not at its floor."""
+    mouth, not at its floor.  Pads on a plane of the origin need no offset, and stay there."""
     turned = list(features)
     faces = _Faces(turned)
     for number, feature in enumerate(features):
-        if not isinstance(feature, Extrusion):
+        if not isinstance(feature, Extrusion) or faces.touching(number) is not None:
+            continue
+        if feature.adds and not feature.sketch.height:
             continue
         turned[number] = _reversed(feature)
-        at_end = faces.touching(number)
-        turned[number] = feature
-        if at_end is not None and faces.touching(number) is None:
-            turned[number] = _reversed(feature)
+        if not faces.is_entered(number):
+            turned[number] = feature
     return tuple(turned)
 
 
@@ -111,6 +111,13 @@ class _Faces:
             if self._shares(support, drawn):
                 return support
         return None
+
+    def is_entered(self, number: int) -> bool:
+        """Whether a pad begins at a face of an earlier feature, or a pocket enters one."""
+        feature, support = self._features[number], self.touching(number)
+        if support is None or feature.adds:
+            return support is not None
+        return self._outward(support, frame_of(feature)) * feature.length < 0.0
 
     def at_end(self, number: int) -> Support | None:
         """The face that the far end of an extrusion or of a flat-ended hole lies in."""

@@ -132,7 +132,13 @@ def test_pockets_begin_at_their_mouths_and_pads_where_they_touch() -> None:
     assert turned.sketch.loops == pocket.sketch.loops
     leg = _slab((0, 0), (9, 9), 0.0, 20.0)
     high = replace(_PLATE, sketch=replace(_PLATE.sketch, height=20.0))
-    assert beginning_on_faces([high, leg])[1].length == -20.0
+    assert beginning_on_faces([high, leg])[1] is leg
+    assert _ends(high, leg) == Support(0, Side.START)
+    ear = _slab((50, 0), (80, 40), 4.0, 6.0)
+    assert beginning_on_faces([_PLATE, ear])[1].length == -6.0
+    # It is no mouth where the plate's face is level with the floor.
+    hollow = _pocket((12, 12), (28, 28), 14.0, -4.0)
+    assert beginning_on_faces([_PLATE, _BOSS, hollow])[2] is hollow
     kept = [_PLATE, _BOSS, _pocket((5, 5), (9, 9), 0.0, 10.0), _drilled(10.0, (50, 20))]
     assert beginning_on_faces(kept) == tuple(kept)
 
