@@ -11,6 +11,7 @@ from support import FolderCase
 
 from freecad.gaussiancad.objects.bodies import MadeBody, add_bodies
 from freecad.gaussiancad.objects.body_check import check_body
+from freecad.gaussiancad.objects.body_numbers import set_value
 from freecad.gaussiancad.objects.feature_file import read_features
 
 DATA = Path(__file__).parent / "data" / "features"
@@ -113,3 +114,22 @@ class BodyCase(FolderCase):
     def assert_is(self, made: MadeBody, shape: Part.Shape) -> None:
         self.assertEqual(check_body(made.body.Shape, shape).words, "")
         self.assertAlmostEqual(made.body.Shape.Volume / shape.Volume, 1.0, places=6)
+
+
+class ChangedCase(BodyCase):
+    """Bodies with numbers that are changed."""
+
+    def change(self, feature: str, name: str, value: float) -> None:
+        set_value(self.document.getObject(feature), name, value)
+        self.document.recompute()
+
+    def assert_volume(self, made: MadeBody, volume: float) -> None:
+        shape = made.body.Shape
+        self.assertEqual((len(shape.Solids), shape.isValid()), (1, True))
+        self.assertAlmostEqual(shape.Volume, volume, places=4)
+        self.assertEqual(
+            [each.Name for each in (*made.body.Group, made.body) if not each.isValid()], []
+        )
+
+    def offset(self, sketch: str) -> float:
+        return self.document.getObject(sketch).AttachmentOffset.Base.z
