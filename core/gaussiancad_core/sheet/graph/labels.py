@@ -59,8 +59,8 @@ _ALONG, _ROUGH, _LEAN = 1e-2, 0.05, 0.2
 """Sines of angles: up to the first, lines are parallel, up to the second short ones whose ends are
 rounded; from the third, they are slanted."""
 
-_HATCH = 4
-"""Parallel lines of a hatching at least."""
+_HATCH, _IN_VIEW = 4, 2
+"""Parallel lines of a hatching at least: on the sheet, and among edges that touch."""
 
 _UNEVEN, _EVENLY = 0.15, 0.7
 """Share of the distance of neighbouring lines by which it may differ, and share of the lines that
@@ -266,8 +266,8 @@ def _hatching(
     views: Ints,
     centres: Flags,
 ) -> Flags:
-    """(n,) which lines are hatching: several in one view, slanted, parallel, from within one edge
-    or centre line to within another, and, where the part's pen drew them, evenly apart.
+    """(n,) which lines are hatching: several beside each other, slanted, parallel, from within one
+    edge or centre line to within another, and, where the part's pen drew them, evenly apart.
 
     Args:
         strokes: of the sheet.
@@ -289,8 +289,9 @@ def _hatching(
         across = np.array([-ways[index][1], ways[index][0]])
         aside = np.abs((touches.ends[:, 1] - touches.ends[:, 0]) @ across)
         parallel = aside < np.clip(0.5 * _REACH, _ALONG * lengths, _ROUGH * lengths)
-        beside = parallel & (views == views[index])
-        along = chosen[beside[chosen]]
+        along = chosen[parallel[chosen]]
+        # A line by itself is none, however many run its way in other views.
+        along = along[np.bincount(views[along])[views[along]] >= _IN_VIEW]
         places = np.sort(touches.ends[along, 0] @ across)
         apart = np.diff(places)
         apart = apart[apart > _REACH]
@@ -299,7 +300,7 @@ def _hatching(
             even = bool((np.abs(steps - np.rint(steps)) < _UNEVEN).mean() >= _EVENLY)
             found[along] |= even | ~edges[along]
             if even:
-                rest = np.flatnonzero(slanted & ~found & beside)
+                rest = np.flatnonzero(candidates & slanted & ~found & parallel)
                 kept = _between(touches, along, rest, across, float(np.median(apart)))
                 found[kept] = True
     return found
