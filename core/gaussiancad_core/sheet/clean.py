@@ -5,7 +5,6 @@ lines vanish.  As even a 3 x 3 median erases lines of one pixel and shortens das
 which pieces of ink are noise: those of which it leaves nothing, unless they are as long as a dash.
 """
 
-import math
 from dataclasses import dataclass, replace
 
 import cv2
@@ -56,12 +55,6 @@ More would be cut off one side of a smooth stroke than off the other, and shift 
 
 _EVEN_PAPER = 2.0
 """Grey levels of the paper's own darkness up to which a sheet was plotted and not scanned."""
-
-_BESIDE = 1.5
-"""Stroke widths from the middle of a stroke to where the area beside it is looked at."""
-
-_LEAST_SHADING, _MOST_SHADING = 0.05, 0.9
-"""Darkness of the areas of a shaded view: less is paper, more is ink."""
 
 Ink = npt.NDArray[np.bool_]
 """(h, w), True where there is ink."""
@@ -120,7 +113,6 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
             percent=round(100 * share),
         )
     weight = _weight(grey, ink)
-    weight = _unshaded(weight, mean_stroke_width(ink, weight))
     unturned = Turn(0.0, (grey.shape[1] / 2, grey.shape[0] / 2))
     return CleanSheet(ink, weight, mean_stroke_width(ink, weight), unturned)
 
@@ -194,20 +186,6 @@ def _threshold(grey: npt.NDArray[np.uint8]) -> Ink:
         grey, 255, cv2.ADAPTIVE_THRESH_GAUSSIAN_C, cv2.THRESH_BINARY_INV, _BLOCK, _CONTRAST
     )
     return binary > 0
-
-
-def _unshaded(weight: npt.NDArray[np.float32], stroke_width: float) -> npt.NDArray[np.float32]:
-    """The darkness of strokes against the even areas beside them, which some draw in faces: a
-    stroke at the border of such an area would seem to lie further inside.
-
-    Args:
-        weight: (h, w) in 0..1, darkness against the paper.
-        stroke_width: px.
-    """
-    side = 2 * math.ceil(_BESIDE * stroke_width) + 1
-    even = cv2.morphologyEx(weight, cv2.MORPH_OPEN, np.ones((side, side), np.uint8))
-    shading = np.where((even > _LEAST_SHADING) & (even < _MOST_SHADING), even, np.float32(0.0))
-    return (weight - shading) / (1.0 - shading)
 
 
 def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> npt.NDArray[np.float32]:
