@@ -15,6 +15,8 @@ from gaussiancad_core.features.model import (
     Sketch,
     Turning,
 )
+from gaussiancad_core.features.pattern_values import pattern_values
+from gaussiancad_core.features.patterns import patterns_of
 
 SCHEMA = "gaussiancad-features/1"
 
@@ -62,7 +64,9 @@ def solid_values(found: FeatureList, numbers: Numbers, base: str | None) -> dict
         base: name of the file of the base that they stand over; None of a whole solid.
     """
     features = [feature_values(name, each, numbers) for name, each in named(found.features)]
-    return {"whole": found.is_whole, "base": base, "features": features}
+    names = [feature["name"] for feature in features]
+    patterns = pattern_values(patterns_of(found.features), names, numbers)
+    return {"whole": found.is_whole, "base": base, "features": features, "patterns": patterns}
 
 
 def feature_values(name: str, feature: Feature, numbers: Numbers) -> dict[str, Any]:

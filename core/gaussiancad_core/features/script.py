@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from gaussiancad_core.features.script_patterns import REPEATING, Repeats
+
 SCRIPT_FILE = "features.py"
 """In the output folder."""
 
@@ -67,6 +69,7 @@ def drilled(where, centre, diameter, depth, tip, sink):
     return body
 
 
+{repeating}
 THROUGH = {through!r}  # mm, longer than the part
 
 '''
@@ -87,15 +90,18 @@ def script_of(solids: Sequence[dict[str, Any]], stem: str = "part") -> str:
             body.append(f"{part} = Part() + import_step({solid['base']!r})")
         else:
             body.append(f"{part} = Part()")
+        repeats = Repeats(solid["patterns"], part.upper() + "_" if len(solids) > 1 else "")
         for feature in solid["features"]:
             prefix = f"{part}_{feature['name']}" if len(solids) > 1 else feature["name"]
-            writer = _Writer(prefix.upper(), part)
+            writer = _Writer(prefix.upper(), part, repeats)
             body += writer.lines(feature)
             parameters += writer.parameters
+        parameters += repeats.parameters
     names = [f"part{k}" for k in range(1, len(solids) + 1)] if len(solids) > 1 else ["part"]
     whole = names[0] if len(names) == 1 else f"Compound([{', '.join(names)}])"
     ends = ["", f"export_step({whole}, {stem + '.step'!r})", ""]
-    head = _HEAD.format(stem=stem, through=_reach(solids))
+    repeating = REPEATING if any(solid["patterns"] for solid in solids) else ""
+    head = _HEAD.format(stem=stem, through=_reach(solids), repeating=repeating)
     return "\n".join([head + "\n".join(parameters), "", *body, *ends])
 
 
@@ -122,16 +128,19 @@ class _Writer:
     Args:
         prefix: of its parameters' names.
         part: name of the variable that it changes.
+        repeats: patterns that it may be in.
     """
 
-    def __init__(self, prefix: str, part: str) -> None:
+    def __init__(self, prefix: str, part: str, repeats: Repeats) -> None:
         self.parameters: list[str] = []
-        self._prefix, self._part = prefix, part
+        self._prefix, self._part, self._repeats = prefix, part, repeats
         self._known: dict[tuple[str, float], str] = {}
 
     def lines(self, feature: dict[str, Any]) -> list[str]:
-        """What makes a feature."""
+        """What makes a feature; nothing where another one that repeats makes it."""
         kind = feature["kind"]
+        if self._repeats.is_made_elsewhere(feature):
+            return []
         found = ["", f"# {feature['name']}"]
         if kind in ("fillet", "chamfer"):
             size = self._parameter("SIZE", feature["size"], feature["sources"]["size"])
@@ -153,7 +162,7 @@ class _Writer:
             axis = f"Axis(({x!r}, {y!r}, 0), ({dx!r}, {dy!r}, 0))"
             body = f"{name}_plane.location * revolve({name}, {axis})"
         sign = "+=" if kind in ("pad", "revolution") else "-="
-        return [*found, f"{self._part} {sign} {body}"]
+        return [*found, *self._repeats.made(feature["name"], None, f"{self._part} {sign}", body)]
 
     def _holes(self, feature: dict[str, Any]) -> Iterator[str]:
         sources, sink = feature["sources"], feature["sink"]
@@ -175,13 +184,18 @@ class _Writer:
             wide = self._parameter("SINK_DIAMETER", sink["diameter"], sink["sources"]["diameter"])
             deep = self._parameter("SINK_DEPTH", sink["depth"], "measured") if sink["depth"] else 0
             widening = f"({wide}, {deep}, {sink['degrees']!r})"
-        for x, y in feature["centres"]:
-            # With the normal turned, up runs the other way.
-            centre = f"({self._place('X', x)}, {'-' if flip < 0 else ''}{self._place('Y', y)})"
-            yield (
-                f"{self._part} -= drilled({name}_plane, {centre}, {diameter}, {depth}, "
+        for number, (x, y) in enumerate(feature["centres"]):
+            if self._repeats.is_image(feature["name"], number):
+                continue
+            centre = self._repeats.centre(feature, number)
+            if centre is None:
+                # With the normal turned, up runs the other way.
+                centre = f"({self._place('X', x)}, {'-' if flip < 0 else ''}{self._place('Y', y)})"
+            body = (
+                f"drilled({name}_plane, {centre}, {diameter}, {depth}, "
                 f"{feature['tip_degrees']!r}, {widening})"
             )
+            yield from self._repeats.made(feature["name"], number, f"{self._part} -=", body)
 
     def _outlines(self, sketch: dict[str, Any]) -> Iterator[list[str]]:
         """Edges of each outline."""
