@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Edge
 
-from gaussiancad_core.features.cells import Cells, edge_count
+from gaussiancad_core.features.cells import Cells, edge_count, length_of
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.plane_curves import (
     segment,
@@ -115,9 +115,10 @@ def prisms_of(own: PrismPlane, number: int, samples: Samples) -> Iterator[Sweep]
                 key = group, low, high, adds
                 if key not in seen:
                     seen.add(key)
-                    edges = edge_count(cells.border(group))
+                    border = cells.border(group)
                     ends = own.levels[low], own.levels[high]
-                    yield Sweep(number, group, ends, adds, edges)
+                    outline = edge_count(border), length_of(border)
+                    yield Sweep(number, group, ends, adds, *outline)
 
 
 def _layers_of(own: PrismPlane, points: Points) -> npt.NDArray[np.int64]:

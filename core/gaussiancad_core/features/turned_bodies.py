@@ -8,7 +8,7 @@ from math import tau
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.features.cells import OFF_CENTRE, Cells, edge_count
+from gaussiancad_core.features.cells import OFF_CENTRE, Cells, edge_count, length_of
 from gaussiancad_core.features.frames import frame_across
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.plane_curves import Stretch, arc, segment, supports_of
@@ -91,7 +91,8 @@ def turned_sweeps(own: TurnedPlane, number: int, samples: Samples) -> Iterator[S
     full[cell_of[(cell_of >= 0) & ~samples.is_inside]] = False
     touched[cell_of[(cell_of >= 0) & samples.is_inside]] = True
     for group, adds in regions_of(cells, full, touched):
-        yield Sweep(number, group, (0.0, 0.0), adds, edge_count(cells.border(group)))
+        border = cells.border(group)
+        yield Sweep(number, group, (0.0, 0.0), adds, edge_count(border), length_of(border))
 
 
 def in_sketch(loop: Loop, plane: SweptPlane) -> Loop:

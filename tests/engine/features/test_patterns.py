@@ -106,10 +106,9 @@ def test_holes_are_mirrored_in_a_plane_that_mirrors_the_part() -> None:
 
 
 def _pins(heights: Sequence[float]) -> TopoDS_Shape:
-    """A plate of eight edges with pins in a row."""
-    plate = cut(_PLATE, box((0, 45, 0), (15, 60, 10)), box((85, 45, 0), (100, 60, 10)))
+    """A plate with pins in a row."""
     places = zip((20.0, 45.0, 70.0), heights, strict=True)
-    return fuse(plate, *(cylinder(Axis.Z, (x, 20.0), 4.0, 10.0, top) for x, top in places))
+    return fuse(_PLATE, *(cylinder(Axis.Z, (x, 20.0), 4.0, 10.0, top) for x, top in places))
 
 
 def test_pads_of_one_sketch_and_length_repeat() -> None:
@@ -117,6 +116,21 @@ def test_pads_of_one_sketch_and_length_repeat() -> None:
     assert isinstance(row, Row) and row.steps[0].distance == 25.0
     assert {member.centre for member in row.members} == {None}
     assert _patterns(_pins([20.0, 22.0, 24.0])) == ()
+
+
+def test_pockets_of_one_sketch_and_depth_repeat() -> None:
+    pockets = [box((x, 10, 5), (x + 6, 30, 10)) for x in (10.0, 25.0, 40.0, 55.0)]
+    found = features_of(cut(_PLATE, *pockets))
+    assert [type(feature).__name__ for feature in found.features] == ["Extrusion"] * 5
+    (row,) = patterns_of(found.features)
+    assert isinstance(row, Row) and len(row.members) == 4
+    assert row.steps[0].distance == 15.0
+
+
+def test_pads_are_mirrored_in_a_plane_that_mirrors_the_part() -> None:
+    ears = [box((x, 0, 10), (x + 10, 60, 20)) for x in (10.0, 80.0)]
+    (mirror,) = _patterns(fuse(_PLATE, *ears))
+    assert isinstance(mirror, Mirror) and mirror.height == 50.0
 
 
 def _values(solid: TopoDS_Shape, *numbers: float) -> dict[str, Any]:
