@@ -17,6 +17,7 @@ from gaussiancad_core.features.model import (
 )
 from gaussiancad_core.features.pattern_values import pattern_values
 from gaussiancad_core.features.patterns import patterns_of
+from gaussiancad_core.features.threads import threads_of
 
 SCHEMA = "gaussiancad-features/1"
 
@@ -64,6 +65,8 @@ def solid_values(found: FeatureList, numbers: Numbers, base: str | None) -> dict
         base: name of the file of the base that they stand over; None of a whole solid.
     """
     features = [feature_values(name, each, numbers) for name, each in named(found.features)]
+    for number, thread in threads_of(found.features, numbers.threads).items():
+        features[number] |= {"thread": thread.name, "thread_depth": thread.depth}
     names = [feature["name"] for feature in features]
     patterns = pattern_values(patterns_of(found.features), names, numbers)
     return {"whole": found.is_whole, "base": base, "features": features, "patterns": patterns}

@@ -141,7 +141,8 @@ class _Writer:
         kind = feature["kind"]
         if self._repeats.is_made_elsewhere(feature):
             return []
-        found = ["", f"# {feature['name']}"]
+        thread = f": {feature['thread']}, which is not cut" if "thread" in feature else ""
+        found = ["", f"# {feature['name']}{thread}"]
         if kind in ("fillet", "chamfer"):
             size = self._parameter("SIZE", feature["size"], feature["sources"]["size"])
             edges = ", ".join(f"nearest({self._part}, {tuple(p)!r})" for p in feature["places"])
