@@ -14,7 +14,7 @@ from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.drilling import body_of_holes, holes_of
 from gaussiancad_core.features.model import Holes
 from gaussiancad_core.features.rays import Rays
-from gaussiancad_core.features.round_holes import Bore, around, bores_of
+from gaussiancad_core.features.round_holes import Bore, around_bore, bores_of
 from gaussiancad_core.features.solid_faces import SolidFace, solid_faces
 
 _EXACT = 1e-5
@@ -74,7 +74,7 @@ def _is_closed(bore: Bore, rays: Rays) -> bool:
     for section in bore.sections:
         radius = 0.5 * min(section.at_low, section.at_high)
         middle = (section.low + section.high) / 2.0
-        for base in around(bore.point, bore.direction, radius):
+        for base in around_bore(bore.point, bore.direction, radius):
             stretches = rays.inside(base, bore.direction)
             if stretches is None:
                 continue
