@@ -9,7 +9,7 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.booleans import unified, without
-from gaussiancad_core.drawing.brep import is_valid, subshapes, volume
+from gaussiancad_core.drawing.brep import exact_volume, is_valid, subshapes
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.drilling import body_of_holes, holes_of
 from gaussiancad_core.features.model import Holes
@@ -67,10 +67,10 @@ def _is_as_drilled(
         return False
     try:
         tools = [body_of_holes(holes, reach) for holes in holes_of(bores)]
-        drilled = volume(without(filled, tools))
+        drilled = exact_volume(without(filled, tools))
     except KERNEL_FAILURES:
         return False
-    return bool(np.isclose(drilled, volume(solid), rtol=_EXACT))
+    return bool(np.isclose(drilled, exact_volume(solid), rtol=_EXACT))
 
 
 def _is_closed(bore: Bore, rays: Rays) -> bool:
