@@ -23,8 +23,10 @@ def axes_of(features: Sequence[Feature]) -> Iterator[tuple[Points, Points]]:
     """(3,) point and (3,) direction of each axis that the part has."""
     for feature in features:
         if isinstance(feature, Holes):
-            places = feature.frame.lift(np.array(feature.centres), feature.height)
-            yield from ((place, np.array(feature.frame.normal)) for place in places)
+            # Of several like holes none is what others are around.
+            if len(feature.centres) == 1:
+                (place,) = feature.frame.lift(np.array(feature.centres), feature.height)
+                yield place, np.array(feature.frame.normal)
         elif isinstance(feature, Turning):
             frame, height = feature.sketch.frame, feature.sketch.height
             x, y = feature.direction
@@ -108,20 +110,24 @@ def _rings(
     group: Sequence[Instance], point: Points, way: Points, near: float
 ) -> Iterator[list[Instance]]:
     """Members that are equally far from an axis and along it, in the order of their angles."""
-    rings: list[tuple[Points, list[Instance]]] = []
-    for own in group:
-        away = own.place - point
-        along = float(away @ way)
-        where = np.array([along, float(np.linalg.norm(away - along * way))])
-        for known, ring in rings:
-            if float(np.abs(known - where).max()) <= near:
-                ring.append(own)
-                break
-        else:
-            rings.append((where, [own]))
-    for where, ring in rings:
-        if len(ring) >= FEWEST and where[1] > near:
-            yield sorted(ring, key=lambda own: _angle(own.place - point, way))
+    away = np.array([own.place for own in group]) - point
+    along = away @ way
+    radii = np.linalg.norm(away - along[:, None] * way, axis=1)
+    rings: dict[tuple[int, int], list[int]] = {}
+    for k, key in enumerate(zip(_classes(along, near), _classes(radii, near), strict=True)):
+        rings.setdefault(key, []).append(k)
+    for ring in rings.values():
+        if len(ring) >= FEWEST and radii[ring[0]] > near:
+            yield [group[k] for k in sorted(ring, key=lambda k: _angle(away[k], way))]
+
+
+def _classes(values: Points, near: float) -> list[int]:
+    """Numbers of the groups that values fall in between which there are wider gaps."""
+    order = np.argsort(values)
+    steps = np.diff(values[order], prepend=values[order[0]]) > near
+    found = np.empty(len(values), dtype=np.int64)
+    found[order] = np.cumsum(steps)
+    return found.tolist()
 
 
 def _turned(point: Points, way: Points, angle: float) -> Motion:

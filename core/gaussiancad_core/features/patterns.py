@@ -36,7 +36,8 @@ def patterns_of(features: Sequence[Feature]) -> tuple[Pattern, ...]:
         left = group
         for search in (
             # Around an axis that the part has, rather than on a grid of as many.
-            lambda own: chain(circles(own, axes, near), grids(own, near), rows_of(own, near)),
+            lambda own: chain(circles(own, axes, near), grids(own, near)),
+            lambda own: rows_of(own, near),
             lambda own: circles(own, middles(own), near, whole=True),
             lambda own: _mirrors(own, body, near),
         ):
@@ -71,9 +72,12 @@ def _mirrors(group: Sequence[Instance], body: Instance | None, near: float) -> I
         length = float(np.linalg.norm(shift))
         if length <= near or body in (one, other):
             continue
-        frame = frame_across(tuple((shift / length).tolist()))
+        way, middle = shift / length, (one.place + other.place) / 2.0
+        if abs(float((body.place - middle) @ way)) > near:
+            continue
+        frame = frame_across(tuple(way.tolist()))
         normal = np.array(frame.normal)
-        height = float((one.place + other.place) @ normal) / 2.0
+        height = float(middle @ normal)
         motion = Motion(np.eye(3) - 2.0 * np.outer(normal, normal), 2.0 * height * normal)
         if is_moved(one, motion, other, near) and is_moved(body, motion, body, near):
             yield Mirror((one.member, other.member), frame, round(height, DIGITS) + 0.0)
