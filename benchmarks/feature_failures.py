@@ -164,7 +164,7 @@ def _offer(
     box = bounding_box(body)
     rays = Rays(body, 4.0 * float(np.abs(box).max() + 1.0))
     corners = np.array(np.meshgrid(*box.T)).reshape(3, -1).T
-    planes, sweeps, samples, busy = [], [], [], 0
+    flat, busy = [], 0
     for frame in _frames(faces):
         seen = frame.project(corners)
         found = prism_plane(
@@ -173,17 +173,18 @@ def _offer(
         if found is None:
             busy += 1
             continue
-        sweeps += prisms_of(found[0], len(planes))
-        planes.append(found[0].plane)
-        samples.append(found[1])
-    for turned, looked in turned_planes(faces, box, rays):
-        sweeps += turned_sweeps(turned, len(planes))
-        planes.append(turned.plane)
-        samples.append(looked)
+        flat.append(found)
     told = {"planes with too many curves": busy} if busy else {}
-    if not planes:
+    turned = list(turned_planes(faces, box, rays))
+    if not [*flat, *turned]:
         return None, Samples(np.zeros((0, 3)), np.zeros(0, dtype=bool)), told
-    everywhere = joined(samples)
+    planes = [found.plane for found, _ in [*flat, *turned]]
+    everywhere = joined([looked for _, looked in [*flat, *turned]])
+    sweeps = []
+    for number, (found, _) in enumerate(flat):
+        sweeps += prisms_of(found, number, everywhere)
+    for number, (found, _) in enumerate(turned, len(flat)):
+        sweeps += turned_sweeps(found, number, everywhere)
     return offered(sweeps, planes, everywhere), everywhere, told
 
 

@@ -327,6 +327,22 @@ def volume(shape: TopoDS_Shape) -> float:
     return float(properties.Mass())
 
 
+_VOLUME_ERROR = 1e-7
+"""Share of a volume that integrating it face by face may miss at most: a tenth of what solids may
+differ by."""
+
+
+def exact_volume(shape: TopoDS_Shape) -> float:
+    """The same as :func:`volume`, integrated until its error is small.
+
+    The plain integral takes as many points of a face as its surface asks for; where the edges of
+    the face are curves of another kind it may miss a thousandth of the volume.
+    """
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, properties, _VOLUME_ERROR, False, False)
+    return float(properties.Mass())
+
+
 def area(shape: TopoDS_Shape) -> float:
     """Area of all faces in mm2."""
     properties = GProp_GProps()

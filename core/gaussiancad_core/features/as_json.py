@@ -16,7 +16,10 @@ from gaussiancad_core.features.model import (
     Sketch,
     Turning,
 )
+from gaussiancad_core.features.pattern_values import pattern_values
+from gaussiancad_core.features.patterns import patterns_of
 from gaussiancad_core.features.standing_values import with_standing
+from gaussiancad_core.features.threads import threads_of
 
 SCHEMA = "gaussiancad-features/1"
 
@@ -56,8 +59,12 @@ def solid_values(found: FeatureList, numbers: Numbers, base: str | None) -> dict
         base: name of the file of the base that they stand over; None of a whole solid.
     """
     features = [feature_values(name, each, numbers) for name, each in named(found.features)]
+    for number, thread in threads_of(found.features, numbers.threads).items():
+        features[number] |= {"thread": thread.name, "thread_depth": thread.depth}
     features = with_standing(found.features, features)
-    return {"whole": found.is_whole, "base": base, "features": features}
+    names = [feature["name"] for feature in features]
+    patterns = pattern_values(patterns_of(found.features), names, numbers)
+    return {"whole": found.is_whole, "base": base, "features": features, "patterns": patterns}
 
 
 def feature_values(name: str, feature: Feature, numbers: Numbers) -> dict[str, Any]:

@@ -149,3 +149,8 @@ def edge_count(border: Iterable[Piece]) -> int:
         ordered = sorted(stretches)
         count += 1 + sum(after[0] - before[1] > 1e-6 for before, after in pairwise(ordered))
     return count
+
+
+def length_of(border: Iterable[Piece]) -> float:
+    """Units that a border is long."""
+    return sum((piece.high - piece.low) * piece.curve.speed for piece in border)

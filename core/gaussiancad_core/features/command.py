@@ -1,7 +1,7 @@
 """Find the features of a solid in a file: what ``gaussiancad features`` does."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,9 @@ from gaussiancad_core.features.constraints import Numbers
 from gaussiancad_core.features.finding import features_of
 from gaussiancad_core.features.model import FeatureList
 from gaussiancad_core.features.script import SCRIPT_FILE, script_of
+from gaussiancad_core.features.threads import ThreadNote
 from gaussiancad_core.outputs import REPORT_FILE, OutputFolder
+from gaussiancad_core.writing.callouts import NoteKind, thread_name
 
 
 def write_features(solid: Path, output: Path, *, find: bool = True) -> list[FeatureList]:
@@ -48,10 +50,20 @@ def numbers_beside(solid: Path) -> Numbers:
             return Numbers()
         entries = [*report["dimensions"], *report["notes"]]
         values = [entry["value_mm"] for entry in entries if entry["value_mm"] is not None]
-        known = Numbers(tuple(float(value) for value in values))
+        threads = tuple(_threads(report["notes"]))
+        known = Numbers(tuple(float(value) for value in values), threads=threads)
         return replace(known, near=max(known.near, float(measures["uncertainty_mm"])))
     except (OSError, ValueError, KeyError, TypeError):
         return Numbers()
+
+
+def _threads(notes: Sequence[dict[str, Any]]) -> Iterator[ThreadNote]:
+    """The threads among a report's notes."""
+    for note in notes:
+        name = thread_name(note["text"]) if note["kind"] == NoteKind.THREAD.value else None
+        if name is not None and note["value_mm"] is not None:
+            depth = None if note["depth_mm"] is None else float(note["depth_mm"])
+            yield ThreadNote(name, float(note["value_mm"]), int(note["count"]), depth)
 
 
 def _write(found: Sequence[FeatureList], numbers: Numbers, output: Path) -> None:

@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Geometry, Reference, Spot
+from gaussiancad_core.features.threads import ThreadNote
 
 Vector = npt.NDArray[np.float64]
 
@@ -74,10 +75,12 @@ class Numbers:
     Attributes:
         values: mm.
         near: mm within which a measure is a number.
+        threads: that notes tell of holes.
     """
 
     values: tuple[float, ...] = ()
     near: float = 1e-3
+    threads: tuple[ThreadNote, ...] = ()
 
     def source_of(self, measure: float) -> NumberSource:
         """Whether a measure stands on the drawing."""

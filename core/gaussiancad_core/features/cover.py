@@ -4,7 +4,7 @@ Each point in the solid is in a pad and in no pocket; each outside of it is in n
 pocket.  Which bodies are taken is a weighted covering problem, solved by CP-SAT.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +17,9 @@ from gaussiancad_core.features.sweeps import Sweep, SweptPlane
 _OF_AN_EDGE, _OF_A_BODY = 1000, 3000
 """What each edge of an outline weighs, and each body; a unit of its length weighs 1, so that of the
 same plate the thickness is its length."""
+
+_SAME_LENGTH = 3
+"""Decimal places of units within which outlines are as long."""
 
 _MOST_EFFORT = 4.0
 """Deterministic seconds of the solver."""
@@ -72,11 +75,7 @@ def cheapest_cover(choice: Choice, samples: Samples) -> tuple[Sweep, ...] | None
         else:
             for pad in pads:
                 model.add_bool_or([~pad, *pockets])
-    weights = [
-        _OF_A_BODY + _OF_AN_EDGE * sweep.edges + round(sweep.ends[1] - sweep.ends[0])
-        for sweep in choice.sweeps
-    ]
-    model.minimize(sum(w * var for w, var in zip(weights, taken, strict=True)))
+    model.minimize(sum(_weighed(model, choice.sweeps, taken)))
     solver = cp_model.CpSolver()
     solver.parameters.max_deterministic_time = _MOST_EFFORT
     solver.parameters.num_workers = 1
@@ -85,6 +84,27 @@ def cheapest_cover(choice: Choice, samples: Samples) -> tuple[Sweep, ...] | None
     return tuple(
         sweep for sweep, var in zip(choice.sweeps, taken, strict=True) if solver.value(var)
     )
+
+
+def _weighed(
+    model: cp_model.CpModel, sweeps: Sequence[Sweep], taken: Sequence[cp_model.IntVar]
+) -> Iterator[cp_model.LinearExpr]:
+    """What bodies weigh if they are taken: of like ones only one has a sketch of its own."""
+    alike: dict[tuple[object, ...], list[int]] = {}
+    for k, sweep in enumerate(sweeps):
+        outline = sweep.edges, round(sweep.border, _SAME_LENGTH)
+        alike.setdefault((sweep.plane, sweep.ends, sweep.adds, *outline), []).append(k)
+    for group in alike.values():
+        first = sweeps[group[0]]
+        weight = _OF_A_BODY + _OF_AN_EDGE * first.edges + round(first.ends[1] - first.ends[0])
+        if len(group) == 1 or first.ends == (0.0, 0.0):
+            yield from (weight * taken[k] for k in group)
+            continue
+        sketched = model.new_bool_var("")
+        for k in group:
+            model.add_implication(taken[k], sketched)
+            yield _OF_A_BODY * taken[k]
+        yield (weight - _OF_A_BODY) * sketched
 
 
 def _distinct(

@@ -68,7 +68,7 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
     if not planes:
         return None
     seen = joined([samples for _, samples in [*prisms, *turned]])
-    best = None
+    best, before = None, None
     for _ in range(_ROUNDS):
         sweeps: list[Sweep] = []
         for number, (found, _) in enumerate(prisms):
@@ -76,8 +76,9 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
         for number, (found, _) in enumerate(turned, len(prisms)):
             sweeps += turned_sweeps(found, number, seen)
         chosen = cheapest_cover(offered(sweeps, planes, seen), seen)
-        if chosen is None:
+        if chosen is None or chosen == before:
             return best
+        before = chosen
         try:
             bodies = in_order_of_making([_feature(sweep, planes) for sweep in chosen])
             made = combined(bodies)

@@ -10,8 +10,14 @@ from OCP.gp import gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.booleans import common, unified, without
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, is_valid, subshapes, volume
+from gaussiancad_core.drawing.booleans import common, fused, unified, without
+from gaussiancad_core.drawing.brep import (
+    bounding_box,
+    exact_volume,
+    faces_of,
+    is_valid,
+    subshapes,
+)
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 
 Points = npt.NDArray[np.float64]
@@ -20,7 +26,8 @@ _EXACT = 1e-6
 """Share of a solid's volume up to which a difference is none."""
 
 _MEASURED = 1e-5
-"""Share of a volume by which the kernel's measure of equal solids may differ, whose faces are split
+"""Share of a volume by which equal solids may measure apart, however well faces are integrated: the
+curves in which faces meet are approximations, which end the faces otherwise where they are split
 otherwise."""
 
 _ONE_FACE = 1e-5, 1e-4
@@ -63,16 +70,18 @@ def difference(solid: TopoDS_Shape, built: TopoDS_Shape) -> Difference:
         simple = unified(built)
         faces = min(_more_faces(solid, built), key=abs)
         alone = list(_alone(solid, built))
-        whole = volume(solid)
+        whole, made = exact_volume(solid), exact_volume(built)
         if is_valid(simple) and len(subshapes(simple, TopAbs_ShapeEnum.TopAbs_SOLID)) == 1:
-            share = sum(abs(volume(body)) for body, _ in alone) / whole
-        if share > _EXACT:
-            # Where bodies share faces the kernel may fail to cut them, and still tell what they
-            # have in common.
-            apart = whole + volume(built) - 2.0 * volume(common(solid, built))
-            share = min(share, abs(apart) / whole) if np.isfinite(share) else share
+            share = sum(abs(exact_volume(body)) for body, _ in alone) / whole
         # What either has alone is at least the difference of their volumes, whatever cuts say.
-        least = abs(whole - volume(built)) / whole
+        least = abs(whole - made) / whole
+        if np.isfinite(share) and least <= _MEASURED and share > _EXACT:
+            # Where bodies share faces the kernel may fail to cut them, and still tell what they
+            # have in common, or what they are together.
+            shared, together = _met(solid, built)
+            share = min(share, abs(whole + made - 2.0 * shared) / whole)
+            if together >= (1.0 - _EXACT) * whole:
+                share = min(share, abs(2.0 * together - whole - made) / whole)
         share = max(share, least) if least > _MEASURED else share
         found = [(_within(body), inside) for body, inside in alone]
         found = [(point, inside) for point, inside in found if point is not None]
@@ -88,6 +97,11 @@ def _more_faces(solid: TopoDS_Shape, built: TopoDS_Shape) -> Iterator[int]:
     one."""
     for one_face in ((), _ONE_FACE):
         yield len(faces_of(unified(built, *one_face))) - len(faces_of(unified(solid, *one_face)))
+
+
+def _met(solid: TopoDS_Shape, built: TopoDS_Shape) -> tuple[float, float]:
+    """Volumes of what two solids share, and of both together."""
+    return exact_volume(common(solid, built)), exact_volume(fused([solid, built]))
 
 
 def _alone(solid: TopoDS_Shape, built: TopoDS_Shape) -> Iterator[tuple[TopoDS_Shape, bool]]:

@@ -9,12 +9,12 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.booleans import unified, without
-from gaussiancad_core.drawing.brep import is_valid, subshapes, volume
+from gaussiancad_core.drawing.brep import exact_volume, is_valid, subshapes
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.drilling import body_of_holes, holes_of
 from gaussiancad_core.features.model import Holes
 from gaussiancad_core.features.rays import Rays
-from gaussiancad_core.features.round_holes import Bore, around, bores_of
+from gaussiancad_core.features.round_holes import Bore, around_bore, bores_of
 from gaussiancad_core.features.solid_faces import SolidFace, solid_faces
 
 _EXACT = 1e-5
@@ -36,19 +36,23 @@ def without_holes(solid: TopoDS_Shape, reach: float) -> tuple[TopoDS_Shape, tupl
     closed = [bores[k] for k in done]
     if _is_as_drilled(filled, closed, solid, reach):
         return filled, holes_of(closed)
-    current, closed, given_up = solid, [], 0
-    while True:
-        bores = bores_of(solid_faces(current), Rays(current, reach))
-        if given_up >= len(bores):
-            return current, holes_of(closed)
+    current, closed = solid, []
+    given_up, is_smaller = 0, False
+    bores = bores_of(solid_faces(current), Rays(current, reach))
+    while given_up < len(bores) or is_smaller:
+        if given_up == len(bores):
+            # What met one that is closed may be closed now.
+            given_up, is_smaller = 0, False
+            continue
         bore = bores[given_up]
         smaller = _removed(current, bore.faces)
         if smaller is not None and _is_as_drilled(smaller, [bore], current, reach):
-            # What met it may be closed now.
-            current, given_up = smaller, 0
+            current, is_smaller = smaller, True
             closed.append(bore)
+            bores = bores_of(solid_faces(current), Rays(current, reach))
         else:
             given_up += 1
+    return current, holes_of(closed)
 
 
 def _is_as_drilled(
@@ -63,10 +67,10 @@ def _is_as_drilled(
         return False
     try:
         tools = [body_of_holes(holes, reach) for holes in holes_of(bores)]
-        drilled = volume(without(filled, tools))
+        drilled = exact_volume(without(filled, tools))
     except KERNEL_FAILURES:
         return False
-    return bool(np.isclose(drilled, volume(solid), rtol=_EXACT))
+    return bool(np.isclose(drilled, exact_volume(solid), rtol=_EXACT))
 
 
 def _is_closed(bore: Bore, rays: Rays) -> bool:
@@ -74,7 +78,7 @@ def _is_closed(bore: Bore, rays: Rays) -> bool:
     for section in bore.sections:
         radius = 0.5 * min(section.at_low, section.at_high)
         middle = (section.low + section.high) / 2.0
-        for base in around(bore.point, bore.direction, radius):
+        for base in around_bore(bore.point, bore.direction, radius):
             stretches = rays.inside(base, bore.direction)
             if stretches is None:
                 continue
@@ -86,8 +90,8 @@ def _is_closed(bore: Bore, rays: Rays) -> bool:
 def without_faces(
     shape: TopoDS_Shape, groups: Sequence[Sequence[SolidFace]]
 ) -> tuple[TopoDS_Shape, tuple[int, ...]]:
-    """A solid without the faces of groups, all at once where that is possible, else one group
-    after the other.
+    """A solid without the faces of groups, all at once where that is possible, else the halves of
+    them, and so on down to the groups that cannot be removed.
 
     Args:
         shape: one solid.
@@ -96,20 +100,18 @@ def without_faces(
     Returns:
         The solid, and the numbers of the groups that it is without.
     """
-    if not groups:
-        return shape, ()
-    everything = [face for group in groups for face in group]
-    found = _removed(shape, everything)
-    if found is not None:
-        return found, tuple(range(len(groups)))
-    done: list[int] = []
-    for number, group in enumerate(groups):
-        tried = [*(face for k in done for face in groups[k]), *group]
-        smaller = _removed(shape, tried)
+    found, done = shape, list[int]()
+    runs = [list(range(len(groups)))] if groups else []
+    while runs:
+        run = runs.pop()
+        smaller = _removed(shape, [face for k in (*done, *run) for face in groups[k]])
         if smaller is not None:
             found = smaller
-            done.append(number)
-    return (shape if found is None else found), tuple(done)
+            done += run
+        elif len(run) > 1:
+            middle = len(run) // 2
+            runs += [run[middle:], run[:middle]]
+    return found, tuple(done)
 
 
 def _removed(shape: TopoDS_Shape, faces: Sequence[SolidFace]) -> TopoDS_Shape | None:

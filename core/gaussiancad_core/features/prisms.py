@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Edge
 
-from gaussiancad_core.features.cells import Cells, edge_count
+from gaussiancad_core.features.cells import Cells, edge_count, length_of
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.plane_curves import (
     segment,
@@ -17,8 +17,9 @@ from gaussiancad_core.features.plane_curves import (
     supports_of,
 )
 from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.round_axes import levels_along
 from gaussiancad_core.features.samples import Samples
-from gaussiancad_core.features.solid_faces import Kind, SolidFace
+from gaussiancad_core.features.solid_faces import SolidFace
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, regions_of
 from gaussiancad_core.reasoning.arrangement import Arrangement
 
@@ -26,9 +27,6 @@ Points = npt.NDArray[np.float64]
 
 _SAME_LEVEL = 1e-5
 """mm within which two levels are one."""
-
-_ACROSS = 1e-9
-"""1 less the cosine between a normal and the direction that its plane lies across."""
 
 _WITHIN = 1e-4
 """mm by which a stretch of material may miss the ends of a layer that it fills."""
@@ -83,7 +81,9 @@ def prism_plane(
     if len(stretches) > _MOST_STRETCHES:
         return None
     cells = Cells(Arrangement(supports_of(stretches)))
-    ordered = _distinct([float(low[2]), *_levels(faces, frame), float(high[2])])
+    ordered = _distinct(
+        [float(low[2]), *levels_along(faces, np.zeros(3), np.array(frame.normal)), float(high[2])]
+    )
     fills, samples = _looked_at(cells, ordered, frame, rays)
     return PrismPlane(SweptPlane(frame, cells), tuple(ordered), fills), samples
 
@@ -115,9 +115,10 @@ def prisms_of(own: PrismPlane, number: int, samples: Samples) -> Iterator[Sweep]
                 key = group, low, high, adds
                 if key not in seen:
                     seen.add(key)
-                    edges = edge_count(cells.border(group))
+                    border = cells.border(group)
                     ends = own.levels[low], own.levels[high]
-                    yield Sweep(number, group, ends, adds, edges)
+                    outline = edge_count(border), length_of(border)
+                    yield Sweep(number, group, ends, adds, *outline)
 
 
 def _layers_of(own: PrismPlane, points: Points) -> npt.NDArray[np.int64]:
@@ -126,16 +127,6 @@ def _layers_of(own: PrismPlane, points: Points) -> npt.NDArray[np.int64]:
     found = [np.searchsorted(own.levels, heights + aside) - 1 for aside in (-_WITHIN, _WITHIN)]
     within = (found[0] == found[1]) & (found[0] >= 0) & (found[0] < len(own.levels) - 1)
     return np.where(within, found[0], -1)
-
-
-def _levels(faces: Sequence[SolidFace], frame: Frame) -> list[float]:
-    """mm along the normal at which plane faces lie across it."""
-    normal = np.array(frame.normal)
-    return [
-        float(face.point @ normal)
-        for face in faces
-        if face.kind is Kind.PLANE and abs(float(face.direction @ normal)) > 1.0 - _ACROSS
-    ]
 
 
 def _goes_on(group: frozenset[int], low: int, high: int, holds: npt.NDArray[np.bool_]) -> bool:

@@ -11,15 +11,10 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.brep import ShapeTable, edges_of
 from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.round_axes import PARALLEL, SAME, RoundAxis, around, by_axis
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
 
 Vector = npt.NDArray[np.float64]
-
-_SAME = 1e-4
-"""Units within which places are one."""
-
-_PARALLEL = 1e-6
-"""Sine of the angle between axes that are one."""
 
 _WHOLE = 1e-3
 """Radians by which the faces of a bore may miss a whole turn."""
@@ -45,7 +40,7 @@ class Section:
     @property
     def is_cylinder(self) -> bool:
         """Whether its radius is the same all along."""
-        return abs(self.at_low - self.at_high) < _SAME
+        return abs(self.at_low - self.at_high) < SAME
 
     @property
     def angle(self) -> float:
@@ -86,9 +81,10 @@ def bores_of(faces: Sequence[SolidFace], rays: Rays) -> tuple[Bore, ...]:
         rays: through it.
     """
     found = []
-    for point, direction, own in _by_axis(faces):
-        for stack, bounding in _stacks(own, point, direction):
-            bore = _drilled(stack, bounding, point, direction, rays)
+    concave = (f for f in faces if f.kind in (Kind.CYLINDER, Kind.CONE) and f.is_concave)
+    for axis in by_axis(concave):
+        for stack, bounding in _stacks(axis):
+            bore = _drilled(stack, bounding, axis, rays)
             if bore is not None:
                 found.append(replace(bore, faces=(*bounding, *_steps(bounding, faces))))
     return tuple(_without_beyond(found))
@@ -112,9 +108,9 @@ def _goes_on(one: Bore, other: Bore) -> bool:
     """Whether a drill that makes a bore makes another one, farther along its axis, as well."""
     end, first = one.sections[-1], other.sections[0]
     is_beyond = one.is_through and len(other.sections) == 1 and end.high < first.low
-    is_like = end.is_cylinder and first.is_cylinder and abs(end.at_high - first.at_low) < _SAME
+    is_like = end.is_cylinder and first.is_cylinder and abs(end.at_high - first.at_low) < SAME
     apart = float(np.linalg.norm(one.direction - other.direction))
-    is_one_axis = apart < _PARALLEL and float(np.linalg.norm(one.point - other.point)) < _SAME
+    is_one_axis = apart < PARALLEL and float(np.linalg.norm(one.point - other.point)) < SAME
     return is_beyond and is_like and is_one_axis
 
 
@@ -132,37 +128,11 @@ def _steps(bounding: Sequence[SolidFace], faces: Sequence[SolidFace]) -> Iterato
             yield face
 
 
-def _by_axis(faces: Sequence[SolidFace]) -> Iterator[tuple[Vector, Vector, list[SolidFace]]]:
-    """Concave round faces by the axes that they have."""
-    axes: list[tuple[Vector, Vector, list[SolidFace]]] = []
-    for face in faces:
-        if face.kind not in (Kind.CYLINDER, Kind.CONE) or not face.is_concave:
-            continue
-        direction = face.direction * _way(face.direction)
-        point = face.point - direction * float(face.point @ direction)
-        for known, along, group in axes:
-            apart = float(np.linalg.norm(np.cross(along, direction)))
-            if apart < _PARALLEL and float(np.linalg.norm(known - point)) < _SAME:
-                group.append(face)
-                break
-        else:
-            axes.append((point, direction, [face]))
-    yield from axes
-
-
-def _way(direction: Vector) -> float:
-    """The sign by which an axis points to larger coordinates."""
-    largest = int(np.argmax(np.abs(direction)))
-    return 1.0 if direction[largest] > 0.0 else -1.0
-
-
-def _stacks(
-    faces: Sequence[SolidFace], point: Vector, direction: Vector
-) -> Iterator[tuple[list[Section], list[SolidFace]]]:
+def _stacks(axis: RoundAxis) -> Iterator[tuple[list[Section], list[SolidFace]]]:
     """Sections that go all around, in runs without gaps, ascending; with their faces."""
     turns: list[tuple[Section, float, list[SolidFace]]] = []
-    for face in faces:
-        section = _section(face, point, direction)
+    for face in axis.faces:
+        section = _section(face, axis.point, axis.direction)
         for k, (other, turn, group) in enumerate(turns):
             if _are_one(section, other):
                 turns[k] = (_joined(section, other), turn + face.turn, [*group, face])
@@ -173,13 +143,13 @@ def _stacks(
         (
             (section, group)
             for section, turn, group in turns
-            if turn > tau - _WHOLE and section.high - section.low > _SAME
+            if turn > tau - _WHOLE and section.high - section.low > SAME
         ),
         key=lambda entry: entry[0].low,
     )
     run: list[tuple[Section, list[SolidFace]]] = []
     for entry in whole:
-        if run and abs(entry[0].low - run[-1][0].high) > _SAME:
+        if run and abs(entry[0].low - run[-1][0].high) > SAME:
             yield [section for section, _ in run], [f for _, group in run for f in group]
             run = []
         run.append(entry)
@@ -202,10 +172,10 @@ def _section(face: SolidFace, point: Vector, direction: Vector) -> Section:
 def _are_one(one: Section, other: Section) -> bool:
     """Whether two sections are pieces of the same cylinder or cone."""
     if one.is_cylinder and other.is_cylinder:
-        near = one.low < other.high + _SAME and other.low < one.high + _SAME
-        return near and abs(one.at_low - other.at_low) < _SAME
+        near = one.low < other.high + SAME and other.low < one.high + SAME
+        return near and abs(one.at_low - other.at_low) < SAME
     return all(
-        abs(a - b) < _SAME
+        abs(a - b) < SAME
         for a, b in (
             (one.low, other.low),
             (one.high, other.high),
@@ -222,11 +192,11 @@ def _joined(one: Section, other: Section) -> Section:
 def _drilled(
     stack: Sequence[Section],
     faces: Sequence[SolidFace],
-    point: Vector,
-    direction: Vector,
+    axis: RoundAxis,
     rays: Rays,
 ) -> Bore | None:
     """A stack as what drills leave; None where none can."""
+    point, direction = axis.point, axis.direction
     closed_low = _is_closed(stack[0].reversed(), point, -direction, rays)
     closed_high = _is_closed(stack[-1], point, direction, rays)
     if closed_low and closed_high:
@@ -247,9 +217,9 @@ def _is_drilled(sections: Sequence[Section], is_blind: bool) -> bool:
     """Whether drills leave such a bore: from each mouth cylinders that get narrower, or one
     countersink, down to the narrowest cylinder; at the end of a blind one perhaps a tip."""
     radii = [min(section.at_low, section.at_high) for section in sections]
-    tip = is_blind and not sections[-1].is_cylinder and sections[-1].at_high < _SAME
+    tip = is_blind and not sections[-1].is_cylinder and sections[-1].at_high < SAME
     body = list(sections[:-1] if tip else sections)
-    if tip and (not body or abs(body[-1].at_high - sections[-1].at_low) > _SAME):
+    if tip and (not body or abs(body[-1].at_high - sections[-1].at_low) > SAME):
         return False
     cylinders = [k for k, section in enumerate(body) if section.is_cylinder]
     if not cylinders:
@@ -265,7 +235,7 @@ def _is_drilled(sections: Sequence[Section], is_blind: bool) -> bool:
 def _is_mouth(sections: Sequence[Section], core: Section) -> bool:
     """Whether sections before the narrowest cylinder are steps, or one countersink."""
     if len(sections) == 1 and not sections[0].is_cylinder:
-        return sections[0].at_low > core.at_low and abs(sections[0].at_high - core.at_low) < _SAME
+        return sections[0].at_low > core.at_low and abs(sections[0].at_high - core.at_low) < SAME
     radii = [*(section.at_low for section in sections), core.at_low]
     narrows = all(after < before for before, after in pairwise(radii))
     return narrows and all(section.is_cylinder for section in sections)
@@ -273,32 +243,27 @@ def _is_mouth(sections: Sequence[Section], core: Section) -> bool:
 
 def _is_closed(section: Section, point: Vector, direction: Vector, rays: Rays) -> bool:
     """Whether material follows where a section ends, at most places across it; a tip is closed."""
-    if section.at_high < _SAME:
+    if section.at_high < SAME:
         return True
     hits = 0
-    for base in around(point, direction, 0.61 * section.at_high):
+    for base in around_bore(point, direction, 0.61 * section.at_high):
         stretches = rays.inside(base, direction)
         if stretches is None:
             continue
-        place = section.high + 10.0 * _SAME
+        place = section.high + 10.0 * SAME
         hits += bool(((stretches[:, 0] < place) & (stretches[:, 1] > place)).any())
     return hits > _ROUND_ABOUT // 2
 
 
 def _is_free(radius: float, at: float, point: Vector, way: Vector, rays: Rays) -> bool:
     """Whether a hole that goes on beyond its end meets no material."""
-    for base in around(point, way, 0.97 * radius):
+    for base in around_bore(point, way, 0.97 * radius):
         stretches = rays.inside(base, way)
-        if stretches is None or bool((stretches[:, 1] > at + 10.0 * _SAME).any()):
+        if stretches is None or bool((stretches[:, 1] > at + 10.0 * SAME).any()):
             return False
     return True
 
 
-def around(point: Vector, direction: Vector, radius: float) -> Iterator[Vector]:
-    """Points around an axis, none of them level with another."""
-    level = np.eye(3)[int(np.argmin(np.abs(direction)))]
-    right = np.cross(level, direction)
-    right /= np.linalg.norm(right)
-    up = np.cross(direction, right)
-    for angle in 0.213 + tau * np.arange(_ROUND_ABOUT) / _ROUND_ABOUT:
-        yield point + radius * (np.cos(angle) * right + np.sin(angle) * up)
+def around_bore(point: Vector, direction: Vector, radius: float) -> Iterator[Vector]:
+    """Points around the axis of a bore, none of them level with another."""
+    return around(point, direction, radius, _ROUND_ABOUT, 0.213)

@@ -6,6 +6,7 @@ from typing import Any
 
 from gaussiancad_core.features.script_head import HEAD
 from gaussiancad_core.features.script_offsets import Terms, edge_place, less, turned, written
+from gaussiancad_core.features.script_patterns import REPEATING, Repeats
 from gaussiancad_core.features.standing import Side
 
 SCRIPT_FILE = "features.py"
@@ -32,21 +33,24 @@ def script_of(solids: Sequence[dict[str, Any]], stem: str = "part") -> str:
             body.append(f"{part} = Part() + import_step({solid['base']!r})")
         else:
             body.append(f"{part} = Part()")
+        repeats = Repeats(solid["patterns"], part.upper() + "_" if len(solids) > 1 else "")
         writers: dict[str, _Writer] = {}
         lines: list[str] = []
         for feature in solid["features"]:
             prefix = f"{part}_{feature['name']}" if len(solids) > 1 else feature["name"]
-            writer = _Writer(prefix.upper(), part, writers)
+            writer = _Writer(prefix.upper(), part, writers, repeats)
             lines += writer.lines(feature)
             writers[feature["name"]] = writer
         for writer in writers.values():
             lines = writer.settled(lines)
             parameters += writer.settled(writer.parameters)
+        parameters += repeats.parameters
         body += lines
     names = [f"part{k}" for k in range(1, len(solids) + 1)] if len(solids) > 1 else ["part"]
     whole = names[0] if len(names) == 1 else f"Compound([{', '.join(names)}])"
     ends = ["", f"export_step({whole}, {stem + '.step'!r})", ""]
-    head = HEAD.format(stem=stem, through=_reach(solids))
+    repeating = REPEATING if any(solid["patterns"] for solid in solids) else ""
+    head = HEAD.format(stem=stem, through=_reach(solids), repeating=repeating)
     return "\n".join([head + "\n".join(parameters), "", *body, *ends])
 
 
@@ -74,11 +78,15 @@ class _Writer:
         prefix: of its parameters' names.
         part: name of the variable that it changes.
         earlier: writers of what was made before, by the features' names.
+        repeats: patterns that it may be in.
     """
 
-    def __init__(self, prefix: str, part: str, earlier: Mapping[str, "_Writer"]) -> None:
+    def __init__(
+        self, prefix: str, part: str, earlier: Mapping[str, "_Writer"], repeats: Repeats
+    ) -> None:
         self.parameters: list[str] = []
         self._prefix, self._part, self._earlier = prefix, part, earlier
+        self._repeats = repeats
         self._feature: dict[str, Any] = {}
         self._start: Terms = ()
         self._end: Terms = ()
@@ -97,10 +105,13 @@ class _Writer:
         return [re.sub(rf"\b({words})1\b", r"\1", line) if single else line for line in lines]
 
     def lines(self, feature: dict[str, Any]) -> list[str]:
-        """What makes a feature."""
+        """What makes a feature; nothing where another one that repeats makes it."""
         self._feature = feature
         kind = feature["kind"]
-        found = ["", f"# {feature['name']}"]
+        if self._repeats.is_made_elsewhere(feature):
+            return []
+        thread = f": {feature['thread']}, which is not cut" if "thread" in feature else ""
+        found = ["", f"# {feature['name']}{thread}"]
         self._told = dict(_told(feature.get("sketch", feature)))
         if kind in ("fillet", "chamfer"):
             size = self._parameter("SIZE", feature["size"], feature["sources"]["size"])
@@ -122,7 +133,7 @@ class _Writer:
             axis = f"Axis(({x!r}, {y!r}, 0), ({dx!r}, {dy!r}, 0))"
             body = f"{name}_plane.location * revolve({name}, {axis})"
         sign = "+=" if kind in ("pad", "revolution") else "-="
-        return [*found, f"{self._part} {sign} {body}"]
+        return [*found, *self._repeats.made(feature["name"], None, f"{self._part} {sign}", body)]
 
     def _holes(self, feature: dict[str, Any]) -> Iterator[str]:
         sources, sink = feature["sources"], feature["sink"]
@@ -145,13 +156,18 @@ class _Writer:
             wide = self._parameter("SINK_DIAMETER", sink["diameter"], sink["sources"]["diameter"])
             deep = self._parameter("SINK_DEPTH", sink["depth"], "measured") if sink["depth"] else 0
             widening = f"({wide}, {deep}, {sink['degrees']!r})"
-        for x, y in feature["centres"]:
-            # With the normal turned, up runs the other way.
-            centre = f"({self._place('X', x)}, {'-' if flip < 0 else ''}{self._place('Y', y)})"
-            yield (
-                f"{self._part} -= drilled({name}_plane, {centre}, {diameter}, {depth}, "
+        for number, (x, y) in enumerate(feature["centres"]):
+            if self._repeats.is_image(feature["name"], number):
+                continue
+            centre = self._repeats.centre(feature, number)
+            if centre is None:
+                # With the normal turned, up runs the other way.
+                centre = f"({self._place('X', x)}, {'-' if flip < 0 else ''}{self._place('Y', y)})"
+            body = (
+                f"drilled({name}_plane, {centre}, {diameter}, {depth}, "
                 f"{feature['tip_degrees']!r}, {widening})"
             )
+            yield from self._repeats.made(feature["name"], number, f"{self._part} -=", body)
 
     def _begins(self, plane: dict[str, Any]) -> Terms:
         """The offset of the feature's plane: that of what it stands on, or a number of its own."""
@@ -178,6 +194,9 @@ class _Writer:
     def face(self, support: dict[str, Any], normal: Sequence[float]) -> Terms:
         """Where one of the feature's faces lies along a normal."""
         if support["side"] != Side.WALL.value:
+            if self._repeats.is_made_elsewhere(self._feature):
+                self._start = self._begins(self._feature["sketch"]["plane"])
+                self._length("LENGTH", self._feature["length"], "length")
             return self._start if support["side"] == Side.START.value else self._end
         sketch = self._feature["sketch"]
         letter, value, way = edge_place(sketch, support["edge"], normal)

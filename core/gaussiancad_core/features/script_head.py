@@ -61,7 +61,9 @@ def drilled(where, centre, diameter, depth, tip, sink):
     return body
 
 
+{repeating}
 THROUGH = {through!r}  # mm, longer than the part
 
 '''
-"""To be formatted with the stem of the file and the length of a hole through the part."""
+"""To be formatted with the stem of the file, what repeats bodies, and the length of a hole through
+the part."""

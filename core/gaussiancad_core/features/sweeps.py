@@ -73,6 +73,8 @@ class Sweep:
         ends: along the normal; (0, 0) of turned bodies.
         adds: whether it is material, or taken away.
         edges: of its outline.
+        border: length of the outline, units; bodies of as many edges, as long, are taken for the
+            same one elsewhere.
     """
 
     plane: int
@@ -80,6 +82,7 @@ class Sweep:
     ends: tuple[float, float]
     adds: bool
     edges: int
+    border: float
 
     def covers(self, cells: npt.NDArray[np.int64], heights: Points) -> npt.NDArray[np.bool_]:
         """(n,) which points it covers, by their cells and heights in its plane."""

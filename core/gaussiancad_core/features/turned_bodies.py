@@ -3,16 +3,23 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import tau
 
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.features.cells import OFF_CENTRE, Cells, edge_count
+from gaussiancad_core.features.cells import OFF_CENTRE, Cells, edge_count, length_of
 from gaussiancad_core.features.frames import frame_across
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.plane_curves import Stretch, arc, segment, supports_of
 from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.round_axes import (
+    SAME,
+    RoundAxis,
+    around,
+    axis_through,
+    by_axis,
+    levels_along,
+)
 from gaussiancad_core.features.samples import Samples
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, TurnAxis, regions_of
@@ -21,12 +28,6 @@ from gaussiancad_core.reasoning.curves import Point
 
 Vector = npt.NDArray[np.float64]
 Points = npt.NDArray[np.float64]
-
-_SAME = 1e-4
-"""Units within which places are one."""
-
-_PARALLEL = 1e-6
-"""Sine of the angle between axes that are one."""
 
 _AROUND = 6
 """Half planes around an axis that are looked at."""
@@ -64,22 +65,23 @@ def turned_planes(
         box: (2, 3) corners of the part; units.
         rays: through the solid.
     """
-    axes = sorted(_axes(faces), key=lambda axis: -len(axis[2]))
-    for point, direction, round_faces in axes[:_MOST_AXES]:
+    axes = sorted(_axes(faces), key=lambda axis: -len(axis.faces))
+    for found in axes[:_MOST_AXES]:
+        point, direction = found.point, found.direction
         corners = np.array(np.meshgrid(*box.T)).reshape(3, -1).T - point
         along = corners @ direction
         far = np.linalg.norm(corners - along[:, None] * direction, axis=1)
         limits = float(along.min()), float(along.max()), float(far.max())
-        levels = _levels(faces, point, direction)
-        stretches = _stretches(round_faces, levels, point, direction, limits)
+        levels = levels_along(faces, point, direction)
+        stretches = _stretches(found.faces, levels, point, direction, limits)
         if len(stretches) > _MOST_STRETCHES:
             continue
         cells = Cells(Arrangement(supports_of(stretches)), (OFF_CENTRE, _FAR_OUT))
         axis = TurnAxis(tuple(point.tolist()), tuple(direction.tolist()))
         frame = frame_across(tuple(_across(direction).tolist()))
-        found = SweptPlane(frame, cells, axis)
-        fills, samples = _looked_at(found, rays)
-        yield TurnedPlane(found, fills), samples
+        plane = SweptPlane(frame, cells, axis)
+        fills, samples = _looked_at(plane, rays)
+        yield TurnedPlane(plane, fills), samples
 
 
 def turned_sweeps(own: TurnedPlane, number: int, samples: Samples) -> Iterator[Sweep]:
@@ -91,7 +93,8 @@ def turned_sweeps(own: TurnedPlane, number: int, samples: Samples) -> Iterator[S
     full[cell_of[(cell_of >= 0) & ~samples.is_inside]] = False
     touched[cell_of[(cell_of >= 0) & samples.is_inside]] = True
     for group, adds in regions_of(cells, full, touched):
-        yield Sweep(number, group, (0.0, 0.0), adds, edge_count(cells.border(group)))
+        border = cells.border(group)
+        yield Sweep(number, group, (0.0, 0.0), adds, edge_count(border), length_of(border))
 
 
 def in_sketch(loop: Loop, plane: SweptPlane) -> Loop:
@@ -125,54 +128,28 @@ def _across(direction: Vector) -> Vector:
     return across / np.linalg.norm(across)
 
 
-def _axes(faces: Sequence[SolidFace]) -> list[tuple[Vector, Vector, list[SolidFace]]]:
+def _axes(faces: Sequence[SolidFace]) -> list[RoundAxis]:
     """The axes of round faces that no prism along a direction makes, with their faces."""
-    found: list[tuple[Vector, Vector, list[SolidFace]]] = []
-    for face in faces:
-        if face.kind not in (Kind.CYLINDER, Kind.CONE, Kind.TORUS):
-            continue
-        largest = int(np.argmax(np.abs(face.direction)))
-        direction = face.direction * np.sign(face.direction[largest])
-        point = face.point - direction * float(face.point @ direction)
-        for known, along, group in found:
-            apart = float(np.linalg.norm(np.cross(along, direction)))
-            if apart < _PARALLEL and float(np.linalg.norm(known - point)) < _SAME:
-                group.append(face)
-                break
-        else:
-            found.append((point, direction, [face]))
+    found = by_axis(f for f in faces if f.kind in (Kind.CYLINDER, Kind.CONE, Kind.TORUS))
     for face in faces:
         if face.kind is Kind.SPHERE:
             _add_sphere(found, face)
     return [
         axis
         for axis in found
-        if len({round(face.radius, 4) for face in axis[2]}) > 1
-        or any(face.kind is not Kind.CYLINDER for face in axis[2])
+        if len({round(face.radius, 4) for face in axis.faces}) > 1
+        or any(face.kind is not Kind.CYLINDER for face in axis.faces)
     ]
 
 
-def _add_sphere(axes: list[tuple[Vector, Vector, list[SolidFace]]], face: SolidFace) -> None:
+def _add_sphere(axes: list[RoundAxis], face: SolidFace) -> None:
     """A sphere belongs to all axes through its centre; else to one of its own."""
-    found = False
-    for point, direction, group in axes:
-        away = face.point - point
-        off = away - direction * float(away @ direction)
-        if float(np.linalg.norm(off)) < _SAME:
-            group.append(face)
-            found = True
-    if not found:
-        direction = np.abs(face.direction)
-        point = face.point - direction * float(face.point @ direction)
-        axes.append((point, direction, [face]))
-
-
-def _levels(faces: Sequence[SolidFace], point: Vector, direction: Vector) -> list[float]:
-    return [
-        float((face.point - point) @ direction)
-        for face in faces
-        if face.kind is Kind.PLANE and abs(float(face.direction @ direction)) > 1.0 - 1e-9
-    ]
+    through = [axis for axis in axes if axis.off(face.point) < SAME]
+    if not through:
+        through = [axis_through(face.point, face.direction)]
+        axes += through
+    for axis in through:
+        axis.faces.append(face)
 
 
 def _stretches(
@@ -219,17 +196,11 @@ def _circle(face: SolidFace, at: float) -> list[Stretch]:
 def _looked_at(plane: SweptPlane, rays: Rays) -> tuple[Points, Samples]:
     assert plane.axis is not None
     point, direction = np.array(plane.axis.point), np.array(plane.axis.direction)
-    level = np.eye(3)[int(np.argmin(np.abs(direction)))]
-    right = np.cross(level, direction)
-    right /= np.linalg.norm(right)
-    up = np.cross(direction, right)
     places = plane.cells.places
     fills = np.full((len(places), _AROUND), np.nan)
     points, is_inside = [], []
     for number, (at, radius) in enumerate(places):
-        for turn in range(_AROUND):
-            angle = 0.137 + tau * turn / _AROUND
-            base = point + radius * (np.cos(angle) * right + np.sin(angle) * up)
+        for turn, base in enumerate(around(point, direction, float(radius), _AROUND, 0.137)):
             stretches = rays.inside(base, direction)
             if stretches is None:
                 continue

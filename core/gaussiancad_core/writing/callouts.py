@@ -125,6 +125,18 @@ def parse_callout(
     return tuple(replace(own, reference=reference) for own in found)
 
 
+def thread_name(text: str) -> str | None:
+    """The thread that a note names, as ``M6``, ``M8x1`` or ``1/4-20 UNC``; None where it names
+    none."""
+    found = _THREAD.search(plain_text(text))
+    if found is None:
+        return None
+    if found[1] is None:
+        return found[0]
+    sizes = [size.replace(",", ".") for size in (found[1], found[2]) if size is not None]
+    return "M" + "x".join(sizes)
+
+
 def _of_one(plain: str, bare_point_is_inch: bool) -> tuple[Callout, ...]:
     """Notes about the features that they stand at."""
     count, rest = _counted(plain)
