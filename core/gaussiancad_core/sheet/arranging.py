@@ -152,13 +152,12 @@ def _arrangements(
     for front in large:
         if named.get(Role.FRONT, front) != front:
             continue
-        found = _in_line(front, large, drawings, projection)
-        is_in_line = len(found) > 1
-        odds = _score(found, drawings, projection)
-        odds += _with_loose(found, large, drawings, projection)
+        in_line = _in_line(front, large, drawings, projection)
+        odds = _score(in_line, drawings, projection)
+        found, more = _with_loose(in_line, large, drawings, projection)
         if len(found) < 2 or any(found.get(role) != box for role, box in named.items()):
             continue
-        if not is_in_line and set(may_be_views(large)) - set(found.values()):
+        if len(in_line) == 1 and set(may_be_views(large)) - set(found.values()):
             # Where nothing is in line, all drawings belong together or none.
             continue
         against = 0.0 if is_told or projection is Projection.THIRD else _FIRST
@@ -166,7 +165,7 @@ def _arrangements(
         against += _UNEXPLAINED * left
         if len({role.frame.look_axis[0] for role in found}) < len(Axis):
             against += _UNSEEN
-        yield _Arrangement(found, projection, odds - against)
+        yield _Arrangement(found, projection, odds + more - against)
 
 
 def _in_line(
@@ -215,24 +214,25 @@ def _against(role: Role, known: Mapping[Role, Box], projection: Projection) -> f
 
 
 def _with_loose(
-    found: dict[Role, Box], boxes: Sequence[Box], drawings: Drawings, projection: Projection
-) -> float:
-    """Add, in place, the rear view and views out of line, the surest first; their log-odds."""
+    found: Mapping[Role, Box], boxes: Sequence[Box], drawings: Drawings, projection: Projection
+) -> tuple[dict[Role, Box], float]:
+    """The views with the rear view and views out of line, the surest first; the odds of these."""
+    views = dict(found)
     total = 0.0
     while True:
         tried = [
             (odds, role, box)
             for box in boxes
-            if box not in found.values()
+            if box not in views.values()
             for role in Role
-            if role not in found
-            for odds in [_loose_odds(role, box, found, drawings, projection)]
+            if role not in views
+            for odds in [_loose_odds(role, box, views, drawings, projection)]
             if odds >= _SURE
         ]
         if not tried:
-            return total
+            return views, total
         odds, role, box = max(tried, key=lambda own: own[0])
-        found[role] = box
+        views[role] = box
         total += odds
 
 
