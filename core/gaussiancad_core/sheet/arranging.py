@@ -15,7 +15,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.errors import UsageError
 from gaussiancad_core.sheet.layout import (
     Layout,
     may_be_views,
@@ -23,7 +22,7 @@ from gaussiancad_core.sheet.layout import (
 )
 from gaussiancad_core.sheet.levels import Levels, agreement
 from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.standing import gap_beside, nearest, stands
+from gaussiancad_core.sheet.standing import box_inside, gap_beside, nearest, stands
 
 Ink = npt.NDArray[np.bool_]
 
@@ -118,7 +117,7 @@ def arrange(drawings: Drawings, given: Mapping[Role, Box], projection: Projectio
         UsageError: a given box holds no drawing.
     """
     boxes = list(drawings.boxes)
-    named = {role: _inside(boxes, box, role) for role, box in given.items()}
+    named = {role: box_inside(boxes, box, role) for role, box in given.items()}
     if len(named) >= 2:
         rest = tuple(box for box in boxes if box not in named.values())
         taken = projection or Projection.THIRD
@@ -285,21 +284,6 @@ def _shown(role: Role) -> Iterator[tuple[Axis, int, bool]]:
     yield axis, sign, True
     axis, sign = role.frame.up_axis
     yield axis, -sign, False
-
-
-def _inside(boxes: Sequence[Box], box: Box, role: Role) -> Box:
-    """The box around the drawings whose middle lies in a given box."""
-    x0, y0, x1, y1 = box
-    found = [c for c in boxes if x0 <= (c[0] + c[2]) / 2 <= x1 and y0 <= (c[1] + c[3]) / 2 <= y1]
-    if not found:
-        raise UsageError(
-            "empty-view-box",
-            "--view {view}: there are no lines in the box {box}",
-            view=role,
-            box=f"{x0:g},{y0:g},{x1:g},{y1:g}",
-        )
-    low_x, low_y, high_x, high_y = zip(*found, strict=True)
-    return min(low_x), min(low_y), max(high_x), max(high_y)
 
 
 def _side(box: Box) -> float:

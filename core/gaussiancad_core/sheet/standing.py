@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.sheet.layout import alignment_tolerance
 from gaussiancad_core.sheet.options import Box
 
@@ -34,6 +35,25 @@ def gap_beside(front: Box, box: Box, slot: tuple[int, int]) -> float | None:
         in_line = _same_interval(front[1], front[3], box[1], box[3])
         gap = box[0] - front[2] if column > 0 else front[0] - box[2]
     return gap if in_line and gap > 0 else None
+
+
+def box_inside(boxes: Sequence[Box], box: Box, role: Role) -> Box:
+    """The box around the drawings whose middle lies in a given box.
+
+    Raises:
+        UsageError: there is none.
+    """
+    x0, y0, x1, y1 = box
+    found = [c for c in boxes if x0 <= (c[0] + c[2]) / 2 <= x1 and y0 <= (c[1] + c[3]) / 2 <= y1]
+    if not found:
+        raise UsageError(
+            "empty-view-box",
+            "--view {view}: there are no lines in the box {box}",
+            view=role,
+            box=f"{x0:g},{y0:g},{x1:g},{y1:g}",
+        )
+    low_x, low_y, high_x, high_y = zip(*found, strict=True)
+    return min(low_x), min(low_y), max(high_x), max(high_y)
 
 
 def _same_interval(a0: float, a1: float, b0: float, b1: float) -> bool:
