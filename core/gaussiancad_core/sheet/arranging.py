@@ -20,9 +20,9 @@ from gaussiancad_core.sheet.layout import (
     may_be_views,
     no_views,
 )
-from gaussiancad_core.sheet.levels import Levels, agreement
+from gaussiancad_core.sheet.neighbours import box_inside, gap_beside, nearest, stands
 from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.standing import box_inside, gap_beside, nearest, stands
+from gaussiancad_core.sheet.view_levels import Levels, agreement
 
 Ink = npt.NDArray[np.bool_]
 

@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.files.vectors import (
-    Line,
     StrokeKind,
     StrokeRole,
     VectorDrawing,
@@ -16,6 +15,7 @@ from gaussiancad_core.files.vectors import (
 )
 from gaussiancad_core.sheet.graph.dashes import chain_pieces, dashes
 from gaussiancad_core.sheet.graph.furniture import furniture
+from gaussiancad_core.sheet.graph.hatch_lines import hatch_lines, is_named_hatching
 from gaussiancad_core.sheet.graph.heads import Head, arrowheads
 from gaussiancad_core.sheet.graph.pens import (
     PenEvidence,
@@ -54,17 +54,6 @@ _LEAST = 3
 
 _MOST = 20_000
 """Strokes up to which they are looked at."""
-
-_ALONG, _ROUGH, _LEAN = 1e-2, 0.05, 0.2
-"""Sines of angles: up to the first, lines are parallel, up to the second short ones whose ends are
-rounded; from the third, they are slanted."""
-
-_HATCH, _IN_VIEW = 4, 2
-"""Parallel lines of a hatching at least: on the sheet, and among edges that touch."""
-
-_UNEVEN, _EVENLY = 0.15, 0.7
-"""Share of the distance of neighbouring lines by which it may differ, and share of the lines that
-are so evenly apart."""
 
 
 class Label(Enum):
@@ -148,11 +137,11 @@ def labelled(
         return None
     views = _views(touches, edges)
     inside = views >= 0
-    named = inside & np.array([_is_named_hatching(stroke) for stroke in lines], dtype=bool)
+    named = inside & np.array([is_named_hatching(stroke) for stroke in lines], dtype=bool)
     rest = ~framed & ~edges & ~named
     chained = chain_pieces(lines, touches, rest)
     dashed = inside & dashes(lines, touches, numbers, rest & ~chained)
-    hatched = named | _hatching(lines, touches, edges, np.where(candidates, views, -1), centres)
+    hatched = named | hatch_lines(lines, touches, edges, np.where(candidates, views, -1), centres)
     labels = [Label.OTHER] * len(lines)
     for index, stroke in enumerate(lines):
         if framed[index]:
@@ -176,11 +165,6 @@ def labelled(
     order = sorted(found, key=lambda own: -own.weight)
     told = tuple(labels), tuple(order), touches, doubtful, boxes
     return LabelledDrawing(lines, *told, frame_guessed=around.guessed)
-
-
-def _is_named_hatching(stroke: VectorStroke) -> bool:
-    """Whether a file says that a stroke is hatching."""
-    return stroke.kind is StrokeKind.HATCH or stroke.role is StrokeRole.HATCH
 
 
 def _may_be_centre(stroke: VectorStroke) -> bool:
@@ -257,82 +241,3 @@ def _views(touches: Touches, edges: Flags) -> Ints:
         inside = (touches.boxes[:, :2] >= low) & (touches.boxes[:, 2:] <= high)
         found[inside.all(axis=1)] = group
     return found
-
-
-def _hatching(
-    strokes: Sequence[VectorStroke],
-    touches: Touches,
-    edges: Flags,
-    views: Ints,
-    centres: Flags,
-) -> Flags:
-    """(n,) which lines are hatching: several beside each other, slanted, parallel, from within one
-    edge or centre line to within another, and, where the part's pen drew them, evenly apart.
-
-    Args:
-        strokes: of the sheet.
-        touches: of the strokes.
-        edges: (n,) which of them are the part's.
-        views: (n,) in which view each lies that may be hatching; -1 of all others.
-        centres: (n,) which strokes are centre lines.
-    """
-    candidates = views >= 0
-    ways = np.array([_way(stroke) for stroke in strokes])
-    lengths = np.hypot(*(touches.ends[:, 1] - touches.ends[:, 0]).T)
-    slanted = np.abs(ways).min(axis=1) > _LEAN
-    chosen = np.flatnonzero(candidates & slanted & touches.dividing_by(edges | centres))
-    found = np.zeros(len(strokes), dtype=bool)
-    # The longest tells the direction best: of short ones it is as rough as the file's numbers.
-    for index in chosen[np.argsort(-lengths[chosen], kind="stable")]:
-        if found[index]:
-            continue
-        across = np.array([-ways[index][1], ways[index][0]])
-        aside = np.abs((touches.ends[:, 1] - touches.ends[:, 0]) @ across)
-        parallel = aside < np.clip(0.5 * _REACH, _ALONG * lengths, _ROUGH * lengths)
-        along = chosen[parallel[chosen]]
-        # A line by itself is none, however many run its way in other views.
-        along = along[np.bincount(views[along])[views[along]] >= _IN_VIEW]
-        places = np.sort(touches.ends[along, 0] @ across)
-        apart = np.diff(places)
-        apart = apart[apart > _REACH]
-        if len(apart) >= _HATCH - 1:
-            steps = apart / np.median(apart)
-            even = bool((np.abs(steps - np.rint(steps)) < _UNEVEN).mean() >= _EVENLY)
-            found[along] |= even | ~edges[along]
-            if even:
-                rest = np.flatnonzero(candidates & slanted & ~found & parallel)
-                kept = _between(touches, along, rest, across, float(np.median(apart)))
-                found[kept] = True
-    return found
-
-
-def _between(
-    touches: Touches,
-    hatching: npt.NDArray[np.int64],
-    lines: npt.NDArray[np.int64],
-    across: npt.NDArray[np.float64],
-    pitch: float,
-) -> list[int]:
-    """Those of some lines that have a line of a hatching one pitch away, or two, on either side:
-    they end in a corner, and so do not run from within one edge to within another.  Edges of the
-    part have hatching on one side."""
-    way = np.array([across[1], -across[0]])
-    places = touches.ends[hatching, 0] @ across
-    spans = np.sort(touches.ends[hatching] @ way, axis=1)
-    found = []
-    for index in lines.tolist():
-        at = float(touches.ends[index, 0] @ across)
-        low, high = np.sort(touches.ends[index] @ way).tolist()
-        steps = (places[(spans[:, 0] < high) & (spans[:, 1] > low)] - at) / pitch
-        near = np.rint(steps[np.abs(steps - np.rint(steps)) < _UNEVEN])
-        if np.isin(near, (-2, -1)).any() and np.isin(near, (1, 2)).any():
-            found.append(index)
-    return found
-
-
-def _way(stroke: VectorStroke) -> npt.NDArray[np.float64]:
-    """(2,) unit vector along a straight stroke; 0 of any other."""
-    if not isinstance(stroke.curve, Line):
-        return np.zeros(2)
-    way = np.subtract(stroke.curve.end, stroke.curve.start)
-    return way / max(stroke.curve.length, 1e-12)
