@@ -49,6 +49,10 @@ _SECTION = 4.0
 """Log-odds against a section in place of a view: most stand beside the view of their direction, or
 between it and its neighbour."""
 
+_CUT_FRONT = 15.0
+"""Log-odds against a section as the front view of a whole rear view: mostly that is the front view,
+and the section stands beside it."""
+
 _UNEXPLAINED = 6.0
 """Log-odds against an arrangement that leaves out all that is drawn; in part if in part."""
 
@@ -164,6 +168,8 @@ def _arrangements(
         against += _UNEXPLAINED * left
         if len({role.frame.look_axis[0] for role in found}) < len(Axis):
             against += _UNSEEN
+        if front in drawings.sections and Role.REAR in found:
+            against += _CUT_FRONT
         yield _Arrangement(found, projection, odds + more - against)
 
 

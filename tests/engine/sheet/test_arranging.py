@@ -172,3 +172,16 @@ def test_a_section_between_a_view_and_its_plan_is_not_the_plan() -> None:
     between = drawn(ink, (100, 540), (WIDE, DEEP), (40, *ACROSS), AWAY)
     found = arrange(Drawings([*views, between], ink, {between}), {}, Projection.FIRST)
     assert found.boxes == {Role.FRONT: views[0], Role.TOP: views[1]}
+
+
+def test_a_section_beside_the_views_makes_no_rear_view_of_the_front_view() -> None:
+    ink = sheet()
+    views = (
+        front(ink),
+        drawn(ink, (100, 100), (WIDE, DEEP), ACROSS, AWAY),
+        drawn(ink, (450, 300), (DEEP, HIGH), AWAY, UP),
+    )
+    beside = drawn(ink, (620, 300), (WIDE, HIGH), ACROSS, UP)
+    found = arrange(Drawings([*views, beside], ink, {beside}), {}, None)
+    assert found.boxes == {Role.FRONT: views[0], Role.TOP: views[1], Role.RIGHT: views[2]}
+    assert found.left_out == (beside,)
