@@ -3,6 +3,8 @@
 Curves go by their types, as what is read back has to be of a known one.
 """
 
+import json
+from dataclasses import replace
 from typing import Any
 
 import msgspec
@@ -30,7 +32,7 @@ from gaussiancad_core.files.vectors import (
     VectorStroke,
     VectorText,
 )
-from gaussiancad_core.messages import Argument, Message, args_of, filled
+from gaussiancad_core.messages import Message, args_of, filled
 
 _ERRORS: dict[str, type[GaussianCadError]] = {
     kind.__name__: kind for kind in (UnreadableError, LimitError, NoModelError, UsageError)
@@ -38,11 +40,10 @@ _ERRORS: dict[str, type[GaussianCadError]] = {
 
 
 class _Note(msgspec.Struct, array_like=True):
-    """A note; a message's values, None of a plain text."""
+    """A note, its message as JSON: names of files may be no text, which MessagePack has not."""
 
     code: str
-    message: str
-    args: dict[str, Argument] | None
+    message: bytes
     is_doubt: bool
 
 
@@ -92,8 +93,7 @@ class _Failure(msgspec.Struct, tag=True):
 
     error: str
     code: str
-    message: str
-    args: dict[str, Argument]
+    message: bytes
 
 
 def _plain(value: Any) -> Any:  # noqa: ANN401
@@ -126,8 +126,7 @@ def content_bytes(content: FileContent) -> bytes:
 
 def error_bytes(error: GaussianCadError) -> bytes:
     """Why nothing was read."""
-    name, message = type(error).__name__, error.message
-    return _ENCODER.encode(_Failure(name, error.code, str(message), args_of(message)))
+    return _ENCODER.encode(_Failure(type(error).__name__, error.code, _json(error.message)))
 
 
 def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
@@ -140,7 +139,7 @@ def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
     if isinstance(found, _Failure):
         if found.error not in _ERRORS:
             raise ValueError(f"no answer: {found.error}")
-        return _ERRORS[found.error](found.code, filled(found.message, found.args))
+        return _ERRORS[found.error](found.code, _message(found.message))
     grey, *tints = (_plane(levels, found.shape) for levels in found.planes)
     return FileContent(
         grey,
@@ -158,14 +157,27 @@ def _plane(levels: memoryview, shape: tuple[int, int]) -> Grey:
 
 
 def _told(note: Note) -> _Note:
-    message = note.message
-    args = args_of(message) if isinstance(message, Message) else None
-    return _Note(note.code, str(message), args, note.is_doubt)
+    return _Note(note.code, _json(note.message), note.is_doubt)
 
 
 def _note(own: _Note) -> Note:
-    message = own.message if own.args is None else filled(own.message, own.args)
-    return Note(own.code, message, own.is_doubt)
+    return Note(own.code, _message(own.message), own.is_doubt)
+
+
+def _json(message: str) -> bytes:
+    """A message and its values; null for those of a plain text."""
+    args = args_of(message) if isinstance(message, Message) else None
+    return json.dumps([str(message), args], default=_plain).encode()
+
+
+def _message(told: bytes) -> str:
+    text, args = json.loads(told)
+    return text if args is None else filled(text, args)
+
+
+def _written(text: str) -> str:
+    """A text of a file, with a sign for what is no character: some readers keep such bytes."""
+    return text.encode("utf-8", "replace").decode()
 
 
 def _by_types(drawing: VectorDrawing) -> _Drawing:
@@ -176,13 +188,20 @@ def _by_types(drawing: VectorDrawing) -> _Drawing:
         curves[name].append(own.curve)
         strokes.append(
             _Stroke(
-                name, own.width, own.dashes, own.role, own.layer, own.kind, own.colour, own.step
+                name,
+                own.width,
+                own.dashes,
+                own.role,
+                _written(own.layer),
+                own.kind,
+                own.colour,
+                own.step,
             )
         )
     return _Drawing(
         strokes,
         *curves.values(),
-        drawing.texts,
+        tuple(replace(own, text=_written(own.text)) for own in drawing.texts),
         drawing.complete,
         drawing.has_paper,
         drawing.unit_mm,

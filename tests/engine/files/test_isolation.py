@@ -8,7 +8,7 @@ from msgspec.msgpack import encode
 from PIL import Image
 
 from gaussiancad_core.errors import LimitError, UnreadableError
-from gaussiancad_core.files.answer import content_bytes, outcome_of
+from gaussiancad_core.files.answer import content_bytes, error_bytes, outcome_of
 from gaussiancad_core.files.child import main
 from gaussiancad_core.files.content import FileContent, Note
 from gaussiancad_core.files.isolation import read_isolated
@@ -70,6 +70,19 @@ def test_answers_come_back_as_they_were() -> None:
     assert dict(read.notes[0].message.args) == {"count": 3} and type(read.notes[1].message) is str
     assert (read.pixels_per_inch, read.pages, read.brought_together) == (200.0, 3, 2)
     assert outcome_of(encode(WHOLE)).vectors is None
+
+
+def test_names_and_texts_that_are_no_characters_come_back() -> None:
+    error = UnreadableError("not-an-image", "{path} is none", path="/sheets/text\udce9.png")
+    found = outcome_of(error_bytes(error))
+    assert isinstance(found, UnreadableError)
+    assert (found.code, str(found)) == (error.code, str(error))
+    texts = (VectorText("5 \udcd8", (1.0, 2.0, 3.0, 4.0)),)
+    strokes = (VectorStroke(Line((0.0, 0.0), (1.0, 1.0)), 1.0, layer="Schicht \udcfc"),)
+    content = FileContent(np.zeros((2, 2), np.uint8), vectors=VectorDrawing(strokes, texts))
+    read = outcome_of(content_bytes(content))
+    assert isinstance(read, FileContent) and read.vectors is not None
+    assert (read.vectors.texts[0].text, read.vectors.strokes[0].layer) == ("5 ?", "Schicht ?")
 
 
 def test_the_child_reads_the_same(pdf: type, pdf_circle: Callable, save: Callable) -> None:
