@@ -15,11 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.sheet.layout import (
-    Layout,
-    may_be_views,
-    no_views,
-)
+from gaussiancad_core.sheet.layout import Layout, may_be_views, no_views
 from gaussiancad_core.sheet.neighbours import box_inside, gap_beside, nearest, stands
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.view_levels import Levels, agreement
@@ -245,9 +241,7 @@ def _loose_odds(
     role: Role, box: Box, found: Mapping[Role, Box], drawings: Drawings, projection: Projection
 ) -> float:
     front = found[Role.FRONT]
-    if role is Role.REAR and any(
-        gap_beside(front, box, way) is not None for way in ((1, 0), (-1, 0))
-    ):
+    if role is Role.REAR and any(gap_beside(front, box, slot) is not None for slot in _ROW):
         odds = _log_odds(role, box, found, drawings, is_in_line=True) + _IN_LINE
     elif may_be_views([box]) and stands(role, box, front, projection):
         odds = _log_odds(role, box, found, drawings, is_in_line=False)
