@@ -26,10 +26,10 @@ import psutil
 from exact_cases import classed_cases
 from exact_inputs import ROLES
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples.classed import PartClass
 
 _CLASSES = (PartClass.PLANES, PartClass.HOLES, PartClass.SLANTS, PartClass.FILLETS)

@@ -46,9 +46,9 @@ from benchmark_tables import failure_table, part_table, result_tables
 from benchmark_tables_ablations import ablation_tables
 from workers import Row, Work
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.cli.libraries import prepare_environment, silence_opencascade
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.modes import Preset
+from gaussiancad_core.processes.library_behaviour import prepare_environment, silence_opencascade
 from gaussiancad_core.samples.classed import PartClass
 
 _PICTURED = (SheetKind.CLEAN, SheetKind.ENDS_3, SheetKind.GIVEN)

@@ -18,7 +18,7 @@ from workers import FIRST, SOLVE, Row
 
 from gaussiancad_core.modes import Preset
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.options import Finder, ReadingOptions
+from gaussiancad_core.sheet.reading_options import Finder, ReadingOptions
 
 _PREPARING_S = 120.0
 

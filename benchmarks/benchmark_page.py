@@ -18,7 +18,7 @@ from benchmark_runs import Method
 from charts import Chart, Series, write_chart
 
 from gaussiancad_core import __version__
-from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
 
 _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 

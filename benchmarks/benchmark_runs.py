@@ -18,21 +18,21 @@ from exact_peers import Peer, peer_mesh
 from OCP.TopoDS import TopoDS_Shape
 from workers import FIRST, SOLVE, Row
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.cli.libraries import silence_opencascade
 from gaussiancad_core.comparison.comparing import compare_models
+from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
+from gaussiancad_core.comparison.comparison_report import comparison_dict
 from gaussiancad_core.comparison.deviation import Deviation
-from gaussiancad_core.comparison.models import Model, read_model
-from gaussiancad_core.comparison.options import CompareOptions, Protocol
-from gaussiancad_core.comparison.report import comparison_dict
-from gaussiancad_core.drawing.brep import bounding_box, read_solid, write_step
+from gaussiancad_core.comparison.model_files import Model, read_model
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.events import Silence
-from gaussiancad_core.job import Job
+from gaussiancad_core.kernel.brep import bounding_box, read_solid, write_step
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, Status
-from gaussiancad_core.pipeline import reconstruct
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.verification.preview import PreviewSize, render_preview
+from gaussiancad_core.pictures.preview import PreviewSize, render_preview
+from gaussiancad_core.processes.events import Silence
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.run.pipeline import reconstruct
+from gaussiancad_core.sheet.reading_options import ReadingOptions
 
 SCRATCH = "scratch"
 """Folder for what a task needs while it runs; what an ended process left there may be removed."""

@@ -19,11 +19,13 @@ from charts import Chart, Series, write_chart
 from disturbed_views import cases, solid_mesh, views_of
 from surface import measure_mesh
 
-from gaussiancad_core.cameras import PAPER_DISTANCE, Camera, orthographic_camera
-from gaussiancad_core.hull import visual_hull
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.hull.visual_hull import visual_hull
+from gaussiancad_core.model.cameras import PAPER_DISTANCE, Camera, orthographic_camera
+from gaussiancad_core.model.meshes import TriangleMesh
+from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.samples import sample
+from gaussiancad_core.splatting.gaussian_training import train
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import (
     TrainingSettings,
@@ -31,9 +33,7 @@ from gaussiancad_core.splatting.settings import (
     training_settings,
 )
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
-from gaussiancad_core.splatting.training import train
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
-from gaussiancad_core.views import ViewSet
 
 DISTANCES = (3.0, 4.0, 5.0, 7.0, 10.0, 20.0)
 

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.drawing.command import write_image
+from gaussiancad_core.drawing.draw_command import write_image
 
 _SIZE = (460, 760)
 _FRAME = (70, 56, 560, 400)

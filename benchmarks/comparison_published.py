@@ -17,12 +17,12 @@ from pathlib import Path
 
 import numpy as np
 
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.comparison.command import compare_files
+from gaussiancad_core.comparison.compare_command import compare_files
+from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
+from gaussiancad_core.comparison.comparison_report import Comparison
 from gaussiancad_core.comparison.deepcad import summarise_deepcad
-from gaussiancad_core.comparison.options import CompareOptions, Protocol
-from gaussiancad_core.comparison.report import Comparison
-from gaussiancad_core.drawing.brep import bounding_box, write_step
+from gaussiancad_core.kernel.brep import bounding_box, write_step
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.samples import SAMPLES
 
 
@@ -49,7 +49,7 @@ def main() -> None:
 
 def reconstructed(truth: Path, folder: Path) -> Path | None:
     """The solid that the engine makes from a sheet of the truth, or None."""
-    from gaussiancad_core.drawing.brep import read_solid
+    from gaussiancad_core.kernel.brep import read_solid
 
     low, high = bounding_box(read_solid(truth))
     axis = int(np.argmax(high - low))

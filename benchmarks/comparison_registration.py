@@ -14,19 +14,19 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from gaussiancad_core.comparison.comparing import compare_models
-from gaussiancad_core.comparison.models import Model
+from gaussiancad_core.comparison.comparison_options import Alignment, CompareOptions
+from gaussiancad_core.comparison.model_files import Model
 from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
-from gaussiancad_core.comparison.options import Alignment, CompareOptions
 from gaussiancad_core.comparison.queries import SurfaceQueries
-from gaussiancad_core.comparison.registration import (
+from gaussiancad_core.comparison.rigid_registration import (
     Side,
     axis_mirrors,
     axis_rotations,
     distance_under,
 )
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
-from gaussiancad_core.drawing.brep import bounding_box, tessellate
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.kernel.brep import bounding_box, tessellate
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.samples.random_parts import random_part
 
 DEGREES = 0.5

@@ -17,17 +17,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.drawing.strokes import mapped
-from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
-from gaussiancad_core.reasoning.conflicts import find_conflict
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.reasoning.part import model_part
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.labelling.conflict_lines import Conflict, ConflictLine
+from gaussiancad_core.labelling.minimal_conflicts import find_conflict
+from gaussiancad_core.labelling.part_model import model_part
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import mapped
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.samples.random_parts import random_part
-from gaussiancad_core.verification.lines import Curve
-from gaussiancad_core.views import Linetype, Segment
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

@@ -21,8 +21,8 @@ import numpy as np
 from canvas_player import ROOT, Played, Player, Step, recordings
 from exact_measures import closeness, fine_mesh, registered
 
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import bounding_box, read_shape, read_solid
+from gaussiancad_core.kernel.brep import bounding_box, read_shape, read_solid
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 
 RECORDINGS = Path(__file__).with_name("corrected_gestures.json")
 

@@ -24,7 +24,7 @@ from OCP.TopAbs import TopAbs_State
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import area, faces_of, tessellate
+from gaussiancad_core.kernel.brep import area, faces_of, tessellate
 
 POINTS = 20
 """Points of a face, as a rule."""

@@ -8,12 +8,12 @@ import numpy as np
 import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import moved_to_origin, tessellate
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
-from gaussiancad_core.outlines import signed_distance
-from gaussiancad_core.verification.rays import RayCaster, RayGrid
-from gaussiancad_core.views import View, ViewSet
+from gaussiancad_core.evidence.mask_outlines import signed_distance
+from gaussiancad_core.kernel.brep import moved_to_origin, tessellate
+from gaussiancad_core.lines.mesh_rays import RayCaster, RayGrid
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.views import View, ViewSet
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

@@ -17,23 +17,23 @@ from OCP.TopoDS import TopoDS_Shape
 from reading_found import lines_of, picture_of
 
 import gaussiancad_core
-from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
-from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.exact_stage import find_exact
-from gaussiancad_core.ink_stage import compared_with_ink
-from gaussiancad_core.projected_reading import Reading, drawn_views
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import PartLines, compose_sheet, part_lines
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.evidence.dimension_evidence import trusted
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.evidence.projected_reading import Reading, drawn_views
+from gaussiancad_core.model.axes import Axis, Projection, Role
+from gaussiancad_core.model.views import ViewSet
+from gaussiancad_core.run.exact_stage import find_exact
+from gaussiancad_core.run.ink_stage import compared_with_ink
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
 from gaussiancad_core.solid.exact import ExactResult
-from gaussiancad_core.told_measures import trusted
-from gaussiancad_core.views import ViewSet
-from gaussiancad_core.writing.agreement import Measure
-from gaussiancad_core.writing.scale import find_scale
+from gaussiancad_core.writing.scale_agreement import Measure
+from gaussiancad_core.writing.sheet_scale import find_scale
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

@@ -11,9 +11,8 @@ from OCP.gp import gp_Trsf
 from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.axes import Role
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
-from gaussiancad_core.drawing.brep import (
+from gaussiancad_core.kernel.brep import (
     bounding_box,
     faces_of,
     moved_to_origin,
@@ -21,9 +20,10 @@ from gaussiancad_core.drawing.brep import (
     tessellate,
     volume,
 )
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.drawing.rays import SightLines
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 EXACT_IOU = 0.999
 """From here on a solid is the truth."""

@@ -5,11 +5,11 @@ from enum import Enum
 from exact_measures import fine_mesh
 from sweep_and_cut import swept_solid
 
-from gaussiancad_core.cameras import orthographic_camera
-from gaussiancad_core.hull import visual_hull
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.hull.visual_hull import visual_hull
+from gaussiancad_core.model.cameras import orthographic_camera
+from gaussiancad_core.model.meshes import TriangleMesh
+from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.modes import Preset, Recipe
-from gaussiancad_core.views import ViewSet
 
 _CAMERA_PX = 600
 
@@ -48,10 +48,10 @@ def _hull(views: ViewSet) -> TriangleMesh:
 
 def _paper(views: ViewSet) -> TriangleMesh:
     """Gaussians trained with the paper's cameras, as a surface."""
+    from gaussiancad_core.splatting.gaussian_training import train
     from gaussiancad_core.splatting.gaussians import Start, gaussians_on
     from gaussiancad_core.splatting.settings import training_cameras, training_settings
     from gaussiancad_core.splatting.targets import mean_colour, targets_of
-    from gaussiancad_core.splatting.training import train
     from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
 
     settings = training_settings(Recipe.PAPER, Preset.DRAFT)

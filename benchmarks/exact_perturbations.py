@@ -9,10 +9,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.strokes import DrawnStroke, is_closed, mapped, part
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.lines.strokes import DrawnStroke, is_closed, mapped, part
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 
 PIXELS = 600
 """Pixels of the longest extent."""

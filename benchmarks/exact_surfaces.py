@@ -8,7 +8,7 @@ from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Dir
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import faces_of
+from gaussiancad_core.kernel.brep import faces_of
 
 _ALONG = 1e-6
 """Sine of the angle up to which an axis is parallel to one of the part's."""

@@ -22,8 +22,8 @@ from exact_surfaces import unsupported
 from OCP.TopoDS import TopoDS_Shape
 from workers import FIRST, SOLVE, Row
 
-from gaussiancad_core.drawing.brep import faces_of
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import ExactResult
 

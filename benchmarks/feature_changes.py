@@ -8,15 +8,11 @@ from feature_sketches import UnsolvedError, solved
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.booleans import unified, without
-from gaussiancad_core.drawing.brep import bounding_box, is_valid, subshapes
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.features.building import combined
 from gaussiancad_core.features.constraints import Constraint, Kind, Numbers, constraints_of
 from gaussiancad_core.features.dressing import dressed
 from gaussiancad_core.features.drilling import body_of_holes
-from gaussiancad_core.features.loops import Edge, Loop
-from gaussiancad_core.features.model import (
+from gaussiancad_core.features.feature_building import combined
+from gaussiancad_core.features.feature_model import (
     EdgeBreak,
     Extrusion,
     Feature,
@@ -24,8 +20,12 @@ from gaussiancad_core.features.model import (
     Holes,
     Turning,
 )
-from gaussiancad_core.features.standing import Standing, standing
-from gaussiancad_core.features.supports import standing_of
+from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.supported_features import Standing, standing
+from gaussiancad_core.features.supporting_faces import standing_of
+from gaussiancad_core.kernel.booleans import unified, without
+from gaussiancad_core.kernel.brep import bounding_box, is_valid, subshapes
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 
 _ROUND = (Kind.RADIUS, Kind.DIAMETER)
 

@@ -13,26 +13,26 @@ from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 from ortools.sat.python import cp_model
 
-from gaussiancad_core.drawing.booleans import without
-from gaussiancad_core.drawing.brep import bounding_box, edges_of
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.blends import blends_of
-from gaussiancad_core.features.building import combined
-from gaussiancad_core.features.cover import Choice, offered
+from gaussiancad_core.features.body_cover import Choice, offered
 from gaussiancad_core.features.decomposing import Decomposition, decomposed
+from gaussiancad_core.features.defeaturing import without_faces, without_holes
 from gaussiancad_core.features.difference import Difference, difference
 from gaussiancad_core.features.dressing import breaks_of, dressed
 from gaussiancad_core.features.drilling import body_of_holes
-from gaussiancad_core.features.filling import without_faces, without_holes
+from gaussiancad_core.features.feature_building import combined
+from gaussiancad_core.features.feature_model import EdgeBreak, Holes
 from gaussiancad_core.features.frames import MAIN_FRAMES, Frame, frame_across
-from gaussiancad_core.features.model import EdgeBreak, Holes
+from gaussiancad_core.features.inside_rays import Rays
 from gaussiancad_core.features.prisms import prism_plane, prisms_of
-from gaussiancad_core.features.rays import Rays
-from gaussiancad_core.features.samples import Samples, joined
-from gaussiancad_core.features.scaling import scaled_shape
+from gaussiancad_core.features.sample_points import Samples, joined
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, solid_faces
 from gaussiancad_core.features.turned_bodies import turned_planes, turned_sweeps
-from gaussiancad_core.reasoning.planes import UNITS
+from gaussiancad_core.features.unit_scaling import scaled_shape
+from gaussiancad_core.kernel.booleans import without
+from gaussiancad_core.kernel.brep import bounding_box, edges_of
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.model.projection_planes import UNITS
 
 Points = npt.NDArray[np.float64]
 

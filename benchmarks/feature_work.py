@@ -19,14 +19,14 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 from workers import FIRST, SOLVE, Row
 
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.booleans import unified
-from gaussiancad_core.drawing.brep import compound_of, faces_of, subshapes, volume
 from gaussiancad_core.features.as_json import kind_of
 from gaussiancad_core.features.constraints import Numbers, constraints_of
 from gaussiancad_core.features.difference import difference
-from gaussiancad_core.features.finding import features_of
-from gaussiancad_core.features.model import EdgeBreak, FeatureList
+from gaussiancad_core.features.feature_model import EdgeBreak, FeatureList
+from gaussiancad_core.features.feature_search import features_of
+from gaussiancad_core.kernel.booleans import unified
+from gaussiancad_core.kernel.brep import compound_of, faces_of, subshapes, volume
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.samples import sample
 
 SAMPLES = "samples"

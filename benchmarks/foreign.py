@@ -32,9 +32,9 @@ from exact_measures import fine_mesh, mesh_iou, rotations
 from real_sheets import SAME_IOU, sheets_of
 from workers import FIRST, Row, run_all
 
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import bounding_box, read_shape, read_solid
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.kernel.brep import bounding_box, read_shape, read_solid
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 
 _SAME_EXTENT = 5e-3
 """Share by which an extent may differ from the one that the sheet states."""

@@ -12,8 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.drawn_view import DrawnView
-from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.lines.strokes import DrawnStroke
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 _ARROWS = ("filled", "wide", "open", "slash", "dot")
 _FONTS = ("DejaVu Sans", "DejaVu Sans Mono", "DejaVu Serif")

@@ -15,13 +15,13 @@ import resvg_py
 from foreign_dimensions import DimensionLook, view_dimensions
 from PIL import Image
 
-from gaussiancad_core.axes import Projection
+from gaussiancad_core.drawing.drawn_sheet import PartLines, Sheet
 from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
-from gaussiancad_core.drawing.layout import place_views
-from gaussiancad_core.drawing.sheet import PartLines, Sheet
-from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.drawing.style import SheetStyle
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.drawing.sheet_style import SheetStyle
+from gaussiancad_core.drawing.view_placing import place_views
+from gaussiancad_core.lines.strokes import DrawnStroke
+from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.model.views import Linetype, Segment
 
 _WIDTHS = (1200, 1600, 2000, 2800)
 _RATIOS = (0.7071, 0.75)

@@ -21,9 +21,9 @@ import numpy as np
 from exact_measures import closeness, fine_mesh, registered
 from line_cases import LineCase, kept_cases
 
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import bounding_box, read_solid, soundness
 from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.kernel.brep import bounding_box, read_solid, soundness
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.sketch.sketching import sketch
 
 _SAME_IOU = 0.99

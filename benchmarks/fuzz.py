@@ -30,14 +30,14 @@ import numpy as np
 from OCP.BRepTools import BRepTools
 from PIL import Image
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.brep import tessellate, write_step
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import compose_sheet, part_lines
-from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.meshes import make_mesh
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import compose_sheet, part_lines
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.kernel.brep import tessellate, write_step
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.meshes import make_mesh
+from gaussiancad_core.model.views import Segment
 from gaussiancad_core.samples import sample
-from gaussiancad_core.views import Segment
 
 ALLOWED = frozenset({0, 3, 4, 5})
 """Exit codes that a file alone may lead to."""

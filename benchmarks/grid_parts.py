@@ -19,10 +19,10 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import subshapes
+from gaussiancad_core.kernel.brep import subshapes
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.samples.modelling import box
-from gaussiancad_core.views import Linetype, Segment
 
 _KINDS = {1: Linetype.VISIBLE, 2: Linetype.HIDDEN}
 

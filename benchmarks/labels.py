@@ -22,12 +22,12 @@ import cv2
 import numpy as np
 from foreign import commit
 
-from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.labels.classes import InkClass
-from gaussiancad_core.sheet.labels.network import ink_labels
-from gaussiancad_core.sheet.labels.separation import separate_by_labels
-from gaussiancad_core.sheet.ridges import ridge_points
-from gaussiancad_core.sheet.working_scale import resampled, working_factor
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.image.working_scale import resampled, working_factor
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
+from gaussiancad_core.sheet.labels.labelled_ink import separate_by_labels
+from gaussiancad_core.sheet.labels.labels_network import ink_labels
+from gaussiancad_core.sheet.tracing.ridges import ridge_points
 
 VISIBLE, HIDDEN, ANNOTATION = range(3)
 NAMES = ("visible", "hidden", "annotation")

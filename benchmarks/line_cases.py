@@ -13,21 +13,21 @@ from pathlib import Path
 
 from real_sheets import sheets_of
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.events import Progress, Silence
-from gaussiancad_core.job import Job
+from gaussiancad_core.evidence.dimension_constraints import ToldNumbers
+from gaussiancad_core.evidence.dimension_evidence import told_numbers
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.opened_sheet import open_sheet
-from gaussiancad_core.projected_reading import Reading
-from gaussiancad_core.reading_run import STAGES, sheet_lines
-from gaussiancad_core.reading_stage import with_unseen
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.told import ToldNumbers
-from gaussiancad_core.registering_stage import registered_lines
-from gaussiancad_core.report import Report
-from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.told_measures import told_numbers
+from gaussiancad_core.processes.events import Progress, Silence
+from gaussiancad_core.recognition.load_sheet import open_sheet
+from gaussiancad_core.recognition.views_and_lines import with_unseen
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.report.run_notes import RunNotes
+from gaussiancad_core.report.run_report import Report
+from gaussiancad_core.run.read_run import STAGES, sheet_lines
+from gaussiancad_core.run.registering_stage import registered_lines
 
 
 @dataclass(frozen=True, eq=False)

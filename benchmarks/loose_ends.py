@@ -23,11 +23,11 @@ from exact_cases import Case, classed_cases
 from exact_inputs import read_input
 from exact_measures import closeness
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.modes import Status
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.samples.classed import PartClass
 
 _STRENGTHS = (

@@ -18,14 +18,14 @@ import numpy.typing as npt
 from reading_found import Found, drawn_over, read
 from stroke_matching import Marks, match
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import Sheet, compose_sheet, part_lines
-from gaussiancad_core.drawing.style import SheetStyle, parse_style
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import Sheet, compose_sheet, part_lines
+from gaussiancad_core.drawing.sheet_style import SheetStyle, parse_style
 from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.options import Finder, ReadingOptions
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.sheet.reading_options import Finder, ReadingOptions
 
 KERNELS = (0, 3, 5, 7)
 STYLE = "scan,visible-width=2,hidden-width=1.2,dash=5,gap=4,salt=0.02"

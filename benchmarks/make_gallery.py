@@ -22,10 +22,10 @@ import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 from photographs import ROLES, Camera, photograph
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.drawing.brep import faces_of, read_solid
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.kernel.brep import faces_of, read_solid
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples.classed import PartClass, classed_part
 
 Picture = npt.NDArray[np.uint8]

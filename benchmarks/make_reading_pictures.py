@@ -13,19 +13,19 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import PRESETS
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Linetype, Segment, Stroke
+from gaussiancad_core.recognition.sheet_views import sheet_views
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.sheet.reading import ReadView, read_views
-from gaussiancad_core.sheet_views import sheet_views
-from gaussiancad_core.views import Linetype, Segment, Stroke
+from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import SheetImage
+from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
 
 Image = npt.NDArray[np.uint8]
 Colour = tuple[int, int, int]

@@ -9,11 +9,11 @@ Writes ``resources/samples/<name>.png`` (front, top, right in third angle, 1920 
 import sys
 from pathlib import Path
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.brep import write_step
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import PRESETS
+from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.samples import sample
 
 SHIPPED = ("l-bracket", "boss-plate", "wedge-block")

@@ -17,14 +17,14 @@ from textbook_work import FAMILIES
 from twin_parts import twins
 from workers import FIRST, SOLVE, Row
 
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import faces_of
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.nominal import NominalStep
-from gaussiancad_core.reasoning.supports import find_supports
+from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.design_step import NominalStep
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.samples.classed import PartClass, classed_part
-from gaussiancad_core.sheet.pixel_grids import rounding_step, seen_rounding
-from gaussiancad_core.sheet.reading import RegisteredSheet
+from gaussiancad_core.sheet.image.pixel_grids import rounding_step, seen_rounding
+from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult
 
 _SMALL = 3

@@ -28,10 +28,10 @@ from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.gp import gp_Pnt, gp_Trsf
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, moved_to_origin, read_solid
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, moved_to_origin, read_solid
+from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.samples.classed import PartClass, classed_part
 
 STYLES = ("dimensioned", "clean", "ansi,annotations=true,frame=true")

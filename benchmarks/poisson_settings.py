@@ -26,18 +26,18 @@ from disturbed_views import cases, solid_mesh, views_of
 from OCP.TopoDS import TopoDS_Shape
 from surface import Part, chamfer, chamfer_floor, measure_mesh
 
-from gaussiancad_core.drawing.brep import moved_to_origin
-from gaussiancad_core.hull import visual_hull
-from gaussiancad_core.meshes import TriangleMesh, connected_pieces
+from gaussiancad_core.hull.depth_maps import CastSolid, relief_of
+from gaussiancad_core.hull.visual_hull import visual_hull
+from gaussiancad_core.kernel.brep import moved_to_origin
+from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces
+from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.modes import Preset, Recipe
-from gaussiancad_core.reliefs import CastSolid, relief_of
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.surface.discs import DiscSampling
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
-from gaussiancad_core.views import ViewSet
 
 DEFAULT = PoissonSettings()
 

@@ -36,14 +36,14 @@ from resumable import resumed, tell
 from textbook_modelling import Lot
 from workers import FIRST, SOLVE, Row
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, read_solid
-from gaussiancad_core.events import Silence
-from gaussiancad_core.job import Job
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, read_solid
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.processes.events import Silence
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.run.pipeline import REPORT_FILE, reconstruct
+from gaussiancad_core.sheet.reading_options import ReadingOptions
 
 _FIRST_ANGLE = 0.35
 """Share of the sheets that are in first angle."""

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from OCP.TopoDS import TopoDS_Shape
 from textbook_modelling import Lot, corners, ring_of_points
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import Point2, box, cut, cylinder, fuse, revolved
 
 _OVER = 1.0

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
-from gaussiancad_core.views import Arc, Segment
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
+from gaussiancad_core.model.views import Arc, Segment
 
 _PT = 72.0 / 25.4
 """Points to the millimetre."""

@@ -16,12 +16,12 @@ from OCP.TopoDS import TopoDS_Shape
 from practice_parts import Hole, Part
 from practice_pdf import Page, Pen, Point, arrow
 
-from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.drawing.brep import bounding_box, tessellate
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.drawing.strokes import DrawnStroke
+from gaussiancad_core.kernel.brep import bounding_box, tessellate
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.lines.strokes import DrawnStroke
+from gaussiancad_core.model.axes import Axis, Projection, Role
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.samples.modelling import box
-from gaussiancad_core.views import Linetype, Segment
 
 _WIDE, _NARROW = 0.5, 0.18
 _VISIBLE, _THIN = Pen(_WIDE), Pen(_NARROW)

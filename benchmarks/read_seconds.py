@@ -21,13 +21,13 @@ import numpy as np
 import pypdfium2
 
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.events import Silence
+from gaussiancad_core.files.file_kinds import FileKind
 from gaussiancad_core.files.isolation import read_isolated
-from gaussiancad_core.files.kinds import FileKind
-from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.reading_run import read_to_file
-from gaussiancad_core.readings.schema import SheetReading
+from gaussiancad_core.processes.events import Silence
+from gaussiancad_core.readings.reading_schema import SheetReading
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.run.read_run import read_to_file
 
 _WARMING = 3
 """Sheets that are read before any counts: what they import and compile, others need too."""

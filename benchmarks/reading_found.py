@@ -9,26 +9,26 @@ import numpy as np
 import numpy.typing as npt
 from stroke_matching import Box, Floats, Marks, ends_of
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.strokes import DrawnStroke, turned
-from gaussiancad_core.events import Progress, Silence
-from gaussiancad_core.job import Job
+from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projection_choice import both_readings
+from gaussiancad_core.lines.strokes import DrawnStroke, turned
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.pipeline import STAGES
-from gaussiancad_core.projected_reading import Reading
-from gaussiancad_core.projection_choice import both_readings
-from gaussiancad_core.reading_stage import SheetLines, read_lines
-from gaussiancad_core.report import Report
-from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.read import SheetImage, read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
-from gaussiancad_core.sheet.registration import scaled
-from gaussiancad_core.sketched_readings import weigh
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.processes.events import Progress, Silence
+from gaussiancad_core.recognition.views_and_lines import SheetLines, read_lines
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.report.run_notes import RunNotes
+from gaussiancad_core.report.run_report import Report
+from gaussiancad_core.run.pipeline import STAGES
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import SheetImage, read_sheet
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
+from gaussiancad_core.sheet.registration.view_registration import scaled
+from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
+from gaussiancad_core.sketch.projection_by_sketch import weigh
 
 
 @dataclass(frozen=True)

@@ -30,8 +30,8 @@ from sheet_reading import STYLES
 from stage_cases import Case, Figures, kept_cases, total
 from textbook_work import FAMILIES
 
-from gaussiancad_core.sheet import strokes
-from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder
+from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, Finder
+from gaussiancad_core.sheet.tracing.leftover_tracing import ink_strokes
 
 Neutral = Callable[..., Any]
 """What a stage's arguments become without it."""
@@ -98,14 +98,14 @@ class Switches:
     @contextmanager
     def wired(self) -> Iterator[None]:
         """Stages obey while this lasts."""
-        kept = {name: getattr(strokes, name) for name in STAGES}
+        kept = {name: getattr(ink_strokes, name) for name in STAGES}
         for name, function in kept.items():
-            setattr(strokes, name, self._switched(name, function))
+            setattr(ink_strokes, name, self._switched(name, function))
         try:
             yield
         finally:
             for name, function in kept.items():
-                setattr(strokes, name, function)
+                setattr(ink_strokes, name, function)
 
     def _switched(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         def stage(*arguments: object) -> object:
@@ -147,7 +147,7 @@ def changes(case: Case, groups: Sequence[Sequence[str]], switches: Switches) -> 
     switches.off = frozenset()
     for shapes in case.shapes:
         switches.fired = set()
-        whole.append(strokes.classify_strokes(*shapes))
+        whole.append(ink_strokes.classify_strokes(*shapes))
         fired.append(switches.fired)
     base = case.figures(tuple(whole))
     yield Change(case.group, case.name, "", 0, 0, base)
@@ -156,7 +156,7 @@ def changes(case: Case, groups: Sequence[Sequence[str]], switches: Switches) -> 
         # What did nothing changes nothing where it is left out.
         hit = [not switches.off.isdisjoint(own) for own in fired]
         made = [
-            strokes.classify_strokes(*shapes) if on else own
+            ink_strokes.classify_strokes(*shapes) if on else own
             for shapes, own, on in zip(case.shapes, whole, hit, strict=True)
         ]
         differ = sum(one != other for one, other in zip(made, whole, strict=True))

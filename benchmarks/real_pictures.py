@@ -37,13 +37,13 @@ from sheet_pictures import painted_pdf, scanned
 from stroke_matching import Matched, match, overlap
 from workers import FIRST, Row
 
-from gaussiancad_core.drawing.strokes import DrawnStroke, turned
 from gaussiancad_core.errors import GaussianCadError, NoModelError
-from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.registration import scaled
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.lines.strokes import DrawnStroke, turned
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.registration.view_registration import scaled
 
 SEEN = ("openeai-arm", "odri", "darkstar", "vzbot-xbeam")
 """Sources of sheets that the shipped network learned from."""

@@ -34,10 +34,10 @@ from real_views import fit_of
 from resumable import resumed
 from workers import FIRST, Row
 
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import bounding_box, read_shape, read_solid
+from gaussiancad_core.kernel.brep import bounding_box, read_shape, read_solid
 from gaussiancad_core.modes import Status
-from gaussiancad_core.readings.opening import open_reading
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
+from gaussiancad_core.readings.reading_files import open_reading
 
 SUFFIXES = (".pdf", ".png", ".jpg", ".dxf")
 

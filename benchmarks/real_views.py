@@ -14,12 +14,12 @@ import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import moved_to_origin
-from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
-from gaussiancad_core.readings.anchors import points_of
-from gaussiancad_core.readings.schema import SheetReading, StrokeKind, ViewEntry
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.kernel.brep import moved_to_origin
+from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.readings.reading_schema import SheetReading, StrokeKind, ViewEntry
+from gaussiancad_core.readings.stroke_anchors import points_of
 
 _NEAR_PX = 2.0
 """px within which points of lines are at a line."""

@@ -10,10 +10,10 @@ import numpy.typing as npt
 import pypdfium2 as pdfium
 from pypdfium2 import raw
 
-from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.degrade import finished
-from gaussiancad_core.drawing.style import PRESETS
-from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.sheet_style import PRESETS
+from gaussiancad_core.sheet.image.deskew import Turn
 
 _POINTS = 72.0
 """Of a PDF file, in an inch."""

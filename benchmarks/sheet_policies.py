@@ -6,15 +6,15 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.strokes import DrawnStroke, mapped
-from gaussiancad_core.projected_reading import Reading
-from gaussiancad_core.reasoning.drawn_views import EXACT_TOLERANCE
-from gaussiancad_core.sheet.masks import Outline
-from gaussiancad_core.sheet.precision import StrokesSource, tolerance_px
-from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet
-from gaussiancad_core.sheet.registration import AxisExtents
-from gaussiancad_core.views import Linetype, View, ViewSet
+from gaussiancad_core.evidence.drawn_views import EXACT_TOLERANCE
+from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.lines.strokes import DrawnStroke, mapped
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Linetype, View, ViewSet
+from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource, tolerance_px
+from gaussiancad_core.sheet.registration.view_masks import Outline
+from gaussiancad_core.sheet.registration.view_registration import AxisExtents
+from gaussiancad_core.sheet.sheet_stages import ReadView, RegisteredSheet
 
 Size = tuple[float, float, float]
 Drawing = Mapping[Role, tuple[DrawnStroke, ...]]

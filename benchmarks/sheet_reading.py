@@ -39,15 +39,15 @@ from foreign_sheets import Conventions, foreign_sheet
 from reading_found import Found, drawn_over, read
 from stroke_matching import Marks, Matched, corners_of, ends_of, match, nearness, overlap
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
-from gaussiancad_core.drawing.style import SheetStyle, parse_style
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import PartLines, Sheet, compose_sheet, part_lines
+from gaussiancad_core.drawing.sheet_style import SheetStyle, parse_style
 from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
-from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, Finder, ReadingOptions
 
 STYLES = (
     "clean", "thin", "thick", "scan", "photocopy", "dimensioned", "workshop", "jpeg30",

@@ -17,7 +17,7 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from gaussiancad_core.report import peak_memory_mb
+from gaussiancad_core.report.run_report import peak_memory_mb
 
 WIDTHS = (1920, 4000, 8000, 12000)
 
@@ -32,10 +32,10 @@ STAGES = ("file", "clean", "views", "lines", "axes")
 
 def draw(connection: Connection, name: str, width: int, path: Path) -> None:
     """Draw a sample on a sheet of a width and write it; send how many strokes it has."""
-    from gaussiancad_core.axes import Projection, Role
-    from gaussiancad_core.drawing.command import write_image
-    from gaussiancad_core.drawing.sheet import draw_sheet
-    from gaussiancad_core.drawing.style import PRESETS
+    from gaussiancad_core.drawing.draw_command import write_image
+    from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+    from gaussiancad_core.drawing.sheet_style import PRESETS
+    from gaussiancad_core.model.axes import Projection, Role
     from gaussiancad_core.samples import sample
 
     style = PRESETS["clean"]
@@ -62,11 +62,11 @@ def read(connection: Connection, path: Path) -> None:
     """Read a sheet; send seconds of the stages, MB before and at most, and strokes."""
     import cv2
 
-    from gaussiancad_core.sheet.opened import OpenedSheet
-    from gaussiancad_core.sheet.options import ReadingOptions
-    from gaussiancad_core.sheet.read import read_sheet
-    from gaussiancad_core.sheet.reading import read_views, register_views
-    from gaussiancad_core.sheet_views import sheet_views
+    from gaussiancad_core.recognition.sheet_views import sheet_views
+    from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+    from gaussiancad_core.sheet.image.sheet_files import read_sheet
+    from gaussiancad_core.sheet.reading_options import ReadingOptions
+    from gaussiancad_core.sheet.sheet_stages import read_views, register_views
 
     cv2.setNumThreads(1)
     marks = [time.perf_counter()]

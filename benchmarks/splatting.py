@@ -35,17 +35,17 @@ from charts import Chart, Series, write_chart
 from disturbed_views import cases, solid_mesh, views_of
 from surface import measure_mesh
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import orthographic_camera
-from gaussiancad_core.hull import visual_hull
-from gaussiancad_core.meshes import make_mesh
+from gaussiancad_core.hull.visual_hull import visual_hull
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import orthographic_camera
+from gaussiancad_core.model.meshes import make_mesh
 from gaussiancad_core.modes import Preset, Recipe
-from gaussiancad_core.report import peak_memory_mb
+from gaussiancad_core.report.run_report import peak_memory_mb
 from gaussiancad_core.samples import sample
-from gaussiancad_core.splatting.devices import cuda_problem
+from gaussiancad_core.splatting.gaussian_training import train
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of, project
-from gaussiancad_core.splatting.rasteriser import (
+from gaussiancad_core.splatting.rasterizer import (
     Backend,
     Optics,
     Parameters,
@@ -55,7 +55,7 @@ from gaussiancad_core.splatting.rasteriser import (
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
 from gaussiancad_core.splatting.tiles import warm_up
-from gaussiancad_core.splatting.training import train
+from gaussiancad_core.splatting.torch_devices import cuda_problem
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
 
 RADIUS = 50.0

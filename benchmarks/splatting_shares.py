@@ -22,7 +22,7 @@ import torch
 from splatting import gradients, sphere, views, weights
 
 from gaussiancad_core.splatting import projection_kernels, tile_kernels, tile_sorting
-from gaussiancad_core.splatting.rasteriser import Backend, parameters_of
+from gaussiancad_core.splatting.rasterizer import Backend, parameters_of
 from gaussiancad_core.splatting.tiles import warm_up
 
 KERNELS: tuple[tuple[ModuleType, str], ...] = (

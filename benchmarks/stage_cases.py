@@ -24,23 +24,23 @@ from stroke_matching import Matched, corners_of, match, nearness
 from textbook_drawing import textbook_lines
 from textbook_work import FAMILIES
 
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import Sheet, part_lines
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import Sheet, part_lines
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.reading_stage import SheetLines
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
+from gaussiancad_core.model.views import Linetype, Stroke
+from gaussiancad_core.recognition.views_and_lines import SheetLines
 from gaussiancad_core.samples.classed import PartClass
-from gaussiancad_core.sheet import reading
-from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.line_widths import Pens
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.outside import without_outside
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import ReadView
-from gaussiancad_core.sheet.registration import scaled, view_box
-from gaussiancad_core.sheet.runs import Rhythm
-from gaussiancad_core.sheet.view_shapes import ViewShapes
-from gaussiancad_core.views import Linetype, Stroke
+from gaussiancad_core.sheet import sheet_stages
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.registration.view_registration import scaled, view_box
+from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.tracing.ink_runs import Rhythm
+from gaussiancad_core.sheet.tracing.line_widths import Pens
+from gaussiancad_core.sheet.tracing.view_shapes import ViewShapes
+from gaussiancad_core.sheet.views.outside_strokes import without_outside
 
 Shapes = tuple[ViewShapes, Rhythm, Pens]
 """What ``classify_strokes`` is given."""
@@ -192,17 +192,17 @@ def _read(group: str, name: str, sheet: _Sheet) -> Case:
     """A sheet, and what its views' strokes were made of."""
     image = read_sheet(sheet.path)
     given: list[Shapes] = []
-    classify = reading.classify_strokes
+    classify = sheet_stages.classify_strokes
 
     def noted(view: ViewShapes, rhythm: Rhythm, pens: Pens) -> tuple[Stroke, ...]:
         given.append((view, rhythm, pens))
         return classify(view, rhythm, pens)
 
-    reading.classify_strokes = noted
+    sheet_stages.classify_strokes = noted
     try:
         clean, lines = lines_of(image, ReadingOptions())
     finally:
-        reading.classify_strokes = classify
+        sheet_stages.classify_strokes = classify
     # Sections that stand beside views are read after these.
     shapes = tuple(given[: len(lines.drawn)])
     turn = replace(clean.turn, scale=1.0)

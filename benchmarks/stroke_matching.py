@@ -7,8 +7,8 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.drawing.strokes import DrawnStroke, is_closed
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.lines.strokes import DrawnStroke, is_closed
+from gaussiancad_core.model.views import Linetype
 
 Floats = npt.NDArray[np.float64]
 Box = tuple[float, float, float, float]

@@ -25,34 +25,34 @@ import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.carving import carved_hull
 from gaussiancad_core.comparison.distances import point_to_surface, volume_iou
 from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
-from gaussiancad_core.drawing.brep import moved_to_origin, tessellate
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.exact_stage import find_exact
-from gaussiancad_core.hull import visual_hull
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.hull.space_carving import carved_hull
+from gaussiancad_core.hull.visual_hull import visual_hull
+from gaussiancad_core.kernel.brep import moved_to_origin, tessellate
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.modes import Preset, Recipe
-from gaussiancad_core.projected_reading import Reading
+from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.samples.classed import PartClass, classed_part
-from gaussiancad_core.sheet.arranging import Drawings, arrange
-from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.colouring import coloured
-from gaussiancad_core.sheet.layout import view_clusters
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.image.colouring import coloured
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, read_views, register_views
+from gaussiancad_core.sheet.views.role_score import Drawings, arrange
+from gaussiancad_core.sheet.views.sheet_layout import view_clusters
+from gaussiancad_core.splatting.gaussian_training import train
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
-from gaussiancad_core.splatting.training import train
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
 
 POINTS = 10_000

@@ -22,16 +22,16 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import faces_of, soundness, subshapes, volume
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.drawing.rays import SightLines
-from gaussiancad_core.reasoning.curves import CircleCurve, PlaneCurve
-from gaussiancad_core.reasoning.drawn_views import views_as_read
-from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, lifted, role_plane
-from gaussiancad_core.reasoning.supports import PartSupports, find_supports
-from gaussiancad_core.solid.outline import Outline, outline_of, pieces_of, plane_grid
-from gaussiancad_core.views import ViewSet
+from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve
+from gaussiancad_core.coordinates.carriers import PartSupports, find_supports
+from gaussiancad_core.evidence.drawn_views import views_as_read
+from gaussiancad_core.kernel.brep import faces_of, soundness, subshapes, volume
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, lifted, role_plane
+from gaussiancad_core.model.views import ViewSet
+from gaussiancad_core.solid.cell_outlines import Outline, outline_of, pieces_of, plane_grid
 
 _MOST_STROKES = 500
 """Lines of a view up to which they are looked through for its outline."""

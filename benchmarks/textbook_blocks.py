@@ -18,7 +18,7 @@ from textbook_modelling import (
     upright_edges,
 )
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, chamfered, cut, fuse, prism
 
 

@@ -23,12 +23,12 @@ from scipy.interpolate import CubicSpline
 from shapely import LineString, Polygon
 from shapely.ops import linemerge
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box, edges_of
-from gaussiancad_core.drawing.intervals import Interval, subtract, unite, unite_on_circle
-from gaussiancad_core.drawing.sheet import PartLines
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.drawing.drawn_sheet import PartLines
+from gaussiancad_core.geometry.intervals import Interval, subtract, unite, unite_on_circle
+from gaussiancad_core.kernel.brep import bounding_box, edges_of
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

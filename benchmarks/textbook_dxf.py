@@ -5,10 +5,10 @@ from pathlib import Path
 import ezdxf
 import numpy as np
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.sheet import PartLines
-from gaussiancad_core.drawing.strokes import FULL_TURN, Polyline
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.drawing.drawn_sheet import PartLines
+from gaussiancad_core.lines.strokes import FULL_TURN, Polyline
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 _GAP = 0.25
 """Between views, as a share of the longest extent."""

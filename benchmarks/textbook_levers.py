@@ -12,7 +12,7 @@ from textbook_modelling import (
     rims,
 )
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     box,
     chamfered,

@@ -12,8 +12,8 @@ from random import Random
 
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import moved_to_origin, soundness
+from gaussiancad_core.kernel.brep import moved_to_origin, soundness
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     Point2,
     Point3,

@@ -15,7 +15,7 @@ from textbook_modelling import (
     ring_of_points,
 )
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     box,
     chamfered,

@@ -20,18 +20,18 @@ from textbook_levers import LEVERS
 from textbook_turned import TURNED
 from workers import FIRST, SOLVE, Row
 
-from gaussiancad_core.axes import Axis, Projection
-from gaussiancad_core.cli.libraries import silence_opencascade
-from gaussiancad_core.drawing.brep import faces_of, read_solid
-from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.degrade import finished
-from gaussiancad_core.drawing.sheet import PartLines
-from gaussiancad_core.drawing.style import PRESETS
-from gaussiancad_core.events import Silence
-from gaussiancad_core.job import Job
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import PartLines
+from gaussiancad_core.drawing.sheet_style import PRESETS
+from gaussiancad_core.kernel.brep import faces_of, read_solid
+from gaussiancad_core.model.axes import Axis, Projection
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.processes.events import Silence
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.run.pipeline import REPORT_FILE, reconstruct
+from gaussiancad_core.sheet.reading_options import ReadingOptions
 
 FAMILIES = {family.name: family for family in (*TURNED, *LEVERS, *BRACKETS, *BLOCKS)}
 

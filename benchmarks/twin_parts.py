@@ -11,9 +11,9 @@ import numpy as np
 from exact_measures import placed, rotations
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, soundness
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.kernel.brep import bounding_box, soundness
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     box,
     cone,

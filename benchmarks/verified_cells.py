@@ -14,12 +14,12 @@ from twin_parts import FAMILIES, twins
 from verified_sources import Page, part_shape
 from workers import Row
 
-from gaussiancad_core.projected_reading import drawn_views
-from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.labelling import Effort, Search
-from gaussiancad_core.reasoning.part import PartModel, model_part
-from gaussiancad_core.reasoning.rules import Rule, Says, Transition, holds
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.cells.cell_complex import Cell
+from gaussiancad_core.evidence.projected_reading import drawn_views
+from gaussiancad_core.labelling.cell_labelling import Effort, Search
+from gaussiancad_core.labelling.part_model import PartModel, model_part
+from gaussiancad_core.labelling.visibility_rules import Rule, Says, Transition, holds
+from gaussiancad_core.model.views import Linetype
 
 MOST_FREE = 20
 """Bits up to which all values are tried."""

@@ -21,13 +21,13 @@ from verified_judging import verdict
 from verified_sources import Page, part_shape, solved
 from workers import Row
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import area, volume
-from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.exact_stage import ExactModel
+from gaussiancad_core.evidence.projected_reading import drawn_views
+from gaussiancad_core.kernel.brep import area, volume
+from gaussiancad_core.lines.strokes import DrawnStroke
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Segment
 from gaussiancad_core.modes import Status
-from gaussiancad_core.projected_reading import drawn_views
-from gaussiancad_core.views import Arc, Segment
+from gaussiancad_core.run.exact_stage import ExactModel
 
 _ELSEWHERE = 1e-5
 """Share by which volume and area of a solid may differ where it was computed elsewhere in space:

@@ -25,7 +25,7 @@ from sheet_policies import IN_FIRST, POLICIES, Policy, as_drawn
 from verified_sources import judged
 from workers import Row
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.model.axes import Role
 
 _GRIDS = ((3, 3, 2), (3, 2, 3), (2, 3, 3), (4, 2, 2), (2, 4, 2), (2, 2, 4), (3, 2, 2), (2, 3, 2))
 _LARGER = ((3, 3, 3), (4, 3, 3), (3, 4, 3), (3, 3, 4))

@@ -22,9 +22,9 @@ from displacements import displacements
 from exact_measures import solid_iou
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import faces_of, soundness
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import faces_of, soundness
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.same import same_solid
 

@@ -22,18 +22,18 @@ from verified_judging import judgement
 from verified_sources import Page, part_shape
 from workers import Row
 
-from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.drawing.brep import read_solid
-from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.degrade import finished
-from gaussiancad_core.drawing.sheet import PartLines
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import PartLines
+from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.events import Silence
-from gaussiancad_core.job import Job
+from gaussiancad_core.kernel.brep import read_solid
+from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.modes import ResultKind, Status
-from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.processes.events import Silence
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.run.pipeline import REPORT_FILE, reconstruct
+from gaussiancad_core.sheet.reading_options import ReadingOptions
 
 _DXF_ROLES = {Role.FRONT, Role.TOP, Role.RIGHT}
 

@@ -25,11 +25,11 @@ from twin_parts import twins
 from verified_judging import verdict
 from workers import Row
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box
-from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
-from gaussiancad_core.exact_stage import ExactModel, find_exact
-from gaussiancad_core.projected_reading import drawn_views
+from gaussiancad_core.evidence.projected_reading import drawn_views
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.run.exact_stage import ExactModel, find_exact
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.random_parts import random_part
 

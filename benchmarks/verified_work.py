@@ -12,7 +12,7 @@ from verified_sheets import sheet_cases
 from verified_sources import RANDOM, part_cases, twin_cases
 from workers import FIRST, Row
 
-from gaussiancad_core.cli.libraries import silence_opencascade
+from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.samples.classed import PartClass
 
 _KINDS = (*(kind.value for kind in PartClass), RANDOM, RANDOM)

@@ -23,10 +23,10 @@ from pathlib import Path
 import numpy as np
 import psutil
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.samples import SAMPLES
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)

@@ -10,9 +10,9 @@ from hypothesis import HealthCheck, settings
 if TYPE_CHECKING:
     from OCP.TopoDS import TopoDS_Shape
 
-    from gaussiancad_core.axes import Role
-    from gaussiancad_core.reasoning.drawn_views import DrawnViews
-    from gaussiancad_core.views import ViewSet
+    from gaussiancad_core.evidence.drawn_views import DrawnViews
+    from gaussiancad_core.model.axes import Role
+    from gaussiancad_core.model.views import ViewSet
 
 # No clock decides: a busy machine is no failure.
 settings.register_profile(
@@ -32,10 +32,10 @@ def sample_solid() -> "Callable[[str], TopoDS_Shape]":
 @pytest.fixture(scope="session")
 def drawn() -> "Callable[[TopoDS_Shape, tuple[Role, ...]], DrawnViews]":
     """Draws the exact lines of a solid in the views of some roles."""
-    from gaussiancad_core.axes import Role
-    from gaussiancad_core.drawing.brep import bounding_box
-    from gaussiancad_core.drawing.hlr import LineDrawing
-    from gaussiancad_core.reasoning.drawn_views import exact_views
+    from gaussiancad_core.evidence.drawn_views import exact_views
+    from gaussiancad_core.kernel.brep import bounding_box
+    from gaussiancad_core.lines.hlr import LineDrawing
+    from gaussiancad_core.model.axes import Role
 
     three = (Role.FRONT, Role.TOP, Role.RIGHT)
 
@@ -53,7 +53,7 @@ def iou() -> "Callable[[TopoDS_Shape, TopoDS_Shape], float]":
     """Intersection over union of two solids by OpenCASCADE's Booleans."""
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
-    from gaussiancad_core.drawing.brep import volume
+    from gaussiancad_core.kernel.brep import volume
 
     def measure(one: "TopoDS_Shape", other: "TopoDS_Shape") -> float:
         first, second = volume(one), volume(other)
@@ -82,9 +82,9 @@ def pin_as_read(sample_views: "Callable[[str], DrawnViews]") -> "DrawnViews":
     from dataclasses import replace
     from math import pi, radians
 
-    from gaussiancad_core.axes import Role
-    from gaussiancad_core.drawing.strokes import Polyline
-    from gaussiancad_core.views import Arc, Linetype
+    from gaussiancad_core.lines.strokes import Polyline
+    from gaussiancad_core.model.axes import Role
+    from gaussiancad_core.model.views import Arc, Linetype
 
     views = sample_views("cross-bored-pin")
     low = Arc((30.0, -17.54), 21.06, radians(55.2), radians(69.6), Linetype.VISIBLE)
@@ -104,12 +104,12 @@ def viewed() -> "Callable[..., ViewSet]":
     """Views of a solid with its exact lines and its own shadows as masks, 0.1 mm a pixel."""
     import numpy as np
 
-    from gaussiancad_core.axes import Role
-    from gaussiancad_core.drawing.brep import bounding_box, tessellate
-    from gaussiancad_core.drawing.hlr import LineDrawing
-    from gaussiancad_core.meshes import make_mesh
-    from gaussiancad_core.verification.rays import RayCaster, RayGrid
-    from gaussiancad_core.views import View, ViewSet
+    from gaussiancad_core.kernel.brep import bounding_box, tessellate
+    from gaussiancad_core.lines.hlr import LineDrawing
+    from gaussiancad_core.lines.mesh_rays import RayCaster, RayGrid
+    from gaussiancad_core.model.axes import Role
+    from gaussiancad_core.model.meshes import make_mesh
+    from gaussiancad_core.model.views import View, ViewSet
 
     pixel = 0.1
 

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Role
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.messages import Message, args_of, filled, on_one_line, told
-from gaussiancad_core.readings.schema import SheetReading
-from gaussiancad_core.readings.writing import refusal
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.readings.reading_schema import SheetReading
+from gaussiancad_core.readings.views_to_reading import refusal
 
 ROOT = Path(__file__).resolve().parents[2]
 GIVERS = {"_warn", "warned", "doubted", "_told", "_tell"}

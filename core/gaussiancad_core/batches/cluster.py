@@ -133,7 +133,7 @@ def _asked_for() -> Any:  # noqa: ANN401
 
 def engine_here() -> tuple[str, list[str]]:
     """The version of the engine on a worker, and which of its packages have which."""
-    from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+    from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
 
     found = installed_versions(ENGINE_PACKAGES)
     return __version__, sorted(f"{name} {version}" for name, version in found.items())

@@ -13,11 +13,11 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from gaussiancad_core.batches.inputs import BatchSheet
-from gaussiancad_core.batches.table import BatchRow
+from gaussiancad_core.batches.batch_inputs import BatchSheet
+from gaussiancad_core.batches.batch_table import BatchRow
 from gaussiancad_core.errors import ExitCode, LimitError, UsageError
-from gaussiancad_core.finished import sha256
 from gaussiancad_core.processes.supervisor import Ended
+from gaussiancad_core.storage.resume_check import sha256
 
 MANIFEST_FILE = "manifest.sqlite"
 

@@ -10,7 +10,6 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from gaussiancad_core.cli.libraries import prepare_environment
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.streams import drop, say
 from gaussiancad_core.cli.terminal import terminal
@@ -24,7 +23,8 @@ from gaussiancad_core.errors import (
     is_out_of_memory,
     out_of_files,
 )
-from gaussiancad_core.events import (
+from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.processes.events import (
     Both,
     Cancellation,
     Listener,
@@ -32,7 +32,7 @@ from gaussiancad_core.events import (
     cancel_on_stdin,
     open_event_stream,
 )
-from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.processes.library_behaviour import prepare_environment
 
 _REFUSED = {
     errno.ENAMETOOLONG,
@@ -113,7 +113,7 @@ def _meaning(
         )
     if isinstance(error, OSError) and (known := _of_system(error)) is not None:
         return known
-    from gaussiancad_core.unforeseen import unforeseen
+    from gaussiancad_core.storage.crash_reports import unforeseen
 
     return unforeseen(error, [Path(own) for own in arguments if _is_file(own)])
 

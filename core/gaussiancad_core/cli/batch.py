@@ -12,11 +12,11 @@ from gaussiancad_core.cli import values
 from gaussiancad_core.cli.reconstruct import add_events_option, add_job_options, greet, job_of
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
-from gaussiancad_core.events import Listener
-from gaussiancad_core.job import Job
+from gaussiancad_core.processes.events import Listener
+from gaussiancad_core.report.job import Job
 
 if TYPE_CHECKING:
-    from gaussiancad_core.batches.running import SheetDone
+    from gaussiancad_core.batches.batch_run import SheetDone
 
 _USUAL_MEMORY = 4.0
 """GB that a sheet may take; few take more than 2."""
@@ -75,13 +75,13 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct the sheets, some at a time."""
     greet(listener)
-    from gaussiancad_core.batches.inputs import collect_sheets
+    from gaussiancad_core.batches.batch_inputs import collect_sheets
+    from gaussiancad_core.batches.batch_page import PAGE_FILE
+    from gaussiancad_core.batches.batch_run import BatchSettings, run_batch
+    from gaussiancad_core.batches.batch_table import REPORT_FILE
     from gaussiancad_core.batches.manifest import MANIFEST_FILE
-    from gaussiancad_core.batches.page import PAGE_FILE
-    from gaussiancad_core.batches.running import BatchSettings, run_batch
-    from gaussiancad_core.batches.table import REPORT_FILE
-    from gaussiancad_core.foreign_files import check_no_foreign
     from gaussiancad_core.processes.supervisor import ProcessLimits
+    from gaussiancad_core.storage.foreign_files import check_no_foreign
 
     made_before = (options.output / MANIFEST_FILE).is_file()
     if not options.overwrite and not made_before:

@@ -7,14 +7,14 @@ from functools import partial
 
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.comparison.options import (
+from gaussiancad_core.comparison.comparison_options import (
     Alignment,
     CompareOptions,
     Protocol,
     ScaleRule,
 )
 from gaussiancad_core.errors import ExitCode, GaussianCadError, UnreadableError
-from gaussiancad_core.events import Listener
+from gaussiancad_core.processes.events import Listener
 
 _ALL = "all"
 
@@ -113,10 +113,10 @@ def _failure(exit_code: int, line: str) -> GaussianCadError:
 
 def _compare(options: argparse.Namespace) -> ExitCode:
     """Compare two files and print the figures."""
-    from gaussiancad_core.cli.libraries import silence_opencascade
-    from gaussiancad_core.comparison.command import compare_files
-    from gaussiancad_core.comparison.report import comparison_json
-    from gaussiancad_core.comparison.text import comparison_text
+    from gaussiancad_core.comparison.compare_command import compare_files
+    from gaussiancad_core.comparison.comparison_report import comparison_json
+    from gaussiancad_core.comparison.comparison_text import comparison_text
+    from gaussiancad_core.processes.library_behaviour import silence_opencascade
 
     silence_opencascade()
     asked = CompareOptions(

@@ -8,10 +8,10 @@ from pathlib import Path
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
-from gaussiancad_core.events import Listener
-from gaussiancad_core.files.opening import head_of
-from gaussiancad_core.job import corrections_beside
-from gaussiancad_core.readings.opening import open_corrections
+from gaussiancad_core.files.file_opening import head_of
+from gaussiancad_core.processes.events import Listener
+from gaussiancad_core.readings.reading_files import open_corrections
+from gaussiancad_core.report.job import corrections_beside
 
 _REPORTS = (".csv", ".json")
 """How the names of a batch's reports end."""

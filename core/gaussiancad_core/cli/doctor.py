@@ -9,8 +9,8 @@ from importlib import metadata
 
 from gaussiancad_core import __version__
 from gaussiancad_core.errors import ExitCode
-from gaussiancad_core.events import Listener
-from gaussiancad_core.versions import OPEN3D_DISTRIBUTIONS, installed_versions
+from gaussiancad_core.processes.events import Listener
+from gaussiancad_core.storage.versions import OPEN3D_DISTRIBUTIONS, installed_versions
 
 _NEEDED = {
     "numpy": "numpy",
@@ -58,7 +58,7 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     print(f"Python {platform.python_version()} at {sys.executable}")
     print(f"{os.cpu_count()} cores, {platform.platform()}")
     open3d = next(iter(installed_versions(OPEN3D_DISTRIBUTIONS)), "open3d")
-    needed = {**_NEEDED, "gaussiancad_core.bare_open3d": open3d}
+    needed = {**_NEEDED, "gaussiancad_core.kernel.bare_open3d": open3d}
     broken = 0
     for module, distribution in needed.items():
         problem = _problem(module, distribution)
@@ -77,7 +77,7 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
 
 def _labels_state() -> str:
     """Whether pictures are labelled by the trained network."""
-    from gaussiancad_core.sheet.labels.network import labels_problem
+    from gaussiancad_core.sheet.labels.labels_network import labels_problem
 
     problem = labels_problem()
     return "whole" if problem is None else f"not used, pictures are read by rules: {problem}"
@@ -126,15 +126,16 @@ def _advice(message: str) -> str:
 
 def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Compile the kernels into their cache."""
-    from gaussiancad_core.reasoning import sight_lines
-    from gaussiancad_core.sheet import growth
+    from gaussiancad_core.cells import sight_lines
+    from gaussiancad_core.lines import mesh_crossings, mesh_rays
+    from gaussiancad_core.pictures import preview
+    from gaussiancad_core.sheet.tracing.leftover_tracing import shape_growth
     from gaussiancad_core.splatting import tiles
-    from gaussiancad_core.verification import crossings, preview, rays
 
     sight_lines.warm_up()
-    growth.warm_up()
+    shape_growth.warm_up()
     tiles.warm_up()
-    crossings.warm_up()
-    rays.warm_up()
+    mesh_crossings.warm_up()
+    mesh_rays.warm_up()
     preview.warm_up()
     return ExitCode.DONE

@@ -3,12 +3,12 @@
 import argparse
 from functools import partial
 
-from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode
-from gaussiancad_core.events import Listener
 from gaussiancad_core.messages import on_one_line
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.processes.events import Listener
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -40,9 +40,9 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Draw a solid."""
-    from gaussiancad_core.cli.libraries import silence_opencascade
-    from gaussiancad_core.drawing.command import draw_file
-    from gaussiancad_core.drawing.style import parse_style
+    from gaussiancad_core.drawing.draw_command import draw_file
+    from gaussiancad_core.drawing.sheet_style import parse_style
+    from gaussiancad_core.processes.library_behaviour import silence_opencascade
 
     silence_opencascade()
     drawn = draw_file(

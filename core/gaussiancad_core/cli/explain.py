@@ -8,8 +8,8 @@ from typing import Any
 
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
-from gaussiancad_core.events import Listener
-from gaussiancad_core.plain_files import plain_bytes
+from gaussiancad_core.processes.events import Listener
+from gaussiancad_core.storage.plain_files import plain_bytes
 
 _SCHEMAS = (2, "gaussiancad-reading/1", "gaussiancad-construction/1")
 """Of the files that are read: the report, the reading, the construction."""
@@ -52,7 +52,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
 
 def _of_run(options: argparse.Namespace) -> list[str]:
     """What a run left in its folder, in all, of a view, or at a place."""
-    from gaussiancad_core.explanation import explained, explained_place, explained_view
+    from gaussiancad_core.report.explanation import explained, explained_place, explained_view
 
     report = _values(options.folder / "report.json")
     if options.at is not None:
@@ -71,7 +71,7 @@ def _of_run(options: argparse.Namespace) -> list[str]:
         lines = explained(report)
         construction = options.folder / "construction.json"
         if construction.is_file():
-            from gaussiancad_core.sketch.construction_sentences import construction_in_words
+            from gaussiancad_core.report.construction_sentences import construction_in_words
 
             lines += ["", "How it was put together:"]
             lines += construction_in_words(_values(construction))
@@ -80,10 +80,10 @@ def _of_run(options: argparse.Namespace) -> list[str]:
 
 def _of_sheet(options: argparse.Namespace) -> list[str]:
     """What is read on a sheet, in all or at a place."""
-    from gaussiancad_core.events import Silence
-    from gaussiancad_core.explanation import read_place, read_sheet_in_words
-    from gaussiancad_core.job import Job, corrections_beside
-    from gaussiancad_core.reading_run import read_to_file
+    from gaussiancad_core.processes.events import Silence
+    from gaussiancad_core.report.explanation import read_place, read_sheet_in_words
+    from gaussiancad_core.report.job import Job, corrections_beside
+    from gaussiancad_core.run.read_run import read_to_file
 
     if options.view is not None:
         raise UsageError("wrong-usage", "--view needs the output folder of a run, not a sheet")

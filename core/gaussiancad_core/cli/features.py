@@ -6,8 +6,8 @@ from gaussiancad_core.cli import values
 from gaussiancad_core.cli.streams import say
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode
-from gaussiancad_core.events import Listener
 from gaussiancad_core.messages import on_one_line
+from gaussiancad_core.processes.events import Listener
 
 _USUAL_MEMORY, _USUAL_SECONDS = 8.0, 120.0
 """GB and s within which features are looked for, unless other limits are given."""
@@ -36,7 +36,7 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Find features in a limited process; what takes too long stays a base without any."""
-    from gaussiancad_core.cli.libraries import silence_opencascade
+    from gaussiancad_core.processes.library_behaviour import silence_opencascade
 
     broken_off = ""
     if not options.unlimited:
@@ -50,7 +50,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
             return ExitCode.DONE
         broken_off = ended.message
     silence_opencascade()
-    from gaussiancad_core.features.command import write_features
+    from gaussiancad_core.features.features_command import write_features
 
     found = write_features(options.solid, options.output, find=options.unlimited)
     name = on_one_line(str(options.output))

@@ -14,8 +14,8 @@ from gaussiancad_core.errors import (
     UnreadableError,
     UsageError,
 )
-from gaussiancad_core.events import Listener
 from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.processes.events import Listener
 
 ALL_PAGES = "all"
 
@@ -61,7 +61,7 @@ def run_pages(
             "--reading and --corrections speak of one page: name it with --page N",
         )
 
-    from gaussiancad_core.sheet.read import read_sheet
+    from gaussiancad_core.sheet.image.sheet_files import read_sheet
 
     count = read_sheet(options.sheet).pages
     failed: list[GaussianCadError] = []

@@ -13,10 +13,10 @@ from gaussiancad_core.cli.reconstruct import (
 )
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode
-from gaussiancad_core.events import Listener
-from gaussiancad_core.job import Job, corrections_beside
 from gaussiancad_core.messages import on_one_line
-from gaussiancad_core.outputs import READ_FILES
+from gaussiancad_core.processes.events import Listener
+from gaussiancad_core.report.job import Job, corrections_beside
+from gaussiancad_core.storage.outputs import READ_FILES
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -55,7 +55,7 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     )
     job.check(READ_FILES)
 
-    from gaussiancad_core.reading_run import READING_FILE, read_to_file
+    from gaussiancad_core.run.read_run import READING_FILE, read_to_file
 
     reading = read_to_file(job, listener)
     path = (options.output / READING_FILE).resolve()

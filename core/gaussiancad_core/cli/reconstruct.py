@@ -5,19 +5,19 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.cli.streams import say
 from gaussiancad_core.cli.terminal import summary
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
-from gaussiancad_core.events import PROTOCOL, Listener
-from gaussiancad_core.job import Job, corrections_beside
 from gaussiancad_core.messages import on_one_line
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, SolidWay
-from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES
-from gaussiancad_core.sheet.options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
+from gaussiancad_core.processes.events import PROTOCOL, Listener
+from gaussiancad_core.report.job import Job, corrections_beside
+from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
+from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES
 
 SOLID_WAY = "--solid-way"
 """The option that leaves out ways in which an exact solid is looked for."""
@@ -215,7 +215,7 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
 
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct one sheet, or each page of a file."""
-    from gaussiancad_core.sheet_names import folder_names
+    from gaussiancad_core.batches.batch_folder_names import folder_names
 
     (name,) = folder_names([options.sheet])
     greet(listener, name=name)
@@ -231,8 +231,8 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     )
     job.check((*RUN_FILES, REPORT_FILE))
 
-    from gaussiancad_core.cli.libraries import silence_opencascade
-    from gaussiancad_core.pipeline import reconstruct
+    from gaussiancad_core.processes.library_behaviour import silence_opencascade
+    from gaussiancad_core.run.pipeline import reconstruct
 
     silence_opencascade()
     report = reconstruct(job, listener)
@@ -249,7 +249,7 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
 def greet(listener: Listener, **fields: str) -> None:
     """The first event: the protocol, and the versions of all that counts."""
     from gaussiancad_core import __version__
-    from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+    from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
 
     versions = {"gaussiancad": __version__, **installed_versions(ENGINE_PACKAGES)}
     listener.send("hello", protocol=PROTOCOL, versions=versions, **fields)

@@ -16,8 +16,8 @@ from gaussiancad_core.errors import (
     is_out_of_memory,
     out_of_files,
 )
-from gaussiancad_core.events import Listener, stop_main_thread
 from gaussiancad_core.messages import Message, on_one_line, told
+from gaussiancad_core.processes.events import Listener, stop_main_thread
 
 _END = ""
 
@@ -51,7 +51,7 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
 
     import msgspec
 
-    from gaussiancad_core.serving import Desk, Request
+    from gaussiancad_core.run.serving import Desk, Request
 
     desk = Desk()
     listener.send("ready")
@@ -88,7 +88,7 @@ def _failed(error: Exception, sheet: Path) -> dict[str, Any]:
     if is_out_of_memory(error):
         return _refusal("out-of-memory", "the memory does not suffice: use a smaller file")
 
-    from gaussiancad_core.unforeseen import unforeseen
+    from gaussiancad_core.storage.crash_reports import unforeseen
 
     found = unforeseen(error, [sheet])
     return _refusal(found.code, found.message)

@@ -22,11 +22,11 @@ from gaussiancad_core.errors import (
     LimitError,
     UnreadableError,
 )
-from gaussiancad_core.events import Listener, Silence, open_event_stream
-from gaussiancad_core.job import Job
 from gaussiancad_core.messages import on_one_line, told
 from gaussiancad_core.modes import ResultKind, SolidWay
+from gaussiancad_core.processes.events import Listener, Silence, open_event_stream
 from gaussiancad_core.processes.watched import Watched, watch
+from gaussiancad_core.report.job import Job
 
 _OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw", "features"})
 """Commands that use it."""
@@ -146,8 +146,8 @@ def _failure(ended: Watched, solid: Path | None = None) -> GaussianCadError:
 def _report(job: Job, error: GaussianCadError, stage: str) -> None:
     """The report of a run whose process died; what it had put in place stays."""
     from gaussiancad_core.modes import Status
-    from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES, OutputFolder
-    from gaussiancad_core.report import Report
+    from gaussiancad_core.report.run_report import Report
+    from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES, OutputFolder
 
     if not Path(job.output).is_dir():
         return

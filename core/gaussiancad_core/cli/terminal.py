@@ -10,7 +10,7 @@ from gaussiancad_core.cli.streams import drop
 from gaussiancad_core.messages import on_one_line
 
 if TYPE_CHECKING:
-    from gaussiancad_core.report import Report
+    from gaussiancad_core.report.run_report import Report
 
 _STAGES = {
     "read": "opening the file",

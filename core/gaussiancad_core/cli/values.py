@@ -7,9 +7,9 @@ from enum import Enum
 from pathlib import Path
 from typing import TypeVar
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.lengths import LEAST_MM, LONGEST_MM
-from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.length_units import LEAST_MM, LONGEST_MM
+from gaussiancad_core.sheet.reading_options import Box
 
 Choice = TypeVar("Choice", bound=Enum)
 

@@ -5,6 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gaussiancad_core.comparison import distances as measures
+from gaussiancad_core.comparison.comparison_options import (
+    Alignment,
+    CompareOptions,
+    Protocol,
+    ScaleRule,
+)
+from gaussiancad_core.comparison.comparison_report import Comparison, DeviationFacts, ModelFacts
 from gaussiancad_core.comparison.deepcad import DeepCadResult, measure_deepcad
 from gaussiancad_core.comparison.deviation import Deviation, measure_deviation
 from gaussiancad_core.comparison.engineering import (
@@ -16,7 +23,9 @@ from gaussiancad_core.comparison.engineering import (
     volume_of,
 )
 from gaussiancad_core.comparison.findings import WorstPoint, histogram_of, worst_points
-from gaussiancad_core.comparison.models import Model
+from gaussiancad_core.comparison.global_registration import find_turn
+from gaussiancad_core.comparison.model_files import Model
+from gaussiancad_core.comparison.model_units import unit_factor
 from gaussiancad_core.comparison.normalise import (
     BOX,
     Matrix,
@@ -26,17 +35,13 @@ from gaussiancad_core.comparison.normalise import (
     normalising_matrix,
     scale_of,
 )
-from gaussiancad_core.comparison.options import Alignment, CompareOptions, Protocol, ScaleRule
 from gaussiancad_core.comparison.queries import SurfaceQueries
-from gaussiancad_core.comparison.registration import Registration, Side, refine, register
 from gaussiancad_core.comparison.remarks import remarks_on
-from gaussiancad_core.comparison.report import Comparison, DeviationFacts, ModelFacts
+from gaussiancad_core.comparison.rigid_registration import Registration, Side, refine, register
 from gaussiancad_core.comparison.sampling import RandomState, random_streams, sample_surface
 from gaussiancad_core.comparison.topology import topology_of
-from gaussiancad_core.comparison.turning import find_turn
-from gaussiancad_core.comparison.units import unit_factor
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 _REGISTRATION_POINTS = 2000
 

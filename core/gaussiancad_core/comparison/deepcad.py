@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gaussiancad_core.comparison.distances import VolumeIou, encloses_volume, volume_iou
-from gaussiancad_core.comparison.models import Content, Model
+from gaussiancad_core.comparison.model_files import Content, Model
 from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
 from gaussiancad_core.comparison.queries import Points, SurfaceQueries
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface

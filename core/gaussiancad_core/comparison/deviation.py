@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.comparison.edges import mesh_edges
+from gaussiancad_core.comparison.mesh_edges import mesh_edges
 from gaussiancad_core.comparison.queries import SurfaceQueries
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 _LONGEST_EDGE_SHARE = 1.0 / 60.0
 """Triangles are split until no edge is longer than this share of the model's longest edge."""

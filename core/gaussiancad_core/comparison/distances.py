@@ -13,11 +13,11 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.comparison.bodies import manifold_of
+from gaussiancad_core.comparison.closed_bodies import manifold_of
 from gaussiancad_core.comparison.queries import Points, SurfaceQueries
 from gaussiancad_core.comparison.sampling import RandomState
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 
 EMD_POINTS = 2048
 """Most points a side for the EMD: optimal transport costs the third power of their number."""

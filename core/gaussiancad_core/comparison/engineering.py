@@ -12,10 +12,10 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.comparison.distances import VolumeIou, volume_iou
-from gaussiancad_core.comparison.models import Model
+from gaussiancad_core.comparison.model_files import Model
 from gaussiancad_core.comparison.normalise import Matrix, moved_mesh
 from gaussiancad_core.comparison.queries import SurfaceQueries
-from gaussiancad_core.comparison.registration import surface_normals
+from gaussiancad_core.comparison.rigid_registration import surface_normals
 from gaussiancad_core.comparison.sampling import RandomState, sample_triangles
 
 PROTOCOL = (

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.comparison.deviation import Deviation
 from gaussiancad_core.comparison.queries import Points
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 
 BINS = 40
 WORST = 10

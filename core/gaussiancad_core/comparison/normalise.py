@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 Matrix = npt.NDArray[np.float64]
 
@@ -14,7 +14,7 @@ BOX = 5.0
 def normalising_matrix(mesh: TriangleMesh, edge: float = BOX) -> Matrix:
     """(4, 4) file coordinates -> units: bounding box centred at the origin, longest edge ``edge``.
 
-    The mesh must have an extent; :func:`gaussiancad_core.comparison.models.load_model` sees to it.
+    The mesh must have an extent; :func:`.model_files.load_model` sees to it.
     """
     low, high = mesh.bounds
     scale = edge / float((high - low).max())

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.comparison.deviation import COLOUR_STOPS, Deviation, split_long_edges
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 MOST_TRIANGLES = 60_000
 _REFERENCE_TRIANGLES = 30_000
@@ -76,7 +76,7 @@ def _thinned(mesh: TriangleMesh, most: int) -> TriangleMesh:
     """The mesh itself, or one with fewer triangles that looks the same."""
     if len(mesh.triangles) <= most:
         return mesh
-    from gaussiancad_core.bare_open3d import open3d
+    from gaussiancad_core.kernel.bare_open3d import open3d
 
     source = open3d.geometry.TriangleMesh(
         open3d.utility.Vector3dVector(mesh.vertices),

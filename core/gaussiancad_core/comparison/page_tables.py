@@ -6,13 +6,13 @@ from html import escape
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.comparison.comparison_report import Comparison, DeviationFacts, ModelFacts
 from gaussiancad_core.comparison.deepcad import DeepCadResult
 from gaussiancad_core.comparison.deviation import diverging_colours
 from gaussiancad_core.comparison.distances import VolumeIou
 from gaussiancad_core.comparison.engineering import NORMAL_ANGLE, EngineeringResult
 from gaussiancad_core.comparison.findings import Histogram, WorstPoint
-from gaussiancad_core.comparison.models import Content
-from gaussiancad_core.comparison.report import Comparison, DeviationFacts, ModelFacts
+from gaussiancad_core.comparison.model_files import Content
 
 _PLOT = (720, 190)
 _MARGINS = (54, 12, 30)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 
 if TYPE_CHECKING:
     import open3d
@@ -57,7 +57,7 @@ class SurfaceQueries:
     """
 
     def __init__(self, mesh: TriangleMesh) -> None:
-        from gaussiancad_core.bare_open3d import open3d
+        from gaussiancad_core.kernel.bare_open3d import open3d
 
         self.mesh = mesh
         self._scene = open3d.t.geometry.RaycastingScene()
@@ -174,6 +174,6 @@ class _Slivers:
 
 
 def _tensor(values: npt.NDArray[np.floating]) -> "open3d.core.Tensor":
-    from gaussiancad_core.bare_open3d import open3d
+    from gaussiancad_core.kernel.bare_open3d import open3d
 
     return open3d.core.Tensor(np.ascontiguousarray(values, dtype=np.float32))

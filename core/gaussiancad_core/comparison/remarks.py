@@ -1,10 +1,10 @@
 """What a person should know before believing a comparison's numbers."""
 
 from gaussiancad_core.comparison.distances import encloses_volume
-from gaussiancad_core.comparison.models import Content, ExactFacts, Model
+from gaussiancad_core.comparison.model_files import Content, ExactFacts, Model
 from gaussiancad_core.comparison.topology import Topology
 from gaussiancad_core.messages import Message
-from gaussiancad_core.report import Remark
+from gaussiancad_core.report.run_report import Remark
 
 
 def remarks_on(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 
 RandomState = np.random.Generator
 

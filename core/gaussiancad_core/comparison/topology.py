@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.comparison.edges import mesh_edges
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.comparison.mesh_edges import mesh_edges
+from gaussiancad_core.model.meshes import TriangleMesh
 
 
 @dataclass(frozen=True)

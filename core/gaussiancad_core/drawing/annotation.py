@@ -5,7 +5,7 @@ from enum import Enum
 
 import numpy as np
 
-from gaussiancad_core.drawing.strokes import DrawnStroke, extent, turned
+from gaussiancad_core.lines.strokes import DrawnStroke, extent, turned
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]

@@ -7,9 +7,9 @@ import shapely
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
 from gaussiancad_core.drawing.drawn_view import DrawnView
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
-from gaussiancad_core.drawing.style import SheetStyle
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.drawing.sheet_style import SheetStyle
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
+from gaussiancad_core.model.views import Linetype, Segment
 
 _GAP = 0.07
 """Width of the gap as a share of the view's."""

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Rhythm
+from gaussiancad_core.drawing.annotation_pen import Direction, Pen
 from gaussiancad_core.drawing.drawn_view import DrawnView
-from gaussiancad_core.drawing.intervals import Interval
-from gaussiancad_core.drawing.pen import Direction, Pen
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.geometry.intervals import Interval
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 _SAME = 0.6
 """px within which lines of two views are the same feature's."""

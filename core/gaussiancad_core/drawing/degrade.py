@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.drawing.style import SheetStyle
+from gaussiancad_core.drawing.sheet_style import SheetStyle
 
 Image = npt.NDArray[np.uint8]
 Ink = npt.NDArray[np.float32]

@@ -4,11 +4,11 @@ import math
 from dataclasses import dataclass
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Box
+from gaussiancad_core.drawing.annotation_pen import Direction, Pen
 from gaussiancad_core.drawing.lettering import label, text_width
-from gaussiancad_core.drawing.pen import Direction, Pen
+from gaussiancad_core.drawing.sheet_style import TextPlace
 from gaussiancad_core.drawing.stations import Station
-from gaussiancad_core.drawing.style import TextPlace
-from gaussiancad_core.views import Segment
+from gaussiancad_core.model.views import Segment
 
 Span = tuple[float, float]
 """Least and greatest coordinate in px."""

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, replace
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.layout import Placement
-from gaussiancad_core.drawing.strokes import DrawnStroke, extent, mapped, turned
+from gaussiancad_core.drawing.view_placing import Placement
+from gaussiancad_core.lines.strokes import DrawnStroke, extent, mapped, turned
+from gaussiancad_core.model.axes import Role
 
 
 @dataclass(frozen=True)

@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Box, Rhythm
+from gaussiancad_core.drawing.annotation_pen import Pen
 from gaussiancad_core.drawing.lettering import label, text_width
-from gaussiancad_core.drawing.pen import Pen
-from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.drawing.style import SheetStyle
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.drawing.sheet_style import SheetStyle
+from gaussiancad_core.lines.strokes import DrawnStroke
+from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 BLOCK = (27.0, 8.0)
 """Width and height of the title block in heights of the text."""

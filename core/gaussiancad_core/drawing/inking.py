@@ -5,9 +5,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import Annotation, Point, Rhythm
 from gaussiancad_core.drawing.lettering import ink_label
-from gaussiancad_core.drawing.raster import Coverage, draw_stroke
-from gaussiancad_core.drawing.strokes import DrawnStroke, part
-from gaussiancad_core.drawing.style import Cap, SheetStyle
+from gaussiancad_core.drawing.sheet_style import Cap, SheetStyle
+from gaussiancad_core.drawing.stroke_raster import Coverage, draw_stroke
+from gaussiancad_core.lines.strokes import DrawnStroke, part
 
 LONG, GAP, SHORT = 16.0, 3.0, 4.0
 """Rhythm of centre lines in multiples of their width (ISO 128-2 has 24, 3 and a dot; CAD systems

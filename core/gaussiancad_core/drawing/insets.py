@@ -9,11 +9,11 @@ import shapely
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Box, Point
 from gaussiancad_core.drawing.drawn_view import DrawnView
+from gaussiancad_core.drawing.isometric_picture import CLEARANCE, free_corner
 from gaussiancad_core.drawing.lettering import label
-from gaussiancad_core.drawing.picture import CLEARANCE, free_corner
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline, extent, mapped, turned
-from gaussiancad_core.drawing.style import Inset, SheetStyle
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.drawing.sheet_style import Inset, SheetStyle
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, extent, mapped, turned
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 _DETAIL_SHARE = 0.2
 """Radius of what a detail shows, as a share of the view's shorter side."""

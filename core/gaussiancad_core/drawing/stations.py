@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
+from gaussiancad_core.drawing.annotation_pen import Direction
 from gaussiancad_core.drawing.centre_lines import rounds
 from gaussiancad_core.drawing.drawn_view import DrawnView
-from gaussiancad_core.drawing.pen import Direction
-from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.lines.strokes import DrawnStroke
+from gaussiancad_core.model.views import Linetype, Segment
 
 _ON = 0.05
 """px within which strokes are at the same station."""

@@ -5,9 +5,7 @@ from typing import Any
 
 from gaussiancad_core.features.constraints import Numbers, constraints_of
 from gaussiancad_core.features.dimension_names import dimension_names
-from gaussiancad_core.features.frames import MAIN_FRAMES, Frame
-from gaussiancad_core.features.loops import Edge, Loop
-from gaussiancad_core.features.model import (
+from gaussiancad_core.features.feature_model import (
     EdgeBreak,
     Extrusion,
     Feature,
@@ -16,10 +14,12 @@ from gaussiancad_core.features.model import (
     Sketch,
     Turning,
 )
+from gaussiancad_core.features.frames import MAIN_FRAMES, Frame
+from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.pattern_values import pattern_values
 from gaussiancad_core.features.patterns import patterns_of
-from gaussiancad_core.features.standing_values import with_standing
-from gaussiancad_core.features.threads import threads_of
+from gaussiancad_core.features.support_values import with_standing
+from gaussiancad_core.features.thread_notes import threads_of
 
 SCHEMA = "gaussiancad-features/1"
 

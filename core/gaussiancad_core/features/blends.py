@@ -10,9 +10,9 @@ from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.GeomAbs import GeomAbs_CurveType
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import ShapeTable
-from gaussiancad_core.drawing.edges import EdgeFacts, edge_facts
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
+from gaussiancad_core.kernel.brep import ShapeTable
+from gaussiancad_core.kernel.solid_edges import EdgeFacts, edge_facts
 
 Vector = npt.NDArray[np.float64]
 

@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Geometry, Reference, Spot
-from gaussiancad_core.features.threads import ThreadNote
+from gaussiancad_core.features.thread_notes import ThreadNote
 
 Vector = npt.NDArray[np.float64]
 

@@ -7,20 +7,20 @@ import numpy as np
 import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import bounding_box, edges_of
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.features.building import combined, in_order_of_making
-from gaussiancad_core.features.cover import cheapest_cover, offered
+from gaussiancad_core.features.body_cover import cheapest_cover, offered
 from gaussiancad_core.features.difference import Difference, difference
+from gaussiancad_core.features.feature_building import combined, in_order_of_making
+from gaussiancad_core.features.feature_model import Extrusion, Sketch, Turning
 from gaussiancad_core.features.frames import MAIN_FRAMES, Frame, frame_across
+from gaussiancad_core.features.inside_rays import Rays
 from gaussiancad_core.features.loops import OpenLoopError, loops_of
-from gaussiancad_core.features.model import Extrusion, Sketch, Turning
 from gaussiancad_core.features.prisms import prism_plane, prisms_of
-from gaussiancad_core.features.rays import Rays
-from gaussiancad_core.features.samples import joined
+from gaussiancad_core.features.sample_points import joined
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, solid_faces
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane
 from gaussiancad_core.features.turned_bodies import in_sketch, turned_planes, turned_sweeps
+from gaussiancad_core.kernel.brep import bounding_box, edges_of
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 
 Points = npt.NDArray[np.float64]
 

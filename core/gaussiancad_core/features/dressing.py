@@ -10,11 +10,11 @@ from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFille
 from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 
-from gaussiancad_core.drawing.booleans import unified
-from gaussiancad_core.drawing.brep import edges_of, is_valid
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.blends import Blend
-from gaussiancad_core.features.model import EdgeBreak
+from gaussiancad_core.features.feature_model import EdgeBreak
+from gaussiancad_core.kernel.booleans import unified
+from gaussiancad_core.kernel.brep import edges_of, is_valid
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 
 Vector = npt.NDArray[np.float64]
 

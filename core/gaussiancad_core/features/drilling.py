@@ -9,10 +9,10 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone, BRepPrimAPI_MakeCylinder
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.booleans import fused
+from gaussiancad_core.features.feature_model import Holes, Sink
 from gaussiancad_core.features.frames import frame_across
-from gaussiancad_core.features.model import Holes, Sink
 from gaussiancad_core.features.round_holes import Bore, Section
+from gaussiancad_core.kernel.booleans import fused
 
 _DIGITS = 4
 """Decimal places of units and degrees within which holes are alike."""

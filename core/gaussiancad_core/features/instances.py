@@ -8,8 +8,15 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.features.building import middle_of
-from gaussiancad_core.features.model import EdgeBreak, Extrusion, Feature, Holes, Sketch, Turning
+from gaussiancad_core.features.feature_building import middle_of
+from gaussiancad_core.features.feature_model import (
+    EdgeBreak,
+    Extrusion,
+    Feature,
+    Holes,
+    Sketch,
+    Turning,
+)
 
 Points = npt.NDArray[np.float64]
 

@@ -4,8 +4,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from math import atan2, hypot, pi
 
-from gaussiancad_core.features.cells import Cells, Piece
-from gaussiancad_core.reasoning.curves import TURN, CircleCurve, Point
+from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
+from gaussiancad_core.features.sketch_cells import Cells, Piece
 
 _MEETING = 1e-3
 """Units within which ends meet."""

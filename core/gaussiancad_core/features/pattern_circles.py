@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.features.feature_model import Extrusion, Feature, Holes, Turning
 from gaussiancad_core.features.frames import frame_across
 from gaussiancad_core.features.instances import Instance, Motion, is_moved
-from gaussiancad_core.features.model import Extrusion, Feature, Holes, Turning
 from gaussiancad_core.features.pattern_model import (
     DIGITS,
     FEWEST,

@@ -10,6 +10,7 @@ from itertools import chain, combinations
 
 import numpy as np
 
+from gaussiancad_core.features.feature_model import Feature
 from gaussiancad_core.features.frames import frame_across
 from gaussiancad_core.features.instances import (
     Instance,
@@ -19,7 +20,6 @@ from gaussiancad_core.features.instances import (
     is_moved,
     tolerance_of,
 )
-from gaussiancad_core.features.model import Feature
 from gaussiancad_core.features.pattern_circles import axes_of, circles, middles
 from gaussiancad_core.features.pattern_model import DIGITS, Mirror, Pattern
 from gaussiancad_core.features.pattern_rows import grids, rows_of

@@ -13,11 +13,7 @@ from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_CurveType
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import edges_of
-from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.features.solid_faces import Kind, SolidFace, u_range
-from gaussiancad_core.reasoning.curves import (
+from gaussiancad_core.coordinates.carrier_curves import (
     TURN,
     CircleCurve,
     LineCurve,
@@ -25,8 +21,12 @@ from gaussiancad_core.reasoning.curves import (
     Point,
     line_through,
 )
-from gaussiancad_core.reasoning.spans import Span, Support
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.features.frames import Frame
+from gaussiancad_core.features.solid_faces import Kind, SolidFace, u_range
+from gaussiancad_core.kernel.brep import edges_of
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype
 
 Points = npt.NDArray[np.float64]
 

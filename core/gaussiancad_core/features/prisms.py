@@ -8,20 +8,20 @@ import numpy as np
 import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Edge
 
-from gaussiancad_core.features.cells import Cells, edge_count, length_of
+from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.features.frames import Frame
+from gaussiancad_core.features.inside_rays import Rays
 from gaussiancad_core.features.plane_curves import (
     segment,
     stretches_along,
     stretches_of_walls,
     supports_of,
 )
-from gaussiancad_core.features.rays import Rays
 from gaussiancad_core.features.round_axes import levels_along
-from gaussiancad_core.features.samples import Samples
+from gaussiancad_core.features.sample_points import Samples
+from gaussiancad_core.features.sketch_cells import Cells, edge_count, length_of
 from gaussiancad_core.features.solid_faces import SolidFace
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, regions_of
-from gaussiancad_core.reasoning.arrangement import Arrangement
 
 Points = npt.NDArray[np.float64]
 

@@ -9,10 +9,10 @@ from math import atan, degrees, tau
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.drawing.brep import ShapeTable, edges_of
-from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.inside_rays import Rays
 from gaussiancad_core.features.round_axes import PARALLEL, SAME, RoundAxis, around, by_axis
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
+from gaussiancad_core.kernel.brep import ShapeTable, edges_of
 
 Vector = npt.NDArray[np.float64]
 

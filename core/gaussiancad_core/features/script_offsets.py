@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.features.standing import along
+from gaussiancad_core.features.supported_features import along
 
 Terms = tuple[tuple[int, str], ...]
 """Names of parameters, each with 1 or -1: a sum; nothing is 0."""

@@ -12,8 +12,8 @@ from OCP.gp import gp_Ax1
 from OCP.TopAbs import TopAbs_Orientation
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import faces_of
-from gaussiancad_core.drawing.surfaces import normal_at
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.kernel.surface_crossings import normal_at
 
 Vector = npt.NDArray[np.float64]
 

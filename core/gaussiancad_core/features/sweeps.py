@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.features.cells import Cells
+from gaussiancad_core.cells.arrangement import OUTSIDE
 from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.reasoning.arrangement import OUTSIDE
+from gaussiancad_core.features.sketch_cells import Cells
 
 Points = npt.NDArray[np.float64]
 

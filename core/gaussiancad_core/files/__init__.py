@@ -1,2 +1,4 @@
-"""File formats of sheets, one module a kind; :func:`gaussiancad_core.sheet.read.read_sheet` is the
-only way in."""
+"""File formats of sheets, one module a kind.
+
+:func:`gaussiancad_core.sheet.image.sheet_files.read_sheet` is the only way in.
+"""

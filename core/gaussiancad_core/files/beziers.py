@@ -6,7 +6,7 @@ from itertools import groupby
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.curves import (
+from gaussiancad_core.files.file_curves import (
     FLATNESS,
     SMALLEST_SWEEP,
     STRAIGHT,

@@ -11,7 +11,7 @@ from ezdxf.path import Path as BoundaryPath
 from ezdxf.path import from_hatch
 from ezdxf.render.hatching import HatchingError, hatch_entity
 
-from gaussiancad_core.files.curves import affine_arc, polygon_curves, to_point
+from gaussiancad_core.files.file_curves import affine_arc, polygon_curves, to_point
 from gaussiancad_core.files.vectors import FULL_TURN, Chain, Curve, Line
 
 _FLATNESS = 5e-6

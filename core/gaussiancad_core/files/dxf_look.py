@@ -7,7 +7,7 @@ from ezdxf import colors
 from ezdxf.document import Drawing
 from ezdxf.entities import DXFGraphic, Linetype
 
-from gaussiancad_core.files.linetypes import role_by_name, stroke_role
+from gaussiancad_core.files.file_linetypes import role_by_name, stroke_role
 from gaussiancad_core.files.vectors import Colour, StrokeKind, StrokeRole
 
 _BY_LAYER, _BY_BLOCK = -1, -2

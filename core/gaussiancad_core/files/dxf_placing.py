@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from gaussiancad_core.files.curves import placed
 from gaussiancad_core.files.dxf_entities import DrawnCurve, Explosion
 from gaussiancad_core.files.dxf_text import PlacedText
+from gaussiancad_core.files.file_curves import placed
 from gaussiancad_core.files.file_grid import WrittenPath, line_ends, with_steps
 from gaussiancad_core.files.fitting import curve_along
 from gaussiancad_core.files.sizing import MILLIMETRE, Sizing

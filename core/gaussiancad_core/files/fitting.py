@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.curves import (
+from gaussiancad_core.files.file_curves import (
     FLATNESS,
     SMALLEST_SWEEP,
     STRAIGHT,

@@ -12,7 +12,7 @@ from pathlib import Path
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.files.answer import outcome_of
 from gaussiancad_core.files.content import FileContent
-from gaussiancad_core.files.kinds import FileKind
+from gaussiancad_core.files.file_kinds import FileKind
 from gaussiancad_core.messages import filled
 
 TIME_LIMIT = 60.0
@@ -21,7 +21,7 @@ TIME_LIMIT = 60.0
 MEMORY_LIMIT = 4 << 30
 """Bytes of address space."""
 
-_CHILD = "gaussiancad_core.files.child"
+_CHILD = "gaussiancad_core.files.file_child"
 
 
 def read_isolated(

@@ -16,9 +16,9 @@ from pypdfium2 import raw
 
 from gaussiancad_core.files.beziers import curves_from_path
 from gaussiancad_core.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
-from gaussiancad_core.files.curves import to_point
+from gaussiancad_core.files.file_curves import to_point
 from gaussiancad_core.files.file_grid import Strokes, WrittenPath, line_ends, with_steps
-from gaussiancad_core.files.linetypes import role_by_dashes, role_by_name
+from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.files.pdf_texts import (
     Origins,
     TextPiece,

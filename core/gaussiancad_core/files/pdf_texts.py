@@ -15,7 +15,7 @@ import numpy.typing as npt
 import pypdfium2 as pdfium
 from pypdfium2 import raw
 
-from gaussiancad_core.files.curves import to_point
+from gaussiancad_core.files.file_curves import to_point
 from gaussiancad_core.files.vectors import Box, VectorText
 
 Affine = npt.NDArray[np.float64]

@@ -7,7 +7,7 @@ as long as they can be while all points lie within the rounding, and into its ow
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.curves import to_point, wrapped
+from gaussiancad_core.files.file_curves import to_point, wrapped
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.files.vectors import FULL_TURN, CircularArc, Curve, Line
 

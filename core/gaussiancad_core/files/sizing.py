@@ -11,8 +11,8 @@ from math import sqrt
 from pathlib import Path
 
 from gaussiancad_core.files.content import MAX_PIXELS, MOST_WORKED_ON, VECTOR_DPI, Note
-from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.messages import Message
+from gaussiancad_core.model.length_units import MM_PER_INCH
 
 _SMALLEST, _LARGEST = 2.0, 104.0
 """Inches: longest side of what is taken for paper; twice A0 is 93.6 inches long."""

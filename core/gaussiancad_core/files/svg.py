@@ -25,8 +25,8 @@ from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_with
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_texts
 from gaussiancad_core.files.vectors import VectorDrawing, bounds
-from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.messages import Message
+from gaussiancad_core.model.length_units import MM_PER_INCH
 
 _CSS_DPI = 96.0
 

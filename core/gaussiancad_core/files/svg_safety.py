@@ -27,7 +27,7 @@ from gaussiancad_core.files.content import (
     too_large,
     too_many_elements,
 )
-from gaussiancad_core.files.kinds import GZIP_MAGIC
+from gaussiancad_core.files.file_kinds import GZIP_MAGIC
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK_HREF = "{http://www.w3.org/1999/xlink}href"

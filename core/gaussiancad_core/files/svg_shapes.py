@@ -11,9 +11,9 @@ import svgelements
 
 from gaussiancad_core.files.beziers import curves_from_path
 from gaussiancad_core.files.content import PAPER_LEVEL
-from gaussiancad_core.files.curves import affine_arc, to_point
+from gaussiancad_core.files.file_curves import affine_arc, to_point
 from gaussiancad_core.files.file_grid import WrittenPath, line_ends, with_steps
-from gaussiancad_core.files.linetypes import role_by_dashes, role_by_name
+from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.files.vectors import (
     FULL_TURN,
     Chain,

@@ -2,6 +2,6 @@
 
 import sys
 
-from gaussiancad_core.learning.command import main
+from gaussiancad_core.learning.learning_command import main
 
 sys.exit(main())

@@ -12,10 +12,10 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
-from gaussiancad_core.learning.checking import KINDS, known_kinds, logits_of
-from gaussiancad_core.learning.network import LabelsNetwork
+from gaussiancad_core.learning.label_checking import KINDS, known_kinds, logits_of
 from gaussiancad_core.learning.published import PublishedSheet
-from gaussiancad_core.sheet.labels.classes import PART, InkClass
+from gaussiancad_core.learning.unet import LabelsNetwork
+from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
 
 _LEAST, _MOST = 0.05, 20.0
 """Numbers between which it is looked for."""

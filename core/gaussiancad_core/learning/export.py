@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import torch
 
-from gaussiancad_core.learning.network import LabelsNetwork
+from gaussiancad_core.learning.unet import LabelsNetwork
 
 _OPSET = 17
 _SIDE = 64

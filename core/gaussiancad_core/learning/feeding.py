@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.learning.samples import Sample
+from gaussiancad_core.learning.training_samples import Sample
 
 Stream = Callable[[int], Iterator[Sample]]
 """Samples without end of a worker, by its number."""

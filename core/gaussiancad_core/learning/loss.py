@@ -8,7 +8,7 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
-from gaussiancad_core.learning.samples import (
+from gaussiancad_core.learning.training_samples import (
     EITHER,
     HEAT_MOST,
     HEAT_SHIFT,
@@ -16,7 +16,7 @@ from gaussiancad_core.learning.samples import (
     SOME_ANNOTATION,
     UNKNOWN,
 )
-from gaussiancad_core.sheet.labels.classes import PART, InkClass
+from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
 
 _WEIGHTS = {
     InkClass.PAPER: 0.12,

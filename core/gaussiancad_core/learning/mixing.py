@@ -10,7 +10,7 @@ import numpy as np
 
 from gaussiancad_core.learning.feeding import Stream
 from gaussiancad_core.learning.published import PublishedSheet, published_crop
-from gaussiancad_core.learning.samples import Sample
+from gaussiancad_core.learning.training_samples import Sample
 
 Composing = Callable[[int, Sequence[Any], int, int], Iterator[Sample]]
 """Crops of the sheets of a seed: from parts, px of the crops' sides, and how many at most."""

@@ -16,10 +16,10 @@ import cv2
 import numpy as np
 
 from gaussiancad_core.errors import UnreadableError, UsageError
-from gaussiancad_core.learning.samples import UNKNOWN, Bytes, Sample
 from gaussiancad_core.learning.sheets.rendering import Rendered
 from gaussiancad_core.learning.sheets.spoiling import spoiled
-from gaussiancad_core.sheet.labels.classes import PART, InkClass
+from gaussiancad_core.learning.training_samples import UNKNOWN, Bytes, Sample
+from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
 
 LICENCES = "LICENCES.json"
 

@@ -17,8 +17,8 @@ from torch.optim.swa_utils import AveragedModel
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.learning.feeding import Batch
 from gaussiancad_core.learning.loss import labels_loss
-from gaussiancad_core.learning.network import LabelsNetwork
 from gaussiancad_core.learning.schedule import Course, rate_at
+from gaussiancad_core.learning.unet import LabelsNetwork
 
 Tell = Callable[[str], None]
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import torch
 
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.learning.network import LabelsNetwork, load_weights
+from gaussiancad_core.learning.unet import LabelsNetwork, load_weights
 
 
 def save_weights(network: LabelsNetwork, path: Path) -> None:

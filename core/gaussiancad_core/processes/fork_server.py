@@ -23,7 +23,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from gaussiancad_core.processes.child import limit_itself
+from gaussiancad_core.processes.limited_child import limit_itself
 
 _LARGEST_REQUEST = 1 << 20
 """Bytes."""
@@ -129,11 +129,11 @@ def _become(head: dict[str, Any], files: list[int]) -> None:
         if os.getppid() == 1:
             os._exit(code)
         limit_itself(int(head["file"]))
-        from gaussiancad_core.cli import main as gaussiancad
+        from gaussiancad_core.processes.command_entry import run_command
 
         signal.signal(signal.SIGINT, signal.default_int_handler)
         sys.argv = ["gaussiancad", *head["arguments"]]
-        code = gaussiancad(list(head["arguments"]))
+        code = run_command(list(head["arguments"]))
     except SystemExit as error:
         code = error.code if isinstance(error.code, int) else 1
     except BaseException:

@@ -16,7 +16,7 @@ from typing import IO, Generic, TypeVar
 import psutil
 
 from gaussiancad_core.errors import ExitCode
-from gaussiancad_core.processes.starting import Interpreters, Starter, starter
+from gaussiancad_core.processes.process_start import Interpreters, Starter, starter
 
 _LOOKS_EVERY = 0.1
 """s between looks at the processes."""

@@ -19,8 +19,8 @@ from tempfile import TemporaryFile
 from types import FrameType
 from typing import Any
 
-from gaussiancad_core.events import ending_signals
-from gaussiancad_core.processes.child import limit_itself, limit_processor, processor_limit
+from gaussiancad_core.processes.events import ending_signals
+from gaussiancad_core.processes.limited_child import limit_itself, limit_processor, processor_limit
 
 _UNLIMITED = 1 << 50
 """Bytes of a file: what is written is bounded by the disk alone."""
@@ -135,6 +135,6 @@ if __name__ == "__main__":
     limit_itself(_UNLIMITED)
     # What this process starts needs no part of it.
     os.set_inheritable(int(sys.argv[1]), False)
-    from gaussiancad_core.cli import main
+    from gaussiancad_core.processes.command_entry import run_command
 
-    sys.exit(main(sys.argv[2:], StageNotes(int(sys.argv[1]))))
+    sys.exit(run_command(sys.argv[2:], StageNotes(int(sys.argv[1]))))

@@ -17,9 +17,15 @@ from ezdxf.document import Drawing
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.layouts import BlockLayout
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.readings.anchors import points_of
-from gaussiancad_core.readings.schema import DRAWN, SheetReading, StrokeEntry, StrokeKind, ViewEntry
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.readings.reading_schema import (
+    DRAWN,
+    SheetReading,
+    StrokeEntry,
+    StrokeKind,
+    ViewEntry,
+)
+from gaussiancad_core.readings.stroke_anchors import points_of
 
 DXF_FILE = "lines.dxf"
 SVG_FILE = "lines.svg"

@@ -10,11 +10,11 @@ import cv2
 import numpy as np
 from msgspec.structs import replace as changed
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.lengths import MM_PER_INCH
-from gaussiancad_core.projection_choice import opposite
-from gaussiancad_core.readings.anchors import are_one, box_of, matching, points_of
-from gaussiancad_core.readings.operations import (
+from gaussiancad_core.evidence.projection_choice import opposite
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.length_units import MM_PER_INCH
+from gaussiancad_core.readings.corrected_features import with_note, with_section
+from gaussiancad_core.readings.correction_operations import (
     DimensionOperation,
     DrawOperation,
     EraseOperation,
@@ -30,7 +30,7 @@ from gaussiancad_core.readings.operations import (
     UnitOperation,
     ViewOperation,
 )
-from gaussiancad_core.readings.schema import (
+from gaussiancad_core.readings.reading_schema import (
     DRAWN,
     GIVEN,
     LINES,
@@ -45,7 +45,7 @@ from gaussiancad_core.readings.schema import (
     ViewEntry,
     ViewRole,
 )
-from gaussiancad_core.readings.told_features import with_note, with_section
+from gaussiancad_core.readings.stroke_anchors import are_one, box_of, matching, points_of
 
 _PERSONAL = re.compile(r"p[0-9]{1,9}").fullmatch
 """Ids of strokes that a person drew."""

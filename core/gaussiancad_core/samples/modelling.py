@@ -29,8 +29,8 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import edges_of, subshapes
+from gaussiancad_core.kernel.brep import edges_of, subshapes
+from gaussiancad_core.model.axes import Axis
 
 Point3 = tuple[float, float, float]
 Point2 = tuple[float, float]

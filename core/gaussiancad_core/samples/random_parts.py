@@ -9,9 +9,9 @@ from collections.abc import Callable
 import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin, soundness
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.kernel.brep import bounding_box, moved_to_origin, soundness
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     Point2,
     Point3,

@@ -2,7 +2,7 @@
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     box,
     chamfered,

@@ -5,10 +5,10 @@ What runs along the axis in a view from beside is the side of a cylinder, or of 
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.holes import NotedHole
-from gaussiancad_core.reasoning.curves import CircleCurve
-from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.coordinates.carrier_curves import CircleCurve
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.hole_depths import NotedHole
+from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.plane_lines import PlaneLine, whole_circle
 
 _NEAR = 1.2

@@ -13,12 +13,12 @@ from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, subshapes
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.sketch.breaks import EdgeBreak
-from gaussiancad_core.sketch.plan import Plan
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.sketch.edge_breaks import EdgeBreak
+from gaussiancad_core.sketch.slab_plan import Plan
 
 _NEAR = 1.2
 """Grid steps between an edge and where a view shows it at most."""

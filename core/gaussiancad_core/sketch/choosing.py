@@ -13,12 +13,12 @@ import numpy as np
 import numpy.typing as npt
 from ortools.sat.python import cp_model
 
-from gaussiancad_core.reasoning.solvers import FOUND
-from gaussiancad_core.sketch.evidence import add_evidence
-from gaussiancad_core.sketch.habits import add_habits, add_notes
-from gaussiancad_core.sketch.plan import Plan
-from gaussiancad_core.sketch.rims import SunkRim, add_bands, add_rims, rings_of
-from gaussiancad_core.sketch.terms import UNIT, Terms
+from gaussiancad_core.labelling.solvers import FOUND
+from gaussiancad_core.sketch.line_costs import add_evidence
+from gaussiancad_core.sketch.shape_priors import add_habits, add_notes
+from gaussiancad_core.sketch.slab_plan import Plan
+from gaussiancad_core.sketch.slab_terms import UNIT, Terms
+from gaussiancad_core.sketch.sloping_rims import SunkRim, add_bands, add_rims, rings_of
 
 _BODY = 2.0
 """What each body costs beside the largest one, in the root of the area of its shadow along the

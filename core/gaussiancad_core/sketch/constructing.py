@@ -7,10 +7,9 @@ from math import isfinite
 import numpy as np
 import shapely
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
-from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
-from gaussiancad_core.sketch.bodies import Bore, Slab, cones_of, profiles_of
+from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.construction import (
     Break,
     Construction,
@@ -25,9 +24,10 @@ from gaussiancad_core.sketch.construction import (
     Source,
     Turning,
 )
-from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.sketching import Sketch
+from gaussiancad_core.sketch.slab_plan import Plan
+from gaussiancad_core.sketch.slab_solids import Bore, Slab, cones_of, profiles_of
 from gaussiancad_core.solid.profiles import Profile, edges_of
 
 _NEAR = 1.2

@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from gaussiancad_core.outputs import os_error
+from gaussiancad_core.storage.outputs import os_error
 
 SCHEMA = "gaussiancad-construction/1"
 

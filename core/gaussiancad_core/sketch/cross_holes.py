@@ -11,13 +11,13 @@ from math import inf
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.holes import NotedHole
-from gaussiancad_core.reasoning.curves import CircleCurve
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.planes import IN_PLANE, RolePlane, role_plane
+from gaussiancad_core.coordinates.carrier_curves import CircleCurve
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.hole_depths import NotedHole
+from gaussiancad_core.model.projection_planes import IN_PLANE, RolePlane, role_plane
+from gaussiancad_core.sketch.closing_outlines import with_whole_circles
 from gaussiancad_core.sketch.plane_lines import PlaneLine
-from gaussiancad_core.sketch.tidy import with_whole_circles
 
 _NEAR = 1.0
 """Grid steps between a circle and the walls of its hole, and between centres that are one."""

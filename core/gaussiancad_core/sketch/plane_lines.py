@@ -12,12 +12,12 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.reasoning.curves import CircleCurve, PlaneCurve, line_through
-from gaussiancad_core.reasoning.planes import plane_points
+from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve, line_through
+from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.projection_planes import plane_points
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.solid.profiles import Profile
-from gaussiancad_core.verification.lines import Curve
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 Floats = npt.NDArray[np.float64]
 

@@ -6,12 +6,17 @@ from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.part import MOST_STROKES
-from gaussiancad_core.reasoning.supports import PartSupports
-from gaussiancad_core.sketch.bodies import (
+from gaussiancad_core.coordinates.carriers import PartSupports
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.labelling.part_model import MOST_STROKES
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.sketch.agreed_places import find_places
+from gaussiancad_core.sketch.broken_edges import with_breaks
+from gaussiancad_core.sketch.choosing import Choice, choose
+from gaussiancad_core.sketch.edge_breaks import EdgeBreak
+from gaussiancad_core.sketch.slab_plan import plans_of
+from gaussiancad_core.sketch.slab_solids import (
     Bore,
     Slab,
     body_of,
@@ -20,11 +25,6 @@ from gaussiancad_core.sketch.bodies import (
     turned_down,
     with_holes,
 )
-from gaussiancad_core.sketch.breaks import EdgeBreak
-from gaussiancad_core.sketch.broken_edges import with_breaks
-from gaussiancad_core.sketch.choosing import Choice, choose
-from gaussiancad_core.sketch.places import find_places
-from gaussiancad_core.sketch.plan import plans_of
 from gaussiancad_core.sketch.turned_views import Slope
 
 _EFFORT = 1.0

@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import shapely
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.plan_regions import find_regions
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, profile_along
-from gaussiancad_core.sketch.regions import find_regions
 from gaussiancad_core.solid.profiles import Profile
 
 NEAR = 1.5

@@ -5,17 +5,18 @@ from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import edges_of
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.reasoning.columns import Cell, Vector
-from gaussiancad_core.reasoning.labelling import Labelling, Labels
-from gaussiancad_core.reasoning.unsaid import with_unsaid
-from gaussiancad_core.reasoning.work import Counted, Deadline
-from gaussiancad_core.solid.build import BuiltSolid, build_solid
-from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.cells.cell_complex import Cell
+from gaussiancad_core.kernel.brep import edges_of
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.labelling.cell_labelling import Labelling, Labels
+from gaussiancad_core.labelling.counted_work import Counted, Deadline
+from gaussiancad_core.labelling.unconstrained_cells import with_unsaid
+from gaussiancad_core.model.axes import Vector
+from gaussiancad_core.solid.boundary_building import BuiltSolid, build_solid
+from gaussiancad_core.solid.labelled_cells import LabelledSpace
 from gaussiancad_core.solid.limits import Limits, Work
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.solid.trace import Outcome
+from gaussiancad_core.solid.search_trace import Outcome
 from gaussiancad_core.solid.verify import Verification, verify
 
 _SLIM = 0.15

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from gaussiancad_core.labelling.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.messages import Message
-from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.model.views import Linetype
 
 CODE = "lines-contradict"
 

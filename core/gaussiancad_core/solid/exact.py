@@ -8,20 +8,19 @@ from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import area, soundness, volume
+from gaussiancad_core.coordinates.carriers import find_supports
 from gaussiancad_core.errors import LimitError
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import area, soundness, volume
+from gaussiancad_core.labelling.cell_labelling import Labelling
+from gaussiancad_core.labelling.conflict_lines import Conflict
+from gaussiancad_core.labelling.counted_work import Deadline, Meter
+from gaussiancad_core.labelling.minimal_conflicts import find_conflict
+from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.conflict_lines import Conflict
-from gaussiancad_core.reasoning.conflicts import find_conflict
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import Labelling
-from gaussiancad_core.reasoning.part import model_part
-from gaussiancad_core.reasoning.supports import find_supports
-from gaussiancad_core.reasoning.work import Deadline, Meter
 from gaussiancad_core.solid.candidates import Candidate, Found, candidates_of
 from gaussiancad_core.solid.limits import Limits, Modelled, Work
-from gaussiancad_core.solid.measures import Measures, measures_of
-from gaussiancad_core.solid.models import first_work, labelled
+from gaussiancad_core.solid.measure_bounds import Measures, measures_of
 from gaussiancad_core.solid.reasons import (
     GUARDED,
     NONE,
@@ -30,7 +29,8 @@ from gaussiancad_core.solid.reasons import (
     reasons_of,
     undrawn_in,
 )
-from gaussiancad_core.solid.trace import (
+from gaussiancad_core.solid.relaxed_models import first_work, labelled
+from gaussiancad_core.solid.search_trace import (
     Attempt,
     Journal,
     ModelKind,
@@ -38,7 +38,7 @@ from gaussiancad_core.solid.trace import (
     cells_of,
     given_up_places,
 )
-from gaussiancad_core.solid.undrawn import (
+from gaussiancad_core.solid.undrawn_variants import (
     other_with_undrawn_lines,
     views_that_may_lack_lines,
 )

@@ -16,7 +16,7 @@ from OCP.gp import gp_Ax1, gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face
 
-from gaussiancad_core.drawing.brep import subshapes
+from gaussiancad_core.kernel.brep import subshapes
 
 Points = npt.NDArray[np.float64]
 Known = npt.NDArray[np.bool_]

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.reasoning.nominal import ROUND_MM
-from gaussiancad_core.reasoning.told_places import ToldPlaces
+from gaussiancad_core.coordinates.constrained_places import ToldPlaces
+from gaussiancad_core.coordinates.design_step import ROUND_MM
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.solid.known_faces import Known, Points
 
 _ON = 1e-4

@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass, field
 
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import Effort, Labelling, Search
-from gaussiancad_core.reasoning.part import PartModel
-from gaussiancad_core.reasoning.work import Counted, Meter
-from gaussiancad_core.solid.trace import Attempt, Journal, ModelKind, Outcome, cells_of
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.labelling.cell_labelling import Effort, Labelling, Search
+from gaussiancad_core.labelling.counted_work import Counted, Meter
+from gaussiancad_core.labelling.part_model import PartModel
+from gaussiancad_core.solid.search_trace import Attempt, Journal, ModelKind, Outcome, cells_of
 
 OTHERWISE = 0.55
 """Share of the work after which no further model of the drawing is made."""

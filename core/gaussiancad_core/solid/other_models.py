@@ -7,18 +7,18 @@ follow curves, with lines that views without hidden ones may lack.
 from collections.abc import Iterator, Sequence
 
 from gaussiancad_core.errors import LimitError
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.followed import with_followed_curves
-from gaussiancad_core.reasoning.part import (
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.hypotheses.intersection_curves import with_followed_curves
+from gaussiancad_core.hypotheses.rough_arcs import ROUGHLY, without_rough_arcs
+from gaussiancad_core.labelling.counted_work import Deadline
+from gaussiancad_core.labelling.part_model import (
     PartModel,
     model_part,
     with_lone_bodies,
     without_undrawn,
 )
-from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
-from gaussiancad_core.reasoning.work import Deadline
 from gaussiancad_core.solid.limits import Work
-from gaussiancad_core.solid.trace import Attempt, ModelKind, Outcome
+from gaussiancad_core.solid.search_trace import Attempt, ModelKind, Outcome
 
 _MANY = 4000
 """Rules of a picture's part up to which arcs are taken off it that only follow curves: they are

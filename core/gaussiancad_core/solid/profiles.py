@@ -19,11 +19,11 @@ from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.booleans import unified
-from gaussiancad_core.reasoning.curves import CircleCurve, line_through, meetings
-from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.views import Arc
+from gaussiancad_core.coordinates.carrier_curves import CircleCurve, line_through, meetings
+from gaussiancad_core.kernel.booleans import unified
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.model.views import Arc
 
 _CHORDS = 96
 """Of a whole circle."""

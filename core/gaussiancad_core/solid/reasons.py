@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from gaussiancad_core.axes import Role, mutually_orthogonal
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.evidence.ink_offsets import InkOffset
 from gaussiancad_core.messages import Message
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.model.axes import Role, mutually_orthogonal
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.solid.verify import Verification
-from gaussiancad_core.verification.ink_offsets import InkOffset
-from gaussiancad_core.views import Linetype
 
 Reason = tuple[str, str]
 """A kebab-case code, and a sentence: a :class:`.Message` where it has values."""

@@ -4,9 +4,9 @@ from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import area, subshapes, volume
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.reasoning.drawn_views import FLOOR_MM
+from gaussiancad_core.evidence.drawn_views import FLOOR_MM
+from gaussiancad_core.kernel.brep import area, subshapes, volume
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 
 
 def same_solid(one: TopoDS_Shape, other: TopoDS_Shape, apart: float = FLOOR_MM) -> bool:

@@ -9,8 +9,9 @@ import shapely
 from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import (
+from gaussiancad_core.coordinates.ambiguous_linetypes import as_drawn, with_unsure_kinds
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import (
     area,
     bounding_box,
     edge_length,
@@ -18,18 +19,17 @@ from gaussiancad_core.drawing.brep import (
     faces_of,
     soundness,
 )
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.drawing.sections import section_view
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.unsure_kinds import as_drawn, with_unsure_kinds
-from gaussiancad_core.verification.agreement import (
+from gaussiancad_core.lines.cut_solids import section_view
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.lines.line_agreement import (
     STEPS_PER_TOLERANCE,
     MatchedLines,
     agreeing_share,
     match_lines,
 )
-from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes, tree_of
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.lines.line_points import Curve, LinePoints, Lines, lines_of_strokes, tree_of
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype, Segment
 
 LOOSE = 2.5
 """Tolerances of the views within which lines are the same."""

@@ -14,12 +14,12 @@ from pathlib import Path
 import numpy as np
 
 from gaussiancad_core import __version__
-from gaussiancad_core.cameras import Camera
-from gaussiancad_core.outputs import os_error
+from gaussiancad_core.model.cameras import Camera
+from gaussiancad_core.splatting.gaussian_model import Arrays
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.losses import Targets
 from gaussiancad_core.splatting.settings import TrainingSettings
-from gaussiancad_core.splatting.trainee import Arrays
+from gaussiancad_core.storage.outputs import os_error
 
 _KEY = "training"
 

@@ -11,8 +11,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from gaussiancad_core.splatting.gaussian_model import Arrays, Trainee
 from gaussiancad_core.splatting.settings import DensityControl
-from gaussiancad_core.splatting.trainee import Arrays, Trainee
 
 _SPLIT_SHRINK = 1.6
 """By how much the halves of a split Gaussian are smaller (3DGS)."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +105,7 @@ def spread_points(
     Returns:
         (count, 3) points in mm and (count, 3) normals.
     """
-    from gaussiancad_core.bare_open3d import open3d
+    from gaussiancad_core.kernel.bare_open3d import open3d
 
     mesh = open3d.geometry.TriangleMesh(
         open3d.utility.Vector3dVector(surface.vertices),

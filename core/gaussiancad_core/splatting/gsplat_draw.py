@@ -8,9 +8,9 @@ about a thousandth.  Its sums come in another order each time: runs do not repea
 import torch
 from torch import Tensor
 
-from gaussiancad_core.cameras import CameraModel
+from gaussiancad_core.model.cameras import CameraModel
 from gaussiancad_core.splatting.projection import CameraBatch
-from gaussiancad_core.splatting.rasteriser import Optics, Parameters, Rendering
+from gaussiancad_core.splatting.rasterizer import Optics, Parameters, Rendering
 
 FIXED = Optics()
 """The limits that are compiled into gsplat; only the dilation can be chosen."""
@@ -21,7 +21,7 @@ _MODELS = {CameraModel.ORTHOGRAPHIC: "ortho", CameraModel.PINHOLE: "pinhole"}
 def draw_gsplat(
     parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
 ) -> Rendering:
-    """Draw the Gaussians in every view; see :mod:`.rasteriser` for the compositing.
+    """Draw the Gaussians in every view; see :mod:`.rasterizer` for the compositing.
 
     Args:
         parameters: on a CUDA device, float32.

@@ -15,7 +15,7 @@ from torch import Tensor
 
 from gaussiancad_core.splatting import loss_kernels
 from gaussiancad_core.splatting.kernel_threads import KERNELS
-from gaussiancad_core.splatting.rasteriser import Rendering
+from gaussiancad_core.splatting.rasterizer import Rendering
 
 ALPHA_MARGIN = 1e-4
 """Alphas are held this far from 0 and 1 in the cross entropy, where its gradient has no end."""

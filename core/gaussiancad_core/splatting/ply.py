@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.plain_files import plain_bytes
 from gaussiancad_core.splatting.gaussians import Gaussians, rotation_matrices
+from gaussiancad_core.storage.plain_files import plain_bytes
+from gaussiancad_core.storage.single_file import write_whole
 
 SH_CONSTANT = 0.28209479177387814
 """Value of the constant spherical harmonic, 1 / (2 sqrt(pi))."""

@@ -13,7 +13,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from gaussiancad_core.cameras import Camera, CameraModel
+from gaussiancad_core.model.cameras import Camera, CameraModel
 
 NEAREST_DEPTH = 1e-3
 """A pinhole sees nothing nearer than this share of its reference depth."""

@@ -9,7 +9,7 @@ import torch
 from torch import Tensor
 
 from gaussiancad_core.splatting.projection import CameraBatch, Splats, conics, project
-from gaussiancad_core.splatting.rasteriser import Optics, Parameters, Rendering
+from gaussiancad_core.splatting.rasterizer import Optics, Parameters, Rendering
 
 _TILE = 32
 """Edge of a tile in pixels; a Gaussian is drawn only in the tiles that it reaches."""
@@ -18,7 +18,7 @@ _TILE = 32
 def draw_reference(
     parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
 ) -> Rendering:
-    """Draw the Gaussians in every view; see :mod:`.rasteriser` for the compositing."""
+    """Draw the Gaussians in every view; see :mod:`.rasterizer` for the compositing."""
     splats = project(
         parameters.means,
         parameters.quaternions,

@@ -7,12 +7,12 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import Camera
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import Camera
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.losses import Targets
 from gaussiancad_core.splatting.projection import batch_of
-from gaussiancad_core.splatting.rasteriser import parameters_of, rasteriser
+from gaussiancad_core.splatting.rasterizer import parameters_of, rasteriser
 from gaussiancad_core.splatting.settings import TrainingSettings
 
 _DIFFERENT = 0.5

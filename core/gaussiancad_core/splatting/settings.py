@@ -13,11 +13,16 @@ most are those of 3DGS (Kerbl et al. 2023).  Only the preset ``draft`` does less
 
 from dataclasses import dataclass, field, replace
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import PAPER_RESOLUTION, Camera, orthographic_camera, paper_camera
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import (
+    PAPER_RESOLUTION,
+    Camera,
+    orthographic_camera,
+    paper_camera,
+)
 from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.losses import LossWeights
-from gaussiancad_core.splatting.rasteriser import Backend, Optics
+from gaussiancad_core.splatting.rasterizer import Backend, Optics
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
-from gaussiancad_core.cameras import Camera
+from gaussiancad_core.model.cameras import Camera
+from gaussiancad_core.model.views import View, ViewSet
 from gaussiancad_core.splatting.losses import Targets
-from gaussiancad_core.views import View, ViewSet
 
 _WHITE = 1.0
 

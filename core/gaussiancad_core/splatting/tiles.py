@@ -8,11 +8,11 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from gaussiancad_core.cameras import CameraModel
+from gaussiancad_core.model.cameras import CameraModel
 from gaussiancad_core.splatting import projection_kernels, tile_kernels, tile_sorting
 from gaussiancad_core.splatting.kernel_threads import KERNELS
 from gaussiancad_core.splatting.projection import CameraBatch, half_field
-from gaussiancad_core.splatting.rasteriser import Optics, Parameters, Rendering
+from gaussiancad_core.splatting.rasterizer import Optics, Parameters, Rendering
 
 PARTS = 96
 """Runs of tiles that the threads share out; a number that many numbers of threads divide."""
@@ -26,7 +26,7 @@ Array = npt.NDArray[Any]
 def draw_tiles(
     parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
 ) -> Rendering:
-    """Draw the Gaussians in every view; see :mod:`.rasteriser` for the compositing.
+    """Draw the Gaussians in every view; see :mod:`.rasterizer` for the compositing.
 
     Works in float32 and float64 on the CPU; the same input gives the same bits.
     """
@@ -283,8 +283,8 @@ def warm_up() -> None:
     The compiled code is kept beside the package, or in numba's cache of the user where that folder
     cannot be written.
     """
-    from gaussiancad_core.axes import Role
-    from gaussiancad_core.cameras import orthographic_camera
+    from gaussiancad_core.model.axes import Role
+    from gaussiancad_core.model.cameras import orthographic_camera
     from gaussiancad_core.splatting.losses import LossWeights, Targets, total_loss
     from gaussiancad_core.splatting.projection import batch_of
     from gaussiancad_core.splatting.ssim import similarity_with

@@ -3,7 +3,7 @@
 import numpy as np
 
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.surface.repair import made_manifold
 
 FACETED_LIMIT = 3_000
@@ -27,7 +27,7 @@ def decimated(mesh: TriangleMesh, limit: int = FACETED_LIMIT) -> TriangleMesh:
     Raises:
         EngineError: ``decimation-failed``, no try gave a closed mesh.
     """
-    from gaussiancad_core.bare_open3d import open3d
+    from gaussiancad_core.kernel.bare_open3d import open3d
 
     if len(mesh.triangles) <= limit:
         return mesh

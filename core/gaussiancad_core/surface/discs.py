@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.hull import DEFAULT_CELLS
+from gaussiancad_core.hull.visual_hull import DEFAULT_CELLS
 from gaussiancad_core.splatting.gaussians import Gaussians
 
 Array = npt.NDArray[np.float64]

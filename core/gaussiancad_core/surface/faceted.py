@@ -24,9 +24,9 @@ from OCP.TopoDS import (
     TopoDS_Vertex,
 )
 
-from gaussiancad_core.drawing.brep import Soundness, soundness
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.meshes import TriangleMesh, connected_pieces
+from gaussiancad_core.kernel.brep import Soundness, soundness
+from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces
 from gaussiancad_core.surface.repair import simplified
 
 _FLAT_ANGLE = 1e-5

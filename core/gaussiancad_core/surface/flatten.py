@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.surface.discs import Discs, DiscSampling, bends_of
 from gaussiancad_core.surface.moving import vertex_normals, without_folds
 

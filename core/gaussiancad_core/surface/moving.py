@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.surface.discs import Array
 
 _HALVED = 0.5

@@ -11,10 +11,10 @@ from enum import Enum
 
 import numpy as np
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
+from gaussiancad_core.model.views import ViewSet
+from gaussiancad_core.surface.mesh_shadows import silhouette_difference
 from gaussiancad_core.surface.repair import simplified
-from gaussiancad_core.surface.silhouettes import silhouette_difference
-from gaussiancad_core.views import ViewSet
 
 _HULL_TOLERANCE = 1e-4
 """By how much the hull may be simplified, as a share of the longest edge: what the eye and the

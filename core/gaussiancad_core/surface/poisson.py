@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces, joined, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
 from gaussiancad_core.surface.flatten import Flattening, flattened
@@ -75,7 +75,7 @@ def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> Triangl
 
 def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> TriangleMesh:
     """The closed surface through oriented points; see :func:`gaussian_surface`."""
-    from gaussiancad_core.bare_open3d import open3d
+    from gaussiancad_core.kernel.bare_open3d import open3d
 
     if len(points.points) < 4:
         raise _no_surface()

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.surface.discs import Array, Creases
 from gaussiancad_core.surface.moving import vertex_normals, without_folds
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.graph.heads import Head
-from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.rules import Rule
-from gaussiancad_core.writing.dimensions import Span
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.tracing.level_rules import Rule
+from gaussiancad_core.writing.dimension_texts import Span
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 _LEVEL = 0.02
 """Sine of the angle within which a head points along the sheet."""

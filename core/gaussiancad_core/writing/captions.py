@@ -3,9 +3,9 @@
 import re
 from collections.abc import Iterable
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.sheet.captioned_views import Caption
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.sheet.views.captioned_views import Caption
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 _NAMES = {
     Role.FRONT: (

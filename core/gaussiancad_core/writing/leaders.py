@@ -6,13 +6,13 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.graph.heads import Head
-from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.rules import rule_of
-from gaussiancad_core.views import Arc
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.model.views import Arc
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark
+from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.tracing.level_rules import rule_of
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 Points = npt.NDArray[np.float64]
 Leader = tuple[Points, Points]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 
-from gaussiancad_core.lengths import MM_PER_INCH
+from gaussiancad_core.model.length_units import MM_PER_INCH
 
 
 class Unit(Enum):

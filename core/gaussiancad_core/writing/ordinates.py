@@ -3,9 +3,9 @@
 import re
 from collections.abc import Sequence
 
-from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.rules import Rule
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.tracing.level_rules import Rule
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 _ZERO = re.compile(r"[0O](?:[.,]0+)?")
 

@@ -14,7 +14,7 @@ from typing import Any
 import psutil
 import pytest
 
-from gaussiancad_core.batches.table import BatchRow
+from gaussiancad_core.batches.batch_table import BatchRow
 
 SAMPLES = Path(__file__).parents[3] / "resources" / "samples"
 OPTIONS = ("--result", "solid", "--length", "x=80", "--workers", "1")

@@ -11,8 +11,8 @@ from benchmark_runs import SCRATCH, Method, Run, RunTask
 from benchmark_store import Store, progress
 from counted_tasks import Counted, count
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.drawing.brep import write_step
+from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples.modelling import box
 
 

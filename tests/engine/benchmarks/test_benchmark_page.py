@@ -16,11 +16,11 @@ from charts import Chart, Series, round_scale, write_chart
 from workers import Row
 
 from gaussiancad_core.comparison.comparing import compare_models
-from gaussiancad_core.comparison.models import Model
-from gaussiancad_core.comparison.options import CompareOptions, Protocol
-from gaussiancad_core.comparison.report import comparison_dict
-from gaussiancad_core.drawing.brep import tessellate
-from gaussiancad_core.meshes import make_mesh
+from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
+from gaussiancad_core.comparison.comparison_report import comparison_dict
+from gaussiancad_core.comparison.model_files import Model
+from gaussiancad_core.kernel.brep import tessellate
+from gaussiancad_core.model.meshes import make_mesh
 from gaussiancad_core.samples.modelling import box
 
 SHEETS = ("clean", "ends 2 px")

@@ -9,11 +9,11 @@ from benchmark_parts import Part, SheetKind, given_parts, make_sheet
 from benchmark_runs import SCRATCH, Effort, Method, Run, RunTask, run_task
 from workers import Row
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.drawing.brep import write_step
+from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.modes import Preset
 from gaussiancad_core.samples.modelling import box, cut
-from gaussiancad_core.sheet.read import read_sheet
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
 
 EFFORT = Effort(points=200, preset=Preset.DRAFT)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from displacements import displacements
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder, sphere
 
 

@@ -8,10 +8,10 @@ import pytest
 from charts import Chart, Series, write_chart
 from disturbed_views import ROLES, cases, views_of
 
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
-from gaussiancad_core.outlines import signed_distance
+from gaussiancad_core.evidence.mask_outlines import signed_distance
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.samples.modelling import box
-from gaussiancad_core.surface.silhouettes import silhouette_difference
+from gaussiancad_core.surface.mesh_shadows import silhouette_difference
 
 BY_NAME = {case.name: case for case in cases()}
 

@@ -13,9 +13,9 @@ from exact_measures import (
 )
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, volume
-from gaussiancad_core.meshes import make_mesh
+from gaussiancad_core.kernel.brep import bounding_box, volume
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.meshes import make_mesh
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 
 

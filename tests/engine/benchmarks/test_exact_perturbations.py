@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from exact_perturbations import jittered, missing_and_spurious, of_wrong_length, pixel
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 VISIBLE, HIDDEN = Linetype
 SIZE = (60.0, 30.0, 45.0)

@@ -9,8 +9,8 @@ from exact_tables import tables, time_picture
 from exact_work import causes, close, falsely_verified, solved
 from workers import Row
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import faces_of, write_step
+from gaussiancad_core.kernel.brep import faces_of, write_step
+from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.samples.classed import LEVEL_FACES, PartClass
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 

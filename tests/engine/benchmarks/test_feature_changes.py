@@ -8,12 +8,12 @@ from feature_failures import reason_of
 from feature_sketches import Freedom, UnsolvedError, freedom, solved
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, volume
 from gaussiancad_core.features.constraints import Constraint, Kind, Numbers, constraints_of
-from gaussiancad_core.features.finding import features_of
+from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.features.loops import Edge, Loop, area_of
 from gaussiancad_core.features.sketch_geometry import Reference
+from gaussiancad_core.kernel.brep import bounding_box, volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 
 _PLATE: Loop = tuple(

@@ -8,10 +8,10 @@ from exact_inputs import ROLES, read_input
 from exact_measures import closeness
 from foreign_sheets import Conventions, foreign_sheet
 
-from gaussiancad_core.axes import Axis, Projection
-from gaussiancad_core.drawing.brep import moved_to_origin
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import part_lines
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import part_lines
+from gaussiancad_core.kernel.brep import moved_to_origin
+from gaussiancad_core.model.axes import Axis, Projection
 from gaussiancad_core.modes import Status
 from gaussiancad_core.samples import sample
 from gaussiancad_core.solid.exact import exact_solid

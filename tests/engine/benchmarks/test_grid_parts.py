@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from grid_parts import Grid, grid_solid, grid_strokes, looks, sound_parts
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import soundness, volume
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.views import Segment
+from gaussiancad_core.kernel.brep import soundness, volume
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Segment
 
 _GRID = Grid((2, 3, 2))
 _PLACES = ((0.0, 7.0, 20.0), (0.0, 4.0, 15.0, 24.0), (0.0, 9.0, 14.0))

@@ -13,8 +13,8 @@ from practice_sheets import Practice, write_sheet
 from textbook_modelling import Lot
 
 from gaussiancad_core.cli import main
-from gaussiancad_core.drawing.brep import bounding_box, read_solid
-from gaussiancad_core.views import Arc, Linetype
+from gaussiancad_core.kernel.brep import bounding_box, read_solid
+from gaussiancad_core.model.views import Arc, Linetype
 
 _CASES = (
     ("bracket", Practice.PLACE),

@@ -13,12 +13,12 @@ from textbook_modelling import Family, Lot, belt, milled_slot
 from textbook_parts import _mistaken
 from textbook_work import FAMILIES, SheetKind, Task, draw, worked
 
-from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, volume
-from gaussiancad_core.drawing.sheet import part_lines
+from gaussiancad_core.drawing.drawn_sheet import part_lines
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, volume
+from gaussiancad_core.model.axes import Axis, Projection, Role
+from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.views import Arc, Linetype
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
 
 
 @pytest.mark.parametrize("odd", [False, True])

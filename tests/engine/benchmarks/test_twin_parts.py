@@ -8,8 +8,8 @@ from sheet_policies import POLICIES, Policy, in_first
 from twin_parts import FAMILIES, twins
 from verified_sources import Page
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.model.axes import Role
 from gaussiancad_core.solid.same import same_solid
 
 _POLICIES = {policy.name: policy for policy in POLICIES}

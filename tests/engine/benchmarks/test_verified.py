@@ -10,8 +10,8 @@ from verified import has_changed, is_false, table
 from verified_changes import permuted, split
 from workers import Row
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 _RIGHT: Row = {
     "policy": "all", "status": "verified", "reasons": [], "why": "", "within": 11, "faces": 12,

@@ -8,10 +8,10 @@ from sheet_policies import POLICIES, readings
 from verified_cells import Labels, compared
 from verified_sources import Page
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.projected_reading import drawn_views
-from gaussiancad_core.reasoning.part import PartModel, model_part
-from gaussiancad_core.reasoning.rules import holds
+from gaussiancad_core.evidence.projected_reading import drawn_views
+from gaussiancad_core.labelling.part_model import PartModel, model_part
+from gaussiancad_core.labelling.visibility_rules import holds
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 
 

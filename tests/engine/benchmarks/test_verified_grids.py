@@ -6,9 +6,9 @@ from grid_parts import Grid, are_sound, grid_solid, grid_strokes, sound_parts
 from sheet_policies import POLICIES, as_drawn, same_drawing
 from verified_grids import alike_in_grid, confusable, pair_of, with_thin_box
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.evidence.drawn_views import exact_views
+from gaussiancad_core.model.axes import Role
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import exact_views
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.same import same_solid
 

@@ -2,8 +2,8 @@
 
 from verified_judging import judgement
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import compound_of
+from gaussiancad_core.kernel.brep import compound_of
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 
 _BLOCK = box((0, 0, 0), (60, 40, 30))

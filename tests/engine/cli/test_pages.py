@@ -57,7 +57,7 @@ def test_a_file_that_speaks_of_one_page_goes_with_one_page(
 
 def test_a_page_too_far_is_told_before_what_works_on_pages_is_loaded(tmp_path: Path) -> None:
     sheet = _pages(tmp_path / "set.tif", _sample("boss-plate.png"))
-    heavy = ("gaussiancad_core.check_stage", "gaussiancad_core.reading_run", "torch", "open3d")
+    heavy = ("gaussiancad_core.run.check_stage", "gaussiancad_core.run.read_run", "torch", "open3d")
     code = (
         "import sys; from gaussiancad_core.cli import main; code = main(sys.argv[1:]); "
         f"print(code, [name for name in {heavy!r} if name in sys.modules])"

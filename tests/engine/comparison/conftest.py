@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 import trimesh
 
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 
 def _placed(mesh: trimesh.Trimesh, *shift: float) -> trimesh.Trimesh:

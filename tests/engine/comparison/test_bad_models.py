@@ -12,20 +12,20 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.TopoDS import TopoDS_Shell, TopoDS_Solid
 
 from gaussiancad_core.comparison.comparing import compare_models
-from gaussiancad_core.comparison.distances import IouMethod
-from gaussiancad_core.comparison.models import Model, read_model
-from gaussiancad_core.comparison.options import (
+from gaussiancad_core.comparison.comparison_options import (
     Alignment,
     CompareOptions,
     Protocol,
     ScaleRule,
 )
-from gaussiancad_core.comparison.report import Comparison, comparison_json
-from gaussiancad_core.comparison.text import comparison_text
-from gaussiancad_core.comparison.units import unit_factor
-from gaussiancad_core.drawing.brep import faces_of, write_brep
+from gaussiancad_core.comparison.comparison_report import Comparison, comparison_json
+from gaussiancad_core.comparison.comparison_text import comparison_text
+from gaussiancad_core.comparison.distances import IouMethod
+from gaussiancad_core.comparison.model_files import Model, read_model
+from gaussiancad_core.comparison.model_units import unit_factor
 from gaussiancad_core.errors import UnreadableError, UsageError
-from gaussiancad_core.meshes import TriangleMesh, joined, make_mesh
+from gaussiancad_core.kernel.brep import faces_of, write_brep
+from gaussiancad_core.model.meshes import TriangleMesh, joined, make_mesh
 
 
 def _compared(result: Model, reference: Model, **options: object) -> Comparison:

@@ -13,7 +13,7 @@ from gaussiancad_core.comparison.deviation import (
     split_long_edges,
 )
 from gaussiancad_core.comparison.queries import SurfaceQueries
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 
 def _about_origin(mesh: TriangleMesh) -> TriangleMesh:

@@ -14,7 +14,7 @@ from gaussiancad_core.comparison.distances import (
 )
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 
 def _grid() -> np.ndarray:

@@ -27,12 +27,12 @@ from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape, TopoDS_Shell
 from OCP.XCAFDoc import XCAFDoc_ColorType, XCAFDoc_DocumentTool
 
 from gaussiancad_core.comparison.comparing import compare_models
-from gaussiancad_core.comparison.models import Content, Model, read_model
-from gaussiancad_core.comparison.options import CompareOptions, Protocol
-from gaussiancad_core.comparison.report import Comparison
-from gaussiancad_core.comparison.text import comparison_text
-from gaussiancad_core.drawing.brep import compound_of, edges_of, faces_of, write_step
+from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
+from gaussiancad_core.comparison.comparison_report import Comparison
+from gaussiancad_core.comparison.comparison_text import comparison_text
+from gaussiancad_core.comparison.model_files import Content, Model, read_model
 from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.kernel.brep import compound_of, edges_of, faces_of, write_step
 
 BOX_MM3 = 30.0 * 20.0 * 10.0
 BOX_MM2 = 2.0 * (30.0 * 20.0 + 20.0 * 10.0 + 30.0 * 10.0)

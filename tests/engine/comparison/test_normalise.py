@@ -13,8 +13,8 @@ from gaussiancad_core.comparison.normalise import (
     normalising_matrix,
     scale_of,
 )
-from gaussiancad_core.comparison.registration import axis_rotations
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.comparison.rigid_registration import axis_rotations
+from gaussiancad_core.model.meshes import TriangleMesh
 
 
 def test_longest_edge_becomes_the_box(bracket: TriangleMesh) -> None:

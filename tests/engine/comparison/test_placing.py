@@ -5,9 +5,9 @@ import pytest
 import trimesh
 
 from gaussiancad_core.comparison.comparing import compare_models
-from gaussiancad_core.comparison.models import Model
-from gaussiancad_core.comparison.options import CompareOptions, Protocol
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
+from gaussiancad_core.comparison.model_files import Model
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 UNMOVED = np.zeros(3)
 ELSEWHERE = np.array([210.0, -37.0, 55.0])

@@ -9,6 +9,13 @@ import trimesh
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder, BRepPrimAPI_MakeTorus
 
 from gaussiancad_core.comparison.comparing import compare_models
+from gaussiancad_core.comparison.comparison_options import (
+    Alignment,
+    CompareOptions,
+    Protocol,
+    ScaleRule,
+)
+from gaussiancad_core.comparison.comparison_report import PROTOCOL, Comparison, comparison_dict
 from gaussiancad_core.comparison.deepcad import (
     DeepCadResult,
     squared_chamfer,
@@ -21,20 +28,13 @@ from gaussiancad_core.comparison.engineering import (
     signed_distances,
     volume_of,
 )
-from gaussiancad_core.comparison.models import Model, read_model
-from gaussiancad_core.comparison.options import (
-    Alignment,
-    CompareOptions,
-    Protocol,
-    ScaleRule,
-)
+from gaussiancad_core.comparison.model_files import Model, read_model
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.remarks import remarks_on
-from gaussiancad_core.comparison.report import PROTOCOL, Comparison, comparison_dict
 from gaussiancad_core.comparison.topology import topology_of
-from gaussiancad_core.drawing.brep import write_step
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 ALL = tuple(Protocol)
 

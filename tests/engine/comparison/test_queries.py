@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gaussiancad_core.comparison.queries import SurfaceQueries
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 _COORDINATE = st.floats(-3.0, 3.0, allow_nan=False, width=32)
 

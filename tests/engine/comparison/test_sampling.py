@@ -6,7 +6,7 @@ import numpy as np
 
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 
 
 def test_points_lie_on_the_surface(bracket: TriangleMesh) -> None:

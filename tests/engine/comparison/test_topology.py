@@ -6,7 +6,7 @@ import numpy as np
 import trimesh
 
 from gaussiancad_core.comparison.topology import topology_of
-from gaussiancad_core.meshes import TriangleMesh, joined, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, joined, make_mesh
 
 
 def test_a_bracket_is_a_ball(bracket: TriangleMesh) -> None:

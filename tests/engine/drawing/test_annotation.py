@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Label
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 LABEL = Label("42", (100.0, 50.0), 10.0, 24.0)
 MARK = Annotation(

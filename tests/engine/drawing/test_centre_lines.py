@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind, Rhythm
+from gaussiancad_core.drawing.annotation_pen import Direction, Pen
 from gaussiancad_core.drawing.centre_lines import (
     draw_centre_lines,
     from_model,
@@ -10,13 +10,13 @@ from gaussiancad_core.drawing.centre_lines import (
     rounds,
     to_model,
 )
+from gaussiancad_core.drawing.drawn_sheet import part_lines
 from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
-from gaussiancad_core.drawing.layout import place_views
-from gaussiancad_core.drawing.pen import Direction, Pen
-from gaussiancad_core.drawing.sheet import part_lines
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.sheet_style import PRESETS
+from gaussiancad_core.drawing.view_placing import place_views
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.samples import sample
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 STYLE = PRESETS["dimensioned"]
 PEN = Pen.of(STYLE)

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.drawing.degrade import finished
-from gaussiancad_core.drawing.raster import rasterise
-from gaussiancad_core.drawing.style import SheetStyle
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.drawing.sheet_style import SheetStyle
+from gaussiancad_core.drawing.stroke_raster import rasterise
+from gaussiancad_core.model.views import Linetype, Segment
 
 STYLE = SheetStyle(width=300, height=200)
 X, Y = 90.37, 60.81

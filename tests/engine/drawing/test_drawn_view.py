@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.drawn_view import drawn_view
-from gaussiancad_core.drawing.layout import Placement
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.drawing.view_placing import Placement
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 PLACE = Placement(Role.FRONT, (50.0, 20.0, 90.0, 60.0), 4.0, (50.0, 60.0))
 PLANE = (

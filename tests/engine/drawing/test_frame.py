@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.drawing.annotation_pen import Pen
 from gaussiancad_core.drawing.frame import (
     TitleBlock,
     block_box,
@@ -11,9 +11,9 @@ from gaussiancad_core.drawing.frame import (
     draw_symbol,
     draw_title_block,
 )
-from gaussiancad_core.drawing.pen import Pen
-from gaussiancad_core.drawing.style import PRESETS, SheetStyle
-from gaussiancad_core.views import Arc, Segment
+from gaussiancad_core.drawing.sheet_style import PRESETS, SheetStyle
+from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.model.views import Arc, Segment
 
 STYLE = PRESETS["dimensioned"]
 BLOCK = TitleBlock(

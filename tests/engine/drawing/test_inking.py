@@ -14,8 +14,8 @@ from gaussiancad_core.drawing.inking import (
     ink_annotations,
     long_short_intervals,
 )
-from gaussiancad_core.drawing.style import SheetStyle
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.drawing.sheet_style import SheetStyle
+from gaussiancad_core.model.views import Linetype, Segment
 
 STYLE = SheetStyle(width=200, height=100)
 LINE = Segment((20.0, 50.3), (180.0, 50.3), Linetype.VISIBLE)

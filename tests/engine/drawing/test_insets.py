@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.drawing.drawn_sheet import PartLines, Sheet, compose_sheet, part_lines
 from gaussiancad_core.drawing.insets import cut_by_circle
-from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
-from gaussiancad_core.drawing.style import Inset, parse_style
+from gaussiancad_core.drawing.sheet_style import Inset, parse_style
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.samples import sample
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.annotation_pen import Direction
 from gaussiancad_core.drawing.drawn_view import DrawnView
-from gaussiancad_core.drawing.pen import Direction
 from gaussiancad_core.drawing.stations import border_station, stations
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 VISIBLE, HIDDEN = Linetype.VISIBLE, Linetype.HIDDEN
 VIEW = DrawnView(

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gaussiancad_core.drawing.strokes import mapped
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.lines.strokes import mapped
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 CHECKOUT = Path(__file__).resolve().parents[3]
 MEASURE = runpy.run_path(str(CHECKOUT / "benchmarks" / "stroke_matching.py"))

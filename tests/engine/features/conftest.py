@@ -8,8 +8,8 @@ import pytest
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.features.as_json import kind_of
-from gaussiancad_core.features.finding import features_of
-from gaussiancad_core.features.model import Feature, FeatureList
+from gaussiancad_core.features.feature_model import Feature, FeatureList
+from gaussiancad_core.features.feature_search import features_of
 
 # Sketches are judged by what a benchmark judges them by.
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "benchmarks"))

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, edges_of, faces_of
 from gaussiancad_core.features.blends import Blend, blends_of
+from gaussiancad_core.features.defeaturing import without_faces
 from gaussiancad_core.features.difference import difference
 from gaussiancad_core.features.dressing import breaks_of, dressed
-from gaussiancad_core.features.filling import without_faces
-from gaussiancad_core.features.model import EdgeBreak, FeatureList
+from gaussiancad_core.features.feature_model import EdgeBreak, FeatureList
 from gaussiancad_core.features.solid_faces import solid_faces
+from gaussiancad_core.kernel.brep import bounding_box, edges_of, faces_of
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     Point3,
     box,

@@ -6,11 +6,11 @@ from math import hypot, pi
 import numpy as np
 import pytest
 
-from gaussiancad_core.features.cells import Cells, edge_count
+from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
+from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
 from gaussiancad_core.features.loops import area_of, loops_of
 from gaussiancad_core.features.plane_curves import Stretch, segment, supports_of
-from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.reasoning.curves import TURN, CircleCurve, Point
+from gaussiancad_core.features.sketch_cells import Cells, edge_count
 
 
 def _polygon(*corners: Point) -> list[Stretch]:

@@ -9,6 +9,7 @@ from feature_sketches import Freedom, freedom, solved
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.constraints import (
     Constraint,
     Kind,
@@ -17,7 +18,6 @@ from gaussiancad_core.features.constraints import (
     constraints_of,
 )
 from gaussiancad_core.features.loops import Edge, Loop, area_of
-from gaussiancad_core.reasoning.curves import Point
 
 
 def _polygon(*corners: Point) -> Loop:

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.booleans import common
-from gaussiancad_core.drawing.brep import compound_of, exact_volume
 from gaussiancad_core.features.difference import difference
+from gaussiancad_core.kernel.booleans import common
+from gaussiancad_core.kernel.brep import compound_of, exact_volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, prism
 

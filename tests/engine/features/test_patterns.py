@@ -10,15 +10,15 @@ from typing import Any
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import read_solid
 from gaussiancad_core.features.as_json import solid_values
+from gaussiancad_core.features.build123d_script import script_of
 from gaussiancad_core.features.constraints import Numbers
 from gaussiancad_core.features.difference import difference
-from gaussiancad_core.features.finding import features_of
+from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.features.pattern_model import Circle, Mirror, Pattern, Row
 from gaussiancad_core.features.patterns import patterns_of
-from gaussiancad_core.features.script import script_of
+from gaussiancad_core.kernel.brep import read_solid
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 
 _PLATE = box((0, 0, 0), (100, 60, 10))

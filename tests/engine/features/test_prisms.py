@@ -9,15 +9,15 @@ from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import subshapes
 from gaussiancad_core.features import decomposing
-from gaussiancad_core.features.building import combined
-from gaussiancad_core.features.cover import Choice, cheapest_cover
+from gaussiancad_core.features.body_cover import Choice, cheapest_cover
+from gaussiancad_core.features.feature_building import combined
+from gaussiancad_core.features.feature_model import Extrusion, Feature, FeatureList
 from gaussiancad_core.features.frames import MAIN_FRAMES
-from gaussiancad_core.features.model import Extrusion, Feature, FeatureList
-from gaussiancad_core.features.samples import Samples, joined
+from gaussiancad_core.features.sample_points import Samples, joined
 from gaussiancad_core.features.sweeps import Sweep
+from gaussiancad_core.kernel.brep import subshapes
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, fuse, prism, slot
 
 Find = Callable[[TopoDS_Shape], tuple[FeatureList, list[str]]]

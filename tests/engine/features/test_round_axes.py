@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Axis
 from gaussiancad_core.features.round_axes import around, axis_through, by_axis, levels_along
 from gaussiancad_core.features.solid_faces import Kind, solid_faces
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import cone, cylinder, fuse
 
 _UP = np.array([0.0, 0.0, 1.0])

@@ -5,10 +5,10 @@ from math import radians, tan
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import faces_of, volume
-from gaussiancad_core.features.filling import without_holes
-from gaussiancad_core.features.model import Holes
+from gaussiancad_core.features.defeaturing import without_holes
+from gaussiancad_core.features.feature_model import Holes
+from gaussiancad_core.kernel.brep import faces_of, volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     box,
     cone,

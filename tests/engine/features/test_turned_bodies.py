@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, volume
-from gaussiancad_core.features.building import body_of
-from gaussiancad_core.features.model import FeatureList, Turning
+from gaussiancad_core.features.feature_building import body_of
+from gaussiancad_core.features.feature_model import FeatureList, Turning
+from gaussiancad_core.kernel.brep import bounding_box, volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples import sample
 from gaussiancad_core.samples.modelling import box, cut, fuse, revolved, sphere
 

@@ -10,14 +10,14 @@ from typing import Any
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import read_solid
 from gaussiancad_core.features.as_json import named, solid_values
+from gaussiancad_core.features.build123d_script import script_of
 from gaussiancad_core.features.constraints import Numbers
 from gaussiancad_core.features.difference import difference
-from gaussiancad_core.features.finding import features_of
-from gaussiancad_core.features.model import FeatureList, Holes
-from gaussiancad_core.features.script import script_of
+from gaussiancad_core.features.feature_model import FeatureList, Holes
+from gaussiancad_core.features.feature_search import features_of
+from gaussiancad_core.kernel.brep import read_solid
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.samples.modelling import box, cone, cut, cylinder, fuse, revolved
 

@@ -9,10 +9,10 @@ from PIL import Image
 
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.files.answer import content_bytes, error_bytes, outcome_of
-from gaussiancad_core.files.child import main
 from gaussiancad_core.files.content import FileContent, Note
+from gaussiancad_core.files.file_child import main
+from gaussiancad_core.files.file_kinds import FileKind
 from gaussiancad_core.files.isolation import read_isolated
-from gaussiancad_core.files.kinds import FileKind
 from gaussiancad_core.files.pdf import read_pdf
 from gaussiancad_core.files.vectors import (
     Chain,

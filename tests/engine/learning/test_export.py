@@ -11,8 +11,8 @@ import pytest
 import torch
 
 from gaussiancad_core.learning.export import write_network
-from gaussiancad_core.learning.network import LabelsNetwork
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.learning.unet import LabelsNetwork
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 OUTPUTS = len(InkClass) + 2
 

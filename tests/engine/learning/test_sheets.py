@@ -6,20 +6,32 @@ import cv2
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.style import SectionKind
-from gaussiancad_core.learning.parts import Circle, DrawnPart, PartSection, PartView
-from gaussiancad_core.learning.samples import EITHER, HEAT_MOST, HEAT_SHIFT, ON_HIDDEN, UNKNOWN
 from gaussiancad_core.learning.sheets import clean_sheet, composing, font_names, samples
 from gaussiancad_core.learning.sheets.canvas import Canvas
-from gaussiancad_core.learning.sheets.curves import beyond, dashed, length, rectangle, segment
-from gaussiancad_core.learning.sheets.fonts import Fonts
-from gaussiancad_core.learning.sheets.hatching import hatch_lines
-from gaussiancad_core.learning.sheets.lettering import Lettering, text_mask
+from gaussiancad_core.learning.sheets.chains_of_points import (
+    beyond,
+    dashed,
+    length,
+    rectangle,
+    segment,
+)
+from gaussiancad_core.learning.sheets.cut_hatching import hatch_lines
+from gaussiancad_core.learning.sheets.letter_fonts import Fonts
 from gaussiancad_core.learning.sheets.rendering import INK, Rendered, rendered
 from gaussiancad_core.learning.sheets.spoiling import spoiled
+from gaussiancad_core.learning.sheets.text_pixels import Lettering, text_mask
 from gaussiancad_core.learning.sheets.variants import slab, squashed
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.learning.training_parts import Circle, DrawnPart, PartSection, PartView
+from gaussiancad_core.learning.training_samples import (
+    EITHER,
+    HEAT_MOST,
+    HEAT_SHIFT,
+    ON_HIDDEN,
+    UNKNOWN,
+)
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.section_planes import SectionKind
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 _SHEETS = 30
 

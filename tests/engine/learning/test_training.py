@@ -17,22 +17,23 @@ import torch
 from gaussiancad_core.errors import EngineError, UnreadableError, UsageError
 from gaussiancad_core.learning import feeding as feeding_module
 from gaussiancad_core.learning.calibration import likeliest_temperature
-from gaussiancad_core.learning.card import read_card
-from gaussiancad_core.learning.checking import figures_of
-from gaussiancad_core.learning.command import main
-from gaussiancad_core.learning.devices import Place
 from gaussiancad_core.learning.feeding import Batch, FeedPlan, feeding
+from gaussiancad_core.learning.label_checking import figures_of
+from gaussiancad_core.learning.learning_command import main
 from gaussiancad_core.learning.loss import labels_loss
-from gaussiancad_core.learning.making import Generator, Order, make
 from gaussiancad_core.learning.mixing import Mixture
-from gaussiancad_core.learning.network import LabelsNetwork
+from gaussiancad_core.learning.model_card import read_card
+from gaussiancad_core.learning.network_making import Generator, Order, make
 from gaussiancad_core.learning.published import (
     NOT_TOLD,
     PublishedSheet,
     published_crop,
     published_sheets,
 )
-from gaussiancad_core.learning.samples import (
+from gaussiancad_core.learning.schedule import ByClock, BySteps, best_rate, rate_at
+from gaussiancad_core.learning.training import train
+from gaussiancad_core.learning.training_devices import Place
+from gaussiancad_core.learning.training_samples import (
     EITHER,
     HEAT_MOST,
     HEAT_SHIFT,
@@ -41,10 +42,9 @@ from gaussiancad_core.learning.samples import (
     UNKNOWN,
     Sample,
 )
-from gaussiancad_core.learning.schedule import ByClock, BySteps, best_rate, rate_at
-from gaussiancad_core.learning.training import train
+from gaussiancad_core.learning.unet import LabelsNetwork
 from gaussiancad_core.learning.weights import starting_network
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 SIZE = 64
 CPU = torch.device("cpu")

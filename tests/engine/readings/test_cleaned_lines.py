@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from ezdxf.document import Drawing
 
-from gaussiancad_core.readings.anchors import points_of
 from gaussiancad_core.readings.cleaned_lines import UNKNOWN_SIZE, lines_dxf, lines_svg
-from gaussiancad_core.readings.schema import (
+from gaussiancad_core.readings.reading_schema import (
     SCHEMA,
     ReadProjection,
     ReadScale,
@@ -24,7 +23,8 @@ from gaussiancad_core.readings.schema import (
     ViewEntry,
     ViewRole,
 )
-from gaussiancad_core.sheet.read import read_sheet
+from gaussiancad_core.readings.stroke_anchors import points_of
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
 
 _MM = 0.125
 """Of a px."""

@@ -7,12 +7,12 @@ import pytest
 from msgspec.structs import replace
 
 from gaussiancad_core.readings.correcting import Ink, corrected
-from gaussiancad_core.readings.operations import (
+from gaussiancad_core.readings.correction_operations import (
     CORRECTIONS_SCHEMA,
     Corrections,
     ScaleOperation,
 )
-from gaussiancad_core.readings.schema import SCHEMA, SheetReading, StrokeKind, ViewRole
+from gaussiancad_core.readings.reading_schema import SCHEMA, SheetReading, StrokeKind, ViewRole
 
 _LINE = [[10.0, 10.0], [110.0, 10.0]]
 

@@ -11,10 +11,10 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from gaussiancad_core import picture_views
 from gaussiancad_core.cli import main
-from gaussiancad_core.sheet.labels.classes import InkClass
-from gaussiancad_core.sheet.labels.network import InkLabels, ink_labels
+from gaussiancad_core.recognition import picture_views
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
+from gaussiancad_core.sheet.labels.labels_network import InkLabels, ink_labels
 
 SHEET = Path(__file__).parents[3] / "resources" / "samples" / "wedge-block.png"
 

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 from freecad.gaussiancad.objects import cleaned_lines
 from freecad.gaussiancad.objects.plane_shapes import Shape, is_whole
 from gaussiancad_core.readings.cleaned_lines import lines_dxf, mm_per_px
-from gaussiancad_core.readings.schema import SheetReading
+from gaussiancad_core.readings.reading_schema import SheetReading
 
 _BOXES = {"front": [100.0, 160.0, 500.0, 300.0], "left": [600.0, 160.0, 700.0, 300.0]}
 

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, volume
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     box,
     chamfered,

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness
-from gaussiancad_core.drawing.hlr import LineDrawing
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.model.axes import Role
 from gaussiancad_core.samples import SAMPLES, SamplePart, sample
 
 PI = float(np.pi)

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.drawing.brep import bounding_box, soundness
+from gaussiancad_core.kernel.brep import bounding_box, soundness
 from gaussiancad_core.samples.random_parts import random_part
 
 

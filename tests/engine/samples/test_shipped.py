@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.drawing.brep import read_solid, soundness
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import PRESETS
+from gaussiancad_core.kernel.brep import read_solid, soundness
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples import sample
 
 CHECKOUT = Path(__file__).resolve().parents[3]

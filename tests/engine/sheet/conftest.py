@@ -10,24 +10,24 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.raster import draw_stroke
-from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
-from gaussiancad_core.drawing.style import PRESETS, Cap
+from gaussiancad_core.drawing.drawn_sheet import Sheet, draw_sheet
+from gaussiancad_core.drawing.sheet_style import PRESETS, Cap
+from gaussiancad_core.drawing.stroke_raster import draw_stroke
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.arranging import Drawings, arrange
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
-from gaussiancad_core.sheet.layout import Layout, view_clusters
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.reading import (
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.sheet_stages import (
     ReadView,
     RegisteredSheet,
     read_views,
     register_views,
 )
-from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
-from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
+from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_rhythm
+from gaussiancad_core.sheet.views.role_score import Drawings, arrange
+from gaussiancad_core.sheet.views.sheet_layout import Layout, view_clusters
 
 Point = tuple[float, float]
 Grey = npt.NDArray[np.uint8]

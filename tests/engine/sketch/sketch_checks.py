@@ -5,12 +5,12 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import bounding_box, soundness, volume
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sketch.sketching import Sketch
-from gaussiancad_core.views import Linetype
 
 GRID = 0.1
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.report.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.constructing import construction_of
 from gaussiancad_core.sketch.construction import write_construction
-from gaussiancad_core.sketch.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.sketching import sketch
 
 GRID = 0.1

@@ -6,11 +6,11 @@ import pytest
 from OCP.TopoDS import TopoDS_Shape
 from sketch_checks import GRID, ROLES, check, drawn
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.holes import HoleStep, NotedHole
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
+from gaussiancad_core.report.construction_sentences import construction_in_words
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.sketch.constructing import construction_of
-from gaussiancad_core.sketch.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.sketching import sketch
 
 

@@ -9,11 +9,11 @@ from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 from sketch_checks import GRID, check, drawn
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.cuts import Cut, Opening
-from gaussiancad_core.drawing.sections import section_view
-from gaussiancad_core.holes import HoleStep, NotedHole
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.lines.cut_solids import section_view
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
+from gaussiancad_core.model.section_planes import Cut, Opening
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
 from gaussiancad_core.sketch.sketching import sketch
 

@@ -7,13 +7,13 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import soundness, volume
-from gaussiancad_core.drawing.strokes import mapped
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers
+from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import soundness, volume
+from gaussiancad_core.lines.strokes import mapped
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.sketch.sketching import sketch
-from gaussiancad_core.views import Linetype, Segment
 
 GRID = 0.1
 """mm of a step of the sheet's coordinates."""

@@ -6,10 +6,10 @@ from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 from sketch_checks import GRID, check, drawn
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.report.construction_sentences import construction_in_words
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
 from gaussiancad_core.sketch.constructing import construction_of
-from gaussiancad_core.sketch.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.sketching import sketch
 
 

@@ -5,11 +5,11 @@ from functools import cache
 
 import pytest
 
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import Effort, Search
-from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.labelling.cell_labelling import Effort, Search
+from gaussiancad_core.labelling.part_model import PartModel, model_part
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
-from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledSpace
 
 Labelled = tuple[PartModel, LabelledSpace]
 

@@ -11,19 +11,19 @@ import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.hypotheses.open_outlines import find_gaps
+from gaussiancad_core.labelling.cell_labelling import Effort
+from gaussiancad_core.labelling.conflict_lines import ConflictLine
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.conflict_lines import ConflictLine
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.reasoning.labelling import Effort
-from gaussiancad_core.reasoning.open_outlines import find_gaps
 from gaussiancad_core.solid.contradiction import conflict_reason
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.reasons import ASSUMED
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.solid.trace import ModelKind
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.solid.search_trace import ModelKind
 
 Views = Callable[[str], DrawnViews]
 

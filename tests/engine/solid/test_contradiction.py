@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
+from gaussiancad_core.labelling.conflict_lines import Conflict, ConflictLine
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.solid.contradiction import conflict_reason
-from gaussiancad_core.views import Linetype
 
 _POINTS = np.array([[0.0, -0.01], [40.0, 12.34]])
 

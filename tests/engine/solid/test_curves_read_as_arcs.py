@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import moved_to_origin, soundness
+from gaussiancad_core.coordinates.point_chains import chain_distances, single_runs
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import moved_to_origin, soundness
+from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.chains import chain_distances, single_runs
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
 from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.verification.lines import Curve
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 _PIXEL = 0.06
 """mm."""

@@ -6,10 +6,10 @@ from math import radians, tan
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import moved_to_origin
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import moved_to_origin
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.samples.modelling import (
     box,
     cut,

@@ -25,29 +25,29 @@ from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Shape
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import (
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.files.fitting import circle_through
+from gaussiancad_core.kernel.brep import (
     bounding_box,
     moved_to_origin,
     soundness,
     subshapes,
     volume,
 )
-from gaussiancad_core.files.fitting import circle_through
+from gaussiancad_core.labelling.cell_labelling import Effort, Labelling, Others, Search
+from gaussiancad_core.labelling.counted_work import Deadline
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.reasoning.labelling import Effort, Labelling, Others, Search
-from gaussiancad_core.reasoning.work import Deadline
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.solid import candidates, exact
-from gaussiancad_core.solid.build import BuiltSolid, build_solid
+from gaussiancad_core.solid.boundary_building import BuiltSolid, build_solid
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
-from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledSpace
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import verify
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 Solid = Callable[[str], TopoDS_Shape]
 Views = Callable[[str], DrawnViews]

@@ -17,7 +17,7 @@ from OCP.BRepPrimAPI import (
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import area, faces_of
+from gaussiancad_core.kernel.brep import area, faces_of
 from gaussiancad_core.solid.known_faces import is_known
 from gaussiancad_core.solid.known_measures import RoundMeasures
 

@@ -6,13 +6,13 @@ from dataclasses import replace
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.holes import HoleStep, NotedHole
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.views import Linetype
 
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
 

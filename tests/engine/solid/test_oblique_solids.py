@@ -10,19 +10,18 @@ from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import faces_of, moved_to_origin, soundness, volume
-from gaussiancad_core.reasoning.columns import Vector
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.half_spaces import HalfSpace
+from gaussiancad_core.cells.half_spaces import HalfSpace
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import faces_of, moved_to_origin, soundness, volume
+from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.model.axes import Axis, Role, Vector
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.classed.outlines import convex, frustum, regular
 from gaussiancad_core.samples.modelling import Point2, box, cut, cylinder, fuse, prism
-from gaussiancad_core.solid.bodies import body_faces
 from gaussiancad_core.solid.exact import exact_solid
+from gaussiancad_core.solid.extra_faces import body_faces
 from gaussiancad_core.solid.reasons import ASSUMED, UNDRAWN, has_hidden_lines
-from gaussiancad_core.verification.lines import Curve
-from gaussiancad_core.views import Linetype, Segment
 
 Draw = Callable[..., DrawnViews]
 

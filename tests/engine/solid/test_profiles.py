@@ -5,10 +5,10 @@ from math import pi
 import pytest
 import shapely
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import soundness, volume
+from gaussiancad_core.kernel.brep import soundness, volume
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.solid.profiles import Profile, prism, turned
-from gaussiancad_core.views import Arc, Linetype
 
 _CHORDS = 24
 """Of a quarter of a circle: as fine as arcs are made of."""

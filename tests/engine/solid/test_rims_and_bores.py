@@ -5,8 +5,8 @@ from collections.abc import Callable
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import (
     box,
     chamfered,

@@ -7,17 +7,17 @@ import pytest
 import shapely
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.cuts import Cut, Opening, SectionRole
-from gaussiancad_core.drawing.brep import bounding_box
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.drawing.sections import section_view
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.lines.cut_solids import section_view
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.section_planes import Cut, Opening, SectionRole
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.verify import verify
-from gaussiancad_core.views import Linetype
 
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
 

@@ -9,13 +9,13 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import soundness
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import soundness
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.views import Linetype
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]
 

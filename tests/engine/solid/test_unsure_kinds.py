@@ -10,14 +10,14 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import volume
+from gaussiancad_core.coordinates.ambiguous_linetypes import as_drawn, is_unsure, with_unsure_kinds
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.kernel.brep import volume
+from gaussiancad_core.lines.line_points import lines_of_strokes
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.unsure_kinds import as_drawn, is_unsure, with_unsure_kinds
 from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.verification.lines import lines_of_strokes
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 V, H = Linetype.VISIBLE, Linetype.HIDDEN
 

@@ -7,15 +7,15 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin, soundness, volume
-from gaussiancad_core.drawing.hlr import LineDrawing
+from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.kernel.brep import bounding_box, moved_to_origin, soundness, volume
+from gaussiancad_core.labelling.part_model import model_part
+from gaussiancad_core.lines.hlr import LineDrawing
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.samples.modelling import box, chamfered, cut, cylinder, edges_where
 from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.views import Linetype
 
 _VIEWS = (
     (Role.FRONT, Role.TOP),

@@ -11,10 +11,10 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.solid.verify import matching_tolerance, verify
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 Draw = Callable[..., DrawnViews]
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import trimesh
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
-from gaussiancad_core.views import View, ViewSet
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.views import View, ViewSet
 
 SIZE = (20.0, 12.0, 16.0)
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)

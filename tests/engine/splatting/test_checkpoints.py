@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
+from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.checkpoints import CheckpointPlace
+from gaussiancad_core.splatting.gaussian_training import TrainingResult, train
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
 from gaussiancad_core.splatting.ply import write_gaussians
 from gaussiancad_core.splatting.settings import (
@@ -22,8 +24,6 @@ from gaussiancad_core.splatting.settings import (
     training_settings,
 )
 from gaussiancad_core.splatting.targets import targets_of
-from gaussiancad_core.splatting.training import TrainingResult, train
-from gaussiancad_core.views import ViewSet
 
 BUSY = DensityControl(start=2, until=40, every=5, pull=1e-5, reset_every=12)
 RECIPES = pytest.mark.parametrize("recipe", list(Recipe))
@@ -170,15 +170,15 @@ import os, signal, sys
 import numpy as np
 from pathlib import Path
 import trimesh
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import orthographic_camera
-from gaussiancad_core.meshes import make_mesh
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import orthographic_camera
+from gaussiancad_core.model.meshes import make_mesh
 from gaussiancad_core.splatting.checkpoints import CheckpointPlace
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.losses import Targets
 from gaussiancad_core.splatting.ply import write_gaussians
 from gaussiancad_core.splatting.settings import TrainingSettings
-from gaussiancad_core.splatting.training import train
+from gaussiancad_core.splatting.gaussian_training import train
 import torch
 
 folder, last = Path(sys.argv[1]), int(sys.argv[2])

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 import torch
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.splatting.density import Density
+from gaussiancad_core.splatting.gaussian_model import Trainee
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import DensityControl, Rates
-from gaussiancad_core.splatting.trainee import Trainee
 
 CONTROL = DensityControl(start=10, until=100, every=10, pull=1.0, reset_every=40, most=1_000)
 EXTENT = 4.0

@@ -12,12 +12,11 @@ import numpy as np
 import pytest
 import torch
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import CameraModel, orthographic_camera, paper_camera
-from gaussiancad_core.splatting.devices import cuda_problem
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import CameraModel, orthographic_camera, paper_camera
 from gaussiancad_core.splatting.gsplat_draw import draw_gsplat
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
-from gaussiancad_core.splatting.rasteriser import (
+from gaussiancad_core.splatting.rasterizer import (
     Backend,
     Optics,
     Parameters,
@@ -26,6 +25,7 @@ from gaussiancad_core.splatting.rasteriser import (
 )
 from gaussiancad_core.splatting.reference import draw_reference
 from gaussiancad_core.splatting.tiles import draw_tiles
+from gaussiancad_core.splatting.torch_devices import cuda_problem
 
 SIZE = (50.0, 30.0, 40.0)
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)

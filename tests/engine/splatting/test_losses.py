@@ -14,7 +14,7 @@ from gaussiancad_core.splatting.losses import (
     plain_compared,
     total_loss,
 )
-from gaussiancad_core.splatting.rasteriser import Rendering
+from gaussiancad_core.splatting.rasterizer import Rendering
 
 
 def rendering(alpha: float = 0.25, colour: float = 0.1) -> Rendering:

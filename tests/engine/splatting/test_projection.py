@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import torch
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import Camera, orthographic_camera, paper_camera
 from gaussiancad_core.splatting.gaussians import rotation_matrices
 from gaussiancad_core.splatting.projection import batch_of, conics, project
 

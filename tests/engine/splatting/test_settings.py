@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import CameraModel
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import CameraModel
 from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 

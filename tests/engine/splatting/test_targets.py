@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import Camera, orthographic_camera, paper_camera
+from gaussiancad_core.model.views import View, ViewSet
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
-from gaussiancad_core.views import View, ViewSet
 
 
 def test_area_of_the_mask_is_that_of_the_part(box_views: ViewSet) -> None:

@@ -4,7 +4,7 @@ import pytest
 import trimesh
 
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces, joined, make_mesh
 from gaussiancad_core.surface.decimate import FACETED_LIMIT, decimated
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on, quaternions_to
 from gaussiancad_core.surface.discs import (
     Creases,

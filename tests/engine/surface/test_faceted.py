@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gaussiancad_core.drawing.brep import bounding_box, soundness
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.meshes import TriangleMesh, joined, make_mesh
+from gaussiancad_core.kernel.brep import bounding_box, soundness
+from gaussiancad_core.model.meshes import TriangleMesh, joined, make_mesh
 from gaussiancad_core.surface.decimate import decimated
 from gaussiancad_core.surface.faceted import faceted_solid
 

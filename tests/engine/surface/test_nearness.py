@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_erosion
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.lines.mesh_rays import RayCaster, RayGrid
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.model.views import View, ViewSet
+from gaussiancad_core.surface.mesh_shadows import silhouette_difference
 from gaussiancad_core.surface.nearness import Nearer, weighed
-from gaussiancad_core.surface.silhouettes import silhouette_difference
-from gaussiancad_core.verification.rays import RayCaster, RayGrid
-from gaussiancad_core.views import View, ViewSet
 
 PITCH = 0.1
 

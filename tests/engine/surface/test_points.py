@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
 from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
 from gaussiancad_core.surface.points import OrientedPoints, disc_points

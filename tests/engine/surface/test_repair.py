@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from gaussiancad_core.meshes import TriangleMesh, connected_pieces, make_mesh
+from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces, make_mesh
 from gaussiancad_core.surface.repair import made_manifold
 
 

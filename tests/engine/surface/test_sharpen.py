@@ -7,7 +7,7 @@ import pytest
 import trimesh
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.discs import Creases, DiscSampling, creases_of, discs_of
 from gaussiancad_core.surface.points import disc_points

@@ -24,7 +24,7 @@ from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.sheet import Sheet, Stroke, View, arc_through, sheet_of
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
-from gaussiancad_core.readings.operations import Corrections
+from gaussiancad_core.readings.correction_operations import Corrections
 
 _LEFT = QtCore.Qt.MouseButton.LeftButton
 _NONE = QtCore.Qt.KeyboardModifier.NoModifier

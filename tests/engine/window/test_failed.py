@@ -14,7 +14,7 @@ from freecad.gaussiancad.canvas.failed import FailedSheet, failed_sheets
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.standing import Standing
 from freecad.gaussiancad.qt import QtGui, QtWidgets
-from gaussiancad_core.batches.table import BatchRow, table_bytes
+from gaussiancad_core.batches.batch_table import BatchRow, table_bytes
 
 _STATUSES = {"good": "verified", "near": "approximate", "=bad": "failed"}
 

@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.graph.heads import Head
-from gaussiancad_core.sheet.rules import Rule
+from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.tracing.level_rules import Rule
 from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
 from gaussiancad_core.writing.leaders import pointed_lines
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 _STILL = Turn(0.0, (0.0, 0.0))
 _HEAD = 12.0

@@ -5,9 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.writing.callouts import Callout, NoteKind, parse_callout
-from gaussiancad_core.writing.notes import notes_of
+from gaussiancad_core.writing.note_texts import notes_of
 from gaussiancad_core.writing.numbers import Unit
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 DIAMETER, THREAD, RADIUS = NoteKind.DIAMETER, NoteKind.THREAD, NoteKind.RADIUS
 BORE, SINK, CHAMFER = NoteKind.COUNTERBORE, NoteKind.COUNTERSINK, NoteKind.CHAMFER

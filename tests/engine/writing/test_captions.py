@@ -2,9 +2,9 @@
 
 import pytest
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.model.axes import Role
 from gaussiancad_core.writing.captions import caption_role, captions_of
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 
 @pytest.mark.parametrize(

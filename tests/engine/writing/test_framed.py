@@ -1,8 +1,8 @@
 """What is written in the margin of a sheet is of its frame."""
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.marks import line_mark
-from gaussiancad_core.writing.texts import SheetText, framed
+from gaussiancad_core.sheet.annotations.annotation_marks import line_mark
+from gaussiancad_core.writing.sheet_texts import SheetText, framed
 
 _SHAPE = (700, 1000)
 _CORNERS = (40.0, 30.0, 960.0, 670.0)

@@ -2,9 +2,9 @@
 
 import pytest
 
-from gaussiancad_core.sheet.rules import Rule
+from gaussiancad_core.sheet.tracing.level_rules import Rule
 from gaussiancad_core.writing.ordinates import is_zero, ordinate_length
-from gaussiancad_core.writing.texts import SheetText
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 ZERO = SheetText("0", (89.0, 391.0, 100.0, 409.0))
 TEXTS = (

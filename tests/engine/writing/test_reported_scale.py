@@ -6,16 +6,16 @@ from pathlib import Path
 import ezdxf
 import pytest
 
-from gaussiancad_core import pipeline
-from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import draw_sheet
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.draw_command import write_image
+from gaussiancad_core.drawing.drawn_sheet import draw_sheet
+from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.events import Silence
-from gaussiancad_core.job import Job
+from gaussiancad_core.model.axes import Axis, Projection, Role
+from gaussiancad_core.processes.events import Silence
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.run import pipeline
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.writing.ocr import ocr_problem
 
 needs_ocr = pytest.mark.skipif(ocr_problem() is not None, reason=f"OCR is {ocr_problem()}")

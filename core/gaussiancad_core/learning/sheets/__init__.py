@@ -2,6 +2,6 @@
 
 from gaussiancad_core.learning.sheets.composing import clean_sheet
 from gaussiancad_core.learning.sheets.cropping import samples
-from gaussiancad_core.learning.sheets.fonts import font_names
+from gaussiancad_core.learning.sheets.letter_fonts import font_names
 
 __all__ = ["clean_sheet", "font_names", "samples"]

@@ -10,11 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.learning.sheets.canvas import SUPERSAMPLING, Canvas
-from gaussiancad_core.learning.sheets.curves import Points, across, circle, dashed
-from gaussiancad_core.learning.sheets.fonts import HERSHEY, Fonts
-from gaussiancad_core.learning.sheets.lettering import Lettering, text_mask
-from gaussiancad_core.learning.sheets.style import Head, Pattern, Style
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.learning.sheets.chains_of_points import Points, across, circle, dashed
+from gaussiancad_core.learning.sheets.letter_fonts import HERSHEY, Fonts
+from gaussiancad_core.learning.sheets.random_style import Head, Pattern, Style
+from gaussiancad_core.learning.sheets.text_pixels import Lettering, text_mask
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 Anchor = tuple[float, float]
 """Which point of a text's box is where it is written: shares of its width and height."""

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.learning.sheets.curves import Points, across, norm
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.learning.sheets.chains_of_points import Points, across, norm
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 SUPERSAMPLING = 2
 """Pixels of a drawing along a pixel of the sheet."""

@@ -4,17 +4,13 @@ import random
 from collections.abc import Sequence
 from enum import Enum, auto
 
-from gaussiancad_core.learning.parts import DrawnPart
-from gaussiancad_core.learning.sheets.annotations import annotate
 from gaussiancad_core.learning.sheets.board import Board
 from gaussiancad_core.learning.sheets.canvas import Canvas
-from gaussiancad_core.learning.sheets.centre_lines import bend_lines
+from gaussiancad_core.learning.sheets.centre_marks import bend_lines
+from gaussiancad_core.learning.sheets.cut_hatching import hatch
 from gaussiancad_core.learning.sheets.extras import litter
-from gaussiancad_core.learning.sheets.fonts import system_fonts
-from gaussiancad_core.learning.sheets.furniture import furnish
-from gaussiancad_core.learning.sheets.hatching import hatch
-from gaussiancad_core.learning.sheets.insets import draw_detail, draw_picture
-from gaussiancad_core.learning.sheets.layout import laid_out, random_paper
+from gaussiancad_core.learning.sheets.inset_drawings import draw_detail, draw_picture
+from gaussiancad_core.learning.sheets.letter_fonts import system_fonts
 from gaussiancad_core.learning.sheets.part_lines import (
     TANGENT_ODDS,
     Tangents,
@@ -22,12 +18,16 @@ from gaussiancad_core.learning.sheets.part_lines import (
     draw_lines,
     shade,
 )
+from gaussiancad_core.learning.sheets.random_style import random_style
 from gaussiancad_core.learning.sheets.rendering import Rendered, rendered
-from gaussiancad_core.learning.sheets.style import random_style
+from gaussiancad_core.learning.sheets.sheet_furniture import furnish
 from gaussiancad_core.learning.sheets.symbols import cutting_line
 from gaussiancad_core.learning.sheets.variants import varied
-from gaussiancad_core.learning.sheets.views import SheetView
+from gaussiancad_core.learning.sheets.view_annotations import annotate
+from gaussiancad_core.learning.sheets.view_choice import laid_out, random_paper
+from gaussiancad_core.learning.sheets.view_variants import SheetView
 from gaussiancad_core.learning.sheets.wording import caption
+from gaussiancad_core.learning.training_parts import DrawnPart
 
 _TRIES = 20
 """Layouts without room for the views, one after the other, from which something is wrong."""

@@ -5,12 +5,12 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gaussiancad_core.learning.parts import DrawnPart
-from gaussiancad_core.learning.samples import Sample
 from gaussiancad_core.learning.sheets.composing import clean_sheet
 from gaussiancad_core.learning.sheets.rendering import Rendered
 from gaussiancad_core.learning.sheets.spoiling import spoiled
-from gaussiancad_core.sheet.labels.classes import PART
+from gaussiancad_core.learning.training_parts import DrawnPart
+from gaussiancad_core.learning.training_samples import Sample
+from gaussiancad_core.sheet.labels.ink_classes import PART
 
 _ON_PART = 0.8
 """Share of the pieces about a line of the part."""

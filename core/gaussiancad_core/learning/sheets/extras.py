@@ -8,11 +8,17 @@ from dataclasses import replace
 import numpy as np
 
 from gaussiancad_core.learning.sheets.board import Board
-from gaussiancad_core.learning.sheets.curves import Points, arc, circle, rectangle, segment
-from gaussiancad_core.learning.sheets.furniture import table
-from gaussiancad_core.learning.sheets.views import SheetView
+from gaussiancad_core.learning.sheets.chains_of_points import (
+    Points,
+    arc,
+    circle,
+    rectangle,
+    segment,
+)
+from gaussiancad_core.learning.sheets.sheet_furniture import table
+from gaussiancad_core.learning.sheets.view_variants import SheetView
 from gaussiancad_core.learning.sheets.wording import number, words
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 _STAMPS = (
     "DRAFT", "CONFIDENTIAL", "COPY", "APPROVED", "SAMPLE", "PRELIMINARY", "VOID",

@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 
 from gaussiancad_core.learning.sheets.board import Board
-from gaussiancad_core.learning.sheets.curves import Points, across, norm, segment, unit
-from gaussiancad_core.learning.sheets.style import Pattern
-from gaussiancad_core.learning.sheets.views import Border, SheetView
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.learning.sheets.chains_of_points import Points, across, norm, segment, unit
+from gaussiancad_core.learning.sheets.random_style import Pattern
+from gaussiancad_core.learning.sheets.view_variants import Border, SheetView
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 _CLOSED_PX = 1.0
 """Distance between the ends of a line up to which it is closed."""

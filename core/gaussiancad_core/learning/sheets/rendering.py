@@ -8,10 +8,16 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.learning.samples import EITHER, HEAT_MOST, HEAT_SHIFT, ON_HIDDEN, UNKNOWN
 from gaussiancad_core.learning.sheets.canvas import SUPERSAMPLING, Canvas, Filled, Lines, Mark
-from gaussiancad_core.learning.sheets.curves import Points
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.learning.sheets.chains_of_points import Points
+from gaussiancad_core.learning.training_samples import (
+    EITHER,
+    HEAT_MOST,
+    HEAT_SHIFT,
+    ON_HIDDEN,
+    UNKNOWN,
+)
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 Bytes = npt.NDArray[np.uint8]
 

@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.learning.samples import Sample
 from gaussiancad_core.learning.sheets.rendering import Rendered
+from gaussiancad_core.learning.training_samples import Sample
 
 Floats = npt.NDArray[np.float32]
 Change = Callable[[npt.NDArray, int], npt.NDArray]

@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.learning.sheets.board import LEFT, RIGHT, Board
-from gaussiancad_core.learning.sheets.curves import (
+from gaussiancad_core.learning.sheets.chains_of_points import (
     Points,
     across,
     circle,
@@ -15,8 +15,8 @@ from gaussiancad_core.learning.sheets.curves import (
     shifted,
     unit,
 )
-from gaussiancad_core.learning.sheets.views import SheetView
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.learning.sheets.view_variants import SheetView
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
 
 _TOLERANCES = ("0.1", "0.05", "⌀0.2", "0.02", "⌀0.1")
 """In tolerance frames."""

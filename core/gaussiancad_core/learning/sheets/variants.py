@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.learning.parts import Chain, Circle, DrawnPart, PartView
-from gaussiancad_core.learning.sheets.curves import Points, circle, inside
+from gaussiancad_core.learning.sheets.chains_of_points import Points, circle, inside
+from gaussiancad_core.learning.training_parts import Chain, Circle, DrawnPart, PartView
+from gaussiancad_core.model.axes import Axis, Role
 
 _SLABS, _SQUASHED = 0.14, 0.16
 """Shares of the sheets on which there is a slab, and a part squashed thin."""

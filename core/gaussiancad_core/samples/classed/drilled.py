@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.flat import FLOOR, flat_body, groove, notch, pocket
 from gaussiancad_core.samples.classed.outlines import extruded, rectangle
 from gaussiancad_core.samples.classed.placing import Feature, Work, place, spread

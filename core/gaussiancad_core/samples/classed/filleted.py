@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.drilled import boss, hole, slot
 from gaussiancad_core.samples.classed.flat import FLOOR, groove, notch, profile_body
 from gaussiancad_core.samples.classed.outlines import Outline, extruded, rectangle

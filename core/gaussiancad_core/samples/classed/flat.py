@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.outlines import extruded, rectangle, sharp
 from gaussiancad_core.samples.classed.placing import Feature, Work, across, place, spread
 from gaussiancad_core.samples.classed.stock import BEYOND, CELL, Change, Fill, Site, Stock

@@ -25,8 +25,8 @@ from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import subshapes, volume
+from gaussiancad_core.kernel.brep import subshapes, volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import Point2, Point3
 
 Floats = npt.NDArray[np.float64]

@@ -8,8 +8,8 @@ from itertools import count
 import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import faces_of, moved_to_origin, soundness
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.kernel.brep import faces_of, moved_to_origin, soundness
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.samples.classed.drilled import DRILLED, drilled_body
 from gaussiancad_core.samples.classed.filleted import FILLETED, filleted_body
 from gaussiancad_core.samples.classed.flat import FLAT, flat_body

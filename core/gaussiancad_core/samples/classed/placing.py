@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.stock import CELL, WALLS, Site, Stock
 from gaussiancad_core.samples.modelling import Point2
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.drilled import hole
 from gaussiancad_core.samples.classed.flat import (
     FLOOR,

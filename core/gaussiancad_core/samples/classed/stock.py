@@ -19,8 +19,8 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import subshapes
+from gaussiancad_core.kernel.brep import subshapes
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.outlines import Outline, combined, sampled
 from gaussiancad_core.samples.modelling import Point2, Point3
 

@@ -9,7 +9,7 @@ from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Dir
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import faces_of
+from gaussiancad_core.kernel.brep import faces_of
 
 _ALONG = 1e-9
 """Components of a direction below this are zero."""

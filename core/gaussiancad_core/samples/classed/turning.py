@@ -3,7 +3,7 @@
 import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.drilled import boss, disc, hole
 from gaussiancad_core.samples.classed.flat import FLOOR, flat_body, groove, pocket
 from gaussiancad_core.samples.classed.outlines import Corner, extruded, rectangle, turned

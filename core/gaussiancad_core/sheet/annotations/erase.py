@@ -8,10 +8,10 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.inked import InkedShape, points_along
-from gaussiancad_core.sheet.annotations.marks import Mask
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.sheet.annotations.annotation_marks import Mask
+from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 
 Kinds = list[list[AnnotationKind | None]]
 """For each run of each shape what annotation it is, or nothing where it is the part's."""

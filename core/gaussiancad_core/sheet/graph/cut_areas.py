@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from gaussiancad_core.files.vectors import Line, VectorStroke
-from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 
 
 def cut_areas(

@@ -9,11 +9,11 @@ read it.
 from collections.abc import Iterable, Sequence
 
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke, bounds
-from gaussiancad_core.sheet.graph.groups import grouped
-from gaussiancad_core.sheet.graph.heads import Head
-from gaussiancad_core.sheet.graph.touching import Flags, Touches
-from gaussiancad_core.sheet.labels.words import written_lines
-from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
+from gaussiancad_core.sheet.graph.stroke_groups import grouped
+from gaussiancad_core.sheet.graph.touching_ends import Flags, Touches
+from gaussiancad_core.sheet.labels.writing_lines import written_lines
+from gaussiancad_core.sheet.reading_options import Box
 
 _TALLEST = 0.03
 """Size of a letter at most, as a share of the sheet's longest side."""

@@ -19,8 +19,8 @@ from enum import Enum
 import numpy as np
 
 from gaussiancad_core.files.vectors import VectorText
-from gaussiancad_core.sheet.graph.groups import CLOSED, EVEN, Groups, grouped, within
-from gaussiancad_core.sheet.graph.touching import Flags, Floats, Ints, Touches
+from gaussiancad_core.sheet.graph.stroke_groups import CLOSED, EVEN, Groups, grouped, within
+from gaussiancad_core.sheet.graph.touching_ends import Flags, Floats, Ints, Touches
 
 _VIEW = 0.1
 """Share of a frame's width and height that a view in it has at least: engraved letters have

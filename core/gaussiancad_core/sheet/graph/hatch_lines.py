@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.files.vectors import Line, StrokeKind, StrokeRole, VectorStroke
-from gaussiancad_core.sheet.graph.touching import Flags, Ints, Touches
+from gaussiancad_core.sheet.graph.touching_ends import Flags, Ints, Touches
 
 _REACH = 0.6
 """px within which ends and places of lines are one."""

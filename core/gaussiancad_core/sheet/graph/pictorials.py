@@ -8,10 +8,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.files.vectors import Line, VectorStroke
-from gaussiancad_core.sheet.graph.touching import Flags, Touches
-from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.special_views.kinds import SpecialKind
-from gaussiancad_core.sheet.special_views.naming import Lines, slanted_kind
+from gaussiancad_core.sheet.graph.touching_ends import Flags, Touches
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.special_views.drawing_names import Lines, slanted_kind
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
 
 _IN_LINE_PX = 1.0
 """px by which the ends of views of one part may differ."""

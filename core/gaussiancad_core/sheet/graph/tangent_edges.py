@@ -14,10 +14,10 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.reading import ReadView
-from gaussiancad_core.views import Arc, Ellipse, Segment, Stroke
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.views import Arc, Ellipse, Segment, Stroke
+from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
+from gaussiancad_core.sheet.sheet_stages import ReadView
 
 _SMOOTH = 0.03
 """Sine of the angle between two strokes that go over into each other, at most."""

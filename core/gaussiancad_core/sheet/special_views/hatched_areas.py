@@ -6,13 +6,13 @@ from dataclasses import replace
 import cv2
 import numpy as np
 
-from gaussiancad_core.sheet.annotations.marks import Mask
-from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.reading import ReadView, Ring
-from gaussiancad_core.sheet.special_views.kinds import SECTIONS, SpecialKind, SpecialView
-from gaussiancad_core.sheet.special_views.naming import inside
-from gaussiancad_core.sheet.special_views.sections import hatched_box
+from gaussiancad_core.sheet.annotations.annotation_marks import Mask
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.sheet_stages import ReadView, Ring
+from gaussiancad_core.sheet.special_views.cut_views import hatched_box
+from gaussiancad_core.sheet.special_views.drawing_names import inside
+from gaussiancad_core.sheet.special_views.view_kinds import SECTIONS, SpecialKind, SpecialView
+from gaussiancad_core.sheet.views.sheet_layout import Layout
 
 _MOST_PX = 25
 """px by which an area is led to the middle of the lines around it at most."""

@@ -2,11 +2,11 @@
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.messages import boxes_of
-from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.layout import find_clusters
-from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.special_views.kinds import SpecialKind
-from gaussiancad_core.sheet.special_views.naming import inside, special_kind
+from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.special_views.drawing_names import inside, special_kind
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
+from gaussiancad_core.sheet.views.sheet_layout import find_clusters
 
 
 def as_pictorial(error: NoModelError, separated: SeparatedSheet) -> NoModelError:

@@ -3,10 +3,10 @@
 import re
 import unicodedata
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.opened import OpenedSheet
+from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 
 _WORDS = {

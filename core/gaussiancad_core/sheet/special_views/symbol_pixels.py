@@ -7,12 +7,9 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.annotations.marks import Mark, Mask
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Circle, Line
-from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_shapes
-from gaussiancad_core.sheet.ridges import RidgePoints, ridge_points
-from gaussiancad_core.sheet.shapes import sample
+from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.special_views.symbol_shape import (
     AXES,
     Ends,
@@ -21,6 +18,9 @@ from gaussiancad_core.sheet.special_views.symbol_shape import (
     is_around,
     symbol_beside,
 )
+from gaussiancad_core.sheet.tracing.ink_shapes import sample
+from gaussiancad_core.sheet.tracing.ridges import RidgePoints, ridge_points
+from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_shapes
 
 Floats = npt.NDArray[np.float64]
 

@@ -13,11 +13,11 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.lengths import MM_PER_INCH
-from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.model.length_units import MM_PER_INCH
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 
 Floats = npt.NDArray[np.float64]
 

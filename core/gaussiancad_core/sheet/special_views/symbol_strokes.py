@@ -18,7 +18,7 @@ from gaussiancad_core.files.vectors import (
     VectorDrawing,
     VectorStroke,
 )
-from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.geometry.infinite_curves import Circle
 from gaussiancad_core.sheet.special_views.symbol_shape import (
     AXES,
     Ends,

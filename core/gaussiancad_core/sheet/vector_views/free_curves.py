@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.files.vectors import Chain
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 Floats = npt.NDArray[np.float64]
 

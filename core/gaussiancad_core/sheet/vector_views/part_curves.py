@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.files.curves import affine_arc, to_point
+from gaussiancad_core.files.file_curves import affine_arc, to_point
 from gaussiancad_core.files.vectors import (
     Chain,
     CircularArc,
@@ -19,8 +19,8 @@ from gaussiancad_core.files.vectors import (
     StrokeRole,
     VectorStroke,
 )
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.deskew import Turn
 
 Mask = npt.NDArray[np.uint8]
 

@@ -6,20 +6,20 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from gaussiancad_core.axes import Role
 from gaussiancad_core.files.vectors import (
     Curve,
     VectorDrawing,
     VectorStroke,
     bounds,
 )
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype, Stroke
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.vector_views.missed_ends import missed_px
 from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, Mask, part_curves
 from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
-from gaussiancad_core.views import Linetype, Stroke
+from gaussiancad_core.sheet.views.sheet_layout import Layout
 
 _MARGIN = 4.0
 """px by which a view's curves may reach over its box, beyond half a stroke."""

@@ -11,15 +11,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.files.vectors import Chain, StrokeRole, VectorStroke
-from gaussiancad_core.sheet.geometry import Geometry, Line
-from gaussiancad_core.sheet.linetypes import classify
-from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, learn_rhythm
+from gaussiancad_core.geometry.ellipses import WholeEllipse
+from gaussiancad_core.geometry.infinite_curves import Geometry, Line
+from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
+from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run, learn_rhythm
+from gaussiancad_core.sheet.tracing.run_linetypes import classify
+from gaussiancad_core.sheet.vector_views.curve_intervals import united, without
+from gaussiancad_core.sheet.vector_views.curve_tracks import EXACT, PLOTTED, Track, tracks_of
 from gaussiancad_core.sheet.vector_views.free_curves import free_curve
-from gaussiancad_core.sheet.vector_views.spans import united, without
-from gaussiancad_core.sheet.vector_views.tracks import EXACT, PLOTTED, Track, tracks_of
-from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _TOUCHING = 0.02
 """px of a gap between strokes that continue each other."""

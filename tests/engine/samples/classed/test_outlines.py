@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
+from gaussiancad_core.kernel.brep import bounding_box, soundness, volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.outlines import (
     combined,
     convex,

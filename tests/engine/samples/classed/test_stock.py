@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import soundness, volume
+from gaussiancad_core.kernel.brep import soundness, volume
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.classed.outlines import extruded, rectangle
 from gaussiancad_core.samples.classed.stock import Change, Fill, Stock
 from gaussiancad_core.samples.modelling import box

@@ -5,12 +5,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.labels.network import ink_labels
-from gaussiancad_core.sheet.labels.separation import separate_by_labels
-from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
-from gaussiancad_core.views import Arc
+from gaussiancad_core.model.views import Arc
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.labels.labelled_ink import separate_by_labels
+from gaussiancad_core.sheet.labels.labels_network import ink_labels
+from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
+from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
 
 Sketch = Any
 """The class that the fixture gives."""

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.files.vectors import Line, VectorStroke
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
-from gaussiancad_core.sheet.graph.touching import touching
-from gaussiancad_core.sheet.graph.views import graph_views
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.read import read_sheet
+from gaussiancad_core.sheet.graph.graph_views import graph_views
+from gaussiancad_core.sheet.graph.touching_ends import touching
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.writing.ocr import ocr_problem
-from gaussiancad_core.writing.scale import ScaleSource, find_scale, read_texts
+from gaussiancad_core.writing.sheet_scale import ScaleSource, find_scale, read_texts
 
 Point = tuple[float, float]
 Chain = list[Point]

@@ -13,7 +13,7 @@ from gaussiancad_core.files.vectors import (
     VectorStroke,
     VectorText,
 )
-from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
+from gaussiancad_core.sheet.graph.stroke_roles import Label, LabelledDrawing, labelled
 
 _SIZE = (1000, 700)
 

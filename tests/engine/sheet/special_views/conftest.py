@@ -8,16 +8,17 @@ from pathlib import Path
 import cv2
 import pytest
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
-from gaussiancad_core.drawing.style import SectionKind, parse_style
-from gaussiancad_core.picture_views import picture_views
+from gaussiancad_core.drawing.drawn_sheet import PartLines, Sheet, compose_sheet, part_lines
+from gaussiancad_core.drawing.sheet_style import parse_style
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.section_planes import SectionKind
+from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import SheetImage
+from gaussiancad_core.sheet.views.sheet_layout import Layout
 
 
 @dataclass(frozen=True)

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.special_views.hatched_areas import with_named_sections
-from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
+from gaussiancad_core.sheet.views.sheet_layout import Layout
 
 _FRONT, _RIGHT = (20.0, 20.0, 120.0, 80.0), (200.0, 20.0, 260.0, 80.0)
 

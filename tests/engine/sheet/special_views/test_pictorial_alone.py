@@ -6,14 +6,14 @@ import cv2
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.sheet import part_lines
+from gaussiancad_core.drawing.drawn_sheet import part_lines
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.recognition.sheet_views import sheet_views
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.sheet_views import sheet_views
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import SheetImage
 
 
 def _refusal(grey: np.ndarray) -> NoModelError:

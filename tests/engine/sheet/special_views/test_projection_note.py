@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.files.svg import read_svg
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.special_views.projection_note import noted_projection, projection_in
 
 

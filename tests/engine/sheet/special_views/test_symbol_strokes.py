@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection
 from gaussiancad_core.files.vectors import (
     FULL_TURN,
     Chain,
@@ -16,6 +15,7 @@ from gaussiancad_core.files.vectors import (
     VectorDrawing,
     VectorStroke,
 )
+from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.sheet.special_views.symbol_shape import largest_symbol
 from gaussiancad_core.sheet.special_views.symbol_strokes import stroke_symbol
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.reading import ReadView
-from gaussiancad_core.sheet.special_views.kinds import SpecialKind
-from gaussiancad_core.sheet.special_views.threads import without_threads
-from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
+from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.special_views.thread_symbols import without_threads
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
 
 _FRONT, _TOP = (100.0, 300.0, 300.0, 400.0), (100.0, 100.0, 300.0, 200.0)
 _THIN, _RIM = 10.0, 8.2

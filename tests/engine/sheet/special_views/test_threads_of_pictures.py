@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.reading import ReadView, read_views
-from gaussiancad_core.sheet.special_views.kinds import SpecialView
-from gaussiancad_core.sheet.special_views.threads import arcs_of, without_threads
+from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
+from gaussiancad_core.sheet.special_views.thread_symbols import arcs_of, without_threads
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 
 
 def _views(found) -> tuple[tuple[ReadView, ...], tuple[SpecialView, ...]]:  # noqa: ANN001

@@ -10,13 +10,13 @@ import ezdxf
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.dashes import dash_intervals
-from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
-from gaussiancad_core.drawing.strokes import is_closed, part
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.dash_rhythm import dash_intervals
+from gaussiancad_core.drawing.drawn_sheet import Sheet, draw_sheet
+from gaussiancad_core.drawing.sheet_style import PRESETS
+from gaussiancad_core.lines.strokes import is_closed, part
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.samples import sample
-from gaussiancad_core.views import Arc, Linetype, Segment
 
 DPI = 200.0
 DASH, GAP = 12.0, 6.0

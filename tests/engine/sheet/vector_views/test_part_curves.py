@@ -12,7 +12,7 @@ from gaussiancad_core.files.vectors import (
     StrokeRole,
     VectorStroke,
 )
-from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, part_curves, share_inked
 
 LEVEL = Turn(0.0, (50.0, 50.0))

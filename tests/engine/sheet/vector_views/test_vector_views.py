@@ -7,15 +7,15 @@ import cv2
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection
-from gaussiancad_core.picture_views import picture_views
-from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import ReadView, read_views, register_views
+from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.recognition.picture_views import picture_views
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.sheet_files import read_sheet
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
+from gaussiancad_core.sheet.sheet_stages import ReadView, read_views, register_views
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
-from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 EXACT = 1e-3
 """px"""

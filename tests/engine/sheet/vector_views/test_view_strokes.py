@@ -3,8 +3,8 @@
 import pytest
 
 from gaussiancad_core.files.vectors import Line, StrokeRole, VectorStroke
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
-from gaussiancad_core.views import Linetype
 
 _DASHES = [(k * 9.0, k * 9.0 + 6.0) for k in range(6)]
 

@@ -1,0 +1,1 @@
+"""The cell complex that carriers divide space into, and the rays that cross it."""

@@ -1,0 +1,109 @@
+"""The lines of a plane's grid along which pieces say something, and how many pieces they have.
+
+The grid has a line wherever a coordinate has a value of some corner.  Most pieces of a part lie on
+it, so that large models are known before they are made.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gaussiancad_core.cells.arrangement import CHAIN, Arrangement
+from gaussiancad_core.cells.arrangement_kernels import traces
+from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.coordinates.carrier_curves import LineCurve, PlaneCurve
+from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+
+SHORT = 1e-3
+"""Units that a piece is long at least."""
+
+NEAR = 1e-5
+"""Units within which a value is that of a support."""
+
+SIDE = 2e-5
+"""Units beside a line at which its sides are looked up."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the grid of values that may show something.
+
+    Attributes:
+        coordinate: which one is the same all along.
+        value: of that.
+        support: that the plane has there.
+        cuts: of the other coordinate, ascending: between two of them nothing changes.
+    """
+
+    coordinate: int
+    value: float
+    support: Support | None
+    cuts: tuple[float, ...]
+
+    def pieces(self) -> Iterator[tuple[float, float]]:
+        """Ends of its pieces."""
+        for low, high in pairwise(self.cuts):
+            if high - low >= SHORT:
+                yield low, high
+
+
+def find_rows(space: Space, normal: Axis) -> list[Row]:
+    """The lines of a plane's grid along which pieces say something."""
+    plane = space.planes[normal]
+    values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
+    rows = []
+    for coordinate in (0, 1):
+        on_axis = [s for s in plane.supports if s.curve.axis == coordinate]
+        changes = _changes(space, normal, coordinate, values[coordinate])
+        for value, change in zip(values[coordinate], changes, strict=True):
+            support = next((s for s in on_axis if _is_at(s.curve, coordinate, value)), None)
+            if support is None and not change:
+                continue
+            slanted = [
+                position
+                for position, number in _met(plane, coordinate, value)
+                if number != CHAIN and plane.supports[number].curve.axis is None
+            ]
+            cuts = tuple(sorted([*values[1 - coordinate], *slanted]))
+            rows.append(Row(coordinate, value, support, cuts))
+    return rows
+
+
+def count_pieces(rows: Sequence[Row]) -> int:
+    """How many pieces lines of a grid have."""
+    return sum(int(np.count_nonzero(np.diff(row.cuts) >= SHORT)) for row in rows)
+
+
+def _met(plane: Arrangement, coordinate: int, value: float) -> Iterator[tuple[float, int]]:
+    """Where a line of the grid meets supports, and which."""
+    trace = plane.trace(coordinate, value)
+    return zip(trace.positions, trace.supports, strict=True)
+
+
+def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float]) -> list[bool]:
+    """Of values whether columns differ on both sides, be there no line of the plane itself.
+
+    Of the planes beside, only the one that shows this coordinate can tell the sides apart.
+    """
+    if any(body.outlines(normal) is None for body in space.bodies):
+        return [True] * len(values)
+    axis = Axis(IN_PLANE[normal][coordinate])
+    beside = next(plane for plane in Axis if plane not in (normal, axis))
+    place = IN_PLANE[beside].index(axis.value)
+    sides = np.array(values)[:, None] + np.array([-SIDE, SIDE])
+    found = traces(space.planes[beside].table, place, sides.ravel())
+    own = [slice(low, high) for low, high in pairwise(found.starts.tolist())]
+    return [
+        found.first[k] != found.first[k + 1]
+        or not np.array_equal(found.supports[own[k]], found.supports[own[k + 1]])
+        or not np.array_equal(found.regions[own[k]], found.regions[own[k + 1]])
+        for k in range(0, len(own), 2)
+    ]
+
+
+def _is_at(curve: PlaneCurve, coordinate: int, value: float) -> bool:
+    return isinstance(curve, LineCurve) and abs(curve.point[coordinate] - value) < NEAR

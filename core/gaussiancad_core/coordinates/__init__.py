@@ -1,0 +1,1 @@
+"""One consistent set of values: the carriers of lines, and coordinates that all views share."""

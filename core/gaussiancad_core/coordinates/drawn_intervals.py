@@ -1,0 +1,310 @@
+"""Spans: the stretches of lines and circles that the views draw.
+
+Where strokes end is computed again from the curves that they end at; the ends as read are not used
+but to choose among those.  Where one line runs closely along another for a while, as hidden ones
+that cross at a small angle do, a picture shows one of them only; the gap in the other is closed.
+So are gaps that are no wider than the tolerance: files cut arcs, and round each piece by itself.
+"""
+
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import inf
+
+import numpy as np
+
+from gaussiancad_core.coordinates.ambiguous_linetypes import UNSURE
+from gaussiancad_core.coordinates.carrier_curves import TURN, LineCurve, PlaneCurve, Point, meetings
+from gaussiancad_core.coordinates.joints import joints_of
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Linetype
+
+_DROPPED = 0.03
+"""Units of line that a drawing may leave out at the ends of strokes."""
+
+_BESIDE = 6.0
+"""Tolerances beside a line within which a picture may not show another one."""
+
+_ALONGSIDE, _SLIDES = 0.25, 24.0
+"""Tolerances within which another curve runs along at the end of a stroke, so that where the two
+meet is not seen, and by which the end may be off then."""
+
+_STEP = 2.0
+"""Tolerances between the places of a gap that are looked at."""
+
+
+@dataclass(frozen=True)
+class Span:
+    """A stretch of a support that a view draws.
+
+    Attributes:
+        low, high: parameters of the support's curve; 0 to 2 pi on circles.
+        linetype: how it is drawn.
+        confidence: 0 to 1; without any it may be drawn or not.
+    """
+
+    low: float
+    high: float
+    linetype: Linetype
+    confidence: float
+
+
+@dataclass(frozen=True)
+class Support:
+    """A curve with what the views draw on it.
+
+    Attributes:
+        curve: line or circle, in plane units.
+        spans: of each view of the plane.
+    """
+
+    curve: PlaneCurve
+    spans: dict[Role, tuple[Span, ...]]
+
+    def drawn(self, reach: float = 1e-4) -> list[tuple[float, float]]:
+        """The stretches that any view draws, merged, ascending."""
+        return merged_stretches(
+            ((span.low, span.high) for spans in self.spans.values() for span in spans),
+            reach / self.curve.speed,
+        )
+
+    def linetype_at(self, role: Role, parameter: float, reach: float = 1e-4) -> Linetype | None:
+        """What a view draws at a parameter; visible lines hide hidden ones under them."""
+        slack = reach / self.curve.speed
+        found = None
+        for span in self.spans.get(role, ()):
+            if span.confidence > 0.0 and span.low - slack <= parameter <= span.high + slack:
+                if span.linetype is Linetype.VISIBLE:
+                    return Linetype.VISIBLE
+                found = Linetype.HIDDEN
+        return found
+
+    def is_open_at(self, role: Role, parameter: float, reach: float = 1e-4) -> bool:
+        """Whether a view may draw the support at a parameter, or may not."""
+        slack = reach / self.curve.speed
+        return any(
+            span.confidence == 0.0 and span.low - slack <= parameter <= span.high + slack
+            for span in self.spans.get(role, ())
+        )
+
+    def is_unsure_at(self, role: Role, parameter: float, reach: float = 1e-4) -> bool:
+        """Whether a view draws the support at a parameter without telling its linetype."""
+        slack = reach / self.curve.speed
+        found = [
+            span.confidence
+            for span in self.spans.get(role, ())
+            if span.low - slack <= parameter <= span.high + slack
+        ]
+        return 0.0 < max(found, default=0.0) <= UNSURE
+
+
+def merged_stretches(
+    stretches: Iterable[tuple[float, float]], slack: float
+) -> list[tuple[float, float]]:
+    """Intervals that overlap or lie within ``slack`` of each other as one, ascending."""
+    merged: list[list[float]] = []
+    for low, high in sorted(stretches):
+        if merged and low <= merged[-1][1] + slack:
+            merged[-1][1] = max(merged[-1][1], high)
+        else:
+            merged.append([low, high])
+    return [(low, high) for low, high in merged]
+
+
+@dataclass(frozen=True)
+class DrawnStretch:
+    """A stroke on its curve.
+
+    Attributes:
+        role: the view.
+        ends: lowest and highest parameter as read; the highest of an arc may exceed 2 pi.
+        linetype: how it is drawn.
+        confidence: 0 to 1.
+    """
+
+    role: Role
+    ends: tuple[float, float]
+    linetype: Linetype
+    confidence: float
+
+
+def supports_with_spans(
+    curves: Sequence[PlaneCurve],
+    strokes: Sequence[tuple[int, DrawnStretch]],
+    grid: Sequence[PlaneCurve],
+    tolerance: float,
+) -> tuple[Support, ...]:
+    """Curves with what is drawn on them.
+
+    Args:
+        curves: of one plane.
+        strokes: with the number of their curve.
+        grid: other lines that strokes may end at.
+        tolerance: units by which the end of a stroke may be off.
+    """
+    reach = max(3.0 * tolerance, _DROPPED)
+    own_stations = [stations_on(curve, list(curves)) for curve in curves]
+    stations = [
+        sorted({*own, *stations_on(curve, list(grid))})
+        for curve, own in zip(curves, own_stations, strict=True)
+    ]
+    joints = joints_of(curves, [(index, stroke.ends) for index, stroke in strokes], reach)
+    spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
+    for (index, stroke), joint in zip(strokes, joints, strict=True):
+        curve = curves[index]
+        own = spans[index].setdefault(stroke.role, [])
+        slack = reach / curve.speed
+        ends = _joined(curve, stroke.ends, joint, own_stations[index])
+        ends = _slid(curve, ends, (stations[index], slack), curves, tolerance)
+        for low, high in _settled(curve, ends, stations[index], slack):
+            if high - low > 1e-9:
+                own.append(Span(low, high, stroke.linetype, stroke.confidence))
+    found = [
+        Support(curve, {role: tuple(own) for role, own in by_role.items()})
+        for curve, by_role in zip(curves, spans, strict=True)
+    ]
+    return tuple(_filled(support, found, tolerance) for support in found)
+
+
+def _joined(
+    curve: PlaneCurve,
+    ends: tuple[float, float],
+    joints: tuple[float | None, float | None],
+    stations: list[float],
+) -> tuple[float, float]:
+    """A stroke's ends, led to their joints where no other curve of the plane is met nearer by.
+
+    Args:
+        curve: of the stroke.
+        ends: as read.
+        joints: of both ends, None where there is none.
+        stations: where the curve meets others of the plane.
+    """
+    if not isinstance(curve, LineCurve):
+        if ends[1] - ends[0] >= TURN:
+            return ends
+        stations = [station + turn for turn in (-TURN, 0.0, TURN) for station in stations]
+    low, high = (
+        end if joint is None or _is_nearer(stations, end, joint) else joint
+        for end, joint in zip(ends, joints, strict=True)
+    )
+    return low, high
+
+
+def _is_nearer(stations: list[float], end: float, joint: float) -> bool:
+    """Whether a station is nearer to an end than its joint, which is one of them."""
+    nearest = nearest_station(stations, end, inf)
+    return abs(nearest - end) < abs(joint - end) - 1e-9
+
+
+def _slid(
+    curve: PlaneCurve,
+    ends: tuple[float, float],
+    seen: tuple[list[float], float],
+    others: Sequence[PlaneCurve],
+    tolerance: float,
+) -> tuple[float, float]:
+    """A stroke's ends, those that lie at no station led to where a curve that runs along is met:
+    an arc of a large radius passes into its tangent many tolerances before or after it seems to."""
+    stations, slack = seen
+    every = stations
+    if not isinstance(curve, LineCurve):
+        if ends[1] - ends[0] >= TURN:
+            return ends
+        every = [own + turn for turn in (-TURN, 0.0, TURN) for own in stations]
+    found = []
+    for end in ends:
+        near = [own for own in every if abs(own - end) * curve.speed <= _SLIDES * tolerance]
+        if not near or min(abs(own - end) for own in near) <= slack:
+            found.append(end)
+            continue
+        here = curve.at(end)
+        beside = [o for o in others if o.distance(here) <= _ALONGSIDE * tolerance and o != curve]
+        met = [
+            own for own in near if any(other.distance(curve.at(own)) <= 1e-6 for other in beside)
+        ]
+        found.append(min(met, key=lambda own: abs(own - end), default=end))
+    return found[0], found[1]
+
+
+def _settled(
+    curve: PlaneCurve, ends: tuple[float, float], stations: list[float], slack: float
+) -> list[tuple[float, float]]:
+    """A stroke's ends at stations; arcs are cut where angles begin again."""
+    low, high = ends
+    if isinstance(curve, LineCurve):
+        return [(nearest_station(stations, low, slack), nearest_station(stations, high, slack))]
+    if high - low >= TURN - slack:
+        return [(0.0, TURN)]
+    around = [s + turn for turn in (-TURN, 0.0, TURN) for s in stations]
+    low, high = nearest_station(around, low, slack), nearest_station(around, high, slack)
+    turns = np.floor(low / TURN + 1e-12) * TURN
+    low, high = max(0.0, low - turns), high - turns
+    if high <= TURN + 1e-12:
+        return [(low, min(high, TURN))]
+    return [(low, TURN), (0.0, high - TURN)]
+
+
+def _filled(support: Support, others: Sequence[Support], tolerance: float) -> Support:
+    """The support without cracks, and with those gaps closed along which another line runs."""
+    spans = {}
+    for role, own in support.spans.items():
+        gaps = [
+            Span(one.high, two.low, one.linetype, min(one.confidence, two.confidence))
+            for one, two in _neighbours(own)
+            if all(
+                any(
+                    _runs_by(other, role, support.curve.at(at), _BESIDE * tolerance)
+                    for other in others
+                    if other is not support
+                )
+                for at in _places(support.curve, one.high, two.low, _STEP * tolerance)
+            )
+        ]
+        cracks = _cracks(own, tolerance / support.curve.speed)
+        spans[role] = (*own, *gaps, *cracks)
+    return Support(support.curve, spans)
+
+
+def _cracks(spans: Sequence[Span], slack: float) -> Iterator[Span]:
+    """What lacks between spans that end within ``slack`` of each other."""
+    before: Span | None = None
+    for span in sorted(spans, key=lambda own: own.low):
+        if before is not None and 1e-9 < span.low - before.high <= slack:
+            confidence = min(before.confidence, span.confidence)
+            yield Span(before.high, span.low, before.linetype, confidence)
+        if before is None or span.high > before.high:
+            before = span
+
+
+def _neighbours(spans: Sequence[Span]) -> Iterator[tuple[Span, Span]]:
+    """Spans of one linetype with a gap between them."""
+    for linetype in Linetype:
+        own = sorted((s for s in spans if s.linetype is linetype), key=lambda span: span.low)
+        yield from ((one, two) for one, two in pairwise(own) if two.low - one.high > 1e-9)
+
+
+def _places(curve: PlaneCurve, low: float, high: float, step: float) -> list[float]:
+    count = int((high - low) * curve.speed / step) + 2
+    return [low + (high - low) * (k + 0.5) / count for k in range(count)]
+
+
+def _runs_by(other: Support, role: Role, point: Point, near: float) -> bool:
+    """Whether a view draws a line near a point."""
+    if other.curve.distance(point) > near:
+        return False
+    return other.linetype_at(role, other.curve.parameter(point), near) is not None
+
+
+def stations_on(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
+    """Parameters where a curve meets others, ascending; it never meets itself."""
+    return sorted({curve.parameter(point) for own in others for point in meetings(curve, own)})
+
+
+def nearest_station(stations: list[float], parameter: float, slack: float) -> float:
+    """The station nearest to a parameter, or the parameter where none is within ``slack``."""
+    at = bisect_left(stations, parameter)
+    near = stations[max(0, at - 1) : at + 1]
+    best = min(near, key=lambda station: abs(station - parameter), default=parameter)
+    return best if abs(best - parameter) <= slack else parameter

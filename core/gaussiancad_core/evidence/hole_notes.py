@@ -1,0 +1,270 @@
+"""Notes at holes, put to the circles that they speak of."""
+
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+import numpy as np
+
+from gaussiancad_core.messages import Message
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
+from gaussiancad_core.model.views import Arc, Linetype
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
+from gaussiancad_core.writing.callouts import NoteKind
+from gaussiancad_core.writing.note_texts import SheetNote
+from gaussiancad_core.writing.scale_agreement import ReadDimension
+
+_SAME = 0.02
+"""Share by which a circle's diameter may differ from the one in a note."""
+
+_SAME_PX = 1.0
+"""The same in px of the sheet."""
+
+_SAID_PX = 3.0
+"""px of the sheet by which a circle may differ from the one that a person pointed at."""
+
+_MINOR = 0.75
+"""Diameter of the core hole of a thread as a share of the nominal one, at least (ISO 724)."""
+
+_BELOW = 1.5
+"""Heights between lines of one note at most."""
+
+_HOLES = (NoteKind.DIAMETER, NoteKind.THREAD)
+_WIDER = (NoteKind.COUNTERBORE, NoteKind.COUNTERSINK)
+
+
+@dataclass(frozen=True)
+class HoleNotes:
+    """What notes say of holes.
+
+    Attributes:
+        holes: those whose circles were found.
+        used: texts and boxes of the notes that speak of them.
+        doubts: (code, sentence) of notes that do not fit what is drawn.
+    """
+
+    holes: tuple[NotedHole, ...]
+    used: frozenset[tuple[str, Box]]
+    doubts: tuple[tuple[str, str], ...]
+
+
+def hole_notes(
+    registered: RegisteredSheet,
+    notes: Sequence[SheetNote],
+    dimensions: Sequence[ReadDimension],
+) -> HoleNotes:
+    """The holes that notes speak of.
+
+    A note belongs to the circle that its leader points at; without one to those of its diameter, if
+    one view alone has as many as it says.  In the only view of a turned part one that belongs to
+    none speaks of a bore along the axis.
+
+    Args:
+        registered: the views.
+        notes: of the sheet.
+        dimensions: those with a circle tell which one a text points at.
+    """
+    pointed = {(own.text, own.box): own.place for own in dimensions if isinstance(own.place, Arc)}
+    circles = _circles(registered)
+    holes: list[NotedHole] = []
+    used: set[tuple[str, Box]] = set()
+    doubts: list[tuple[str, str]] = []
+    taken: set[tuple[Role, Arc]] = set()
+    groups = [own for own in _groups(notes) if _tells_depth(own)]
+    # What is wider somewhere is told from what is not, and one hole from many.
+    # What a person says goes before all.
+    groups.sort(key=lambda own: (own[0].circle is None, len(own) < 2, own[0].callout.count))
+    for group in groups:
+        first = group[0]
+        at = pointed.get((first.text, first.box))
+        role, own = (
+            _said(first.circle, circles)
+            if first.circle is not None
+            else _meant(group, circles, at, taken, registered.mm_per_pixel)
+        )
+        if role is None:
+            bores = tuple(_bores(registered, group))
+            holes += bores
+            used.update((each.text, each.box) for each in group if bores)
+            continue
+        count = first.callout.count
+        if count > 1 and len(own) != count:
+            doubts.append(
+                (
+                    "note-count",
+                    Message(
+                        "the note {note!r} speaks of {count} holes, and the {view} view has "
+                        "{found} of that kind: all of them were taken to be meant",
+                        note=first.text,
+                        count=count,
+                        view=role,
+                        found=len(own),
+                    ),
+                )
+            )
+        used.update((each.text, each.box) for each in group)
+        taken.update((role, circle) for circle in own)
+        holes += [_noted(registered, role, circle, group) for circle in own]
+    return HoleNotes(tuple(holes), frozenset(used), tuple(doubts))
+
+
+def _tells_depth(group: Sequence[SheetNote]) -> bool:
+    first = group[0]
+    named = first.value_mm is not None or first.circle is not None
+    is_hole = first.callout.kind in _HOLES and named
+    return is_hole and any(own.depth_mm is not None or own.callout.through for own in group)
+
+
+def _groups(notes: Sequence[SheetNote]) -> Iterator[list[SheetNote]]:
+    """Notes of one text, with what stands right below and goes on."""
+    texts = [list(own) for _, own in groupby(notes, key=lambda note: (note.text, note.box))]
+    below = {
+        index: next(
+            (
+                other
+                for other, above in enumerate(texts)
+                if other != index and _goes_on(above[-1].box, own[0])
+            ),
+            None,
+        )
+        for index, own in enumerate(texts)
+        if own[0].callout.kind in (*_WIDER, NoteKind.DEPTH)
+    }
+    for index, own in enumerate(texts):
+        if below.get(index) is None:
+            rest = [texts[other] for other, above in below.items() if above == index]
+            yield [*own, *(note for each in rest for note in each)]
+
+
+def _goes_on(above: Box, note: SheetNote) -> bool:
+    """Whether a note stands right below a box, and begins within it."""
+    x0, y0, x1, y1 = note.box
+    height = min(y1 - y0, above[3] - above[1])
+    near = -0.5 * height <= y0 - above[3] <= _BELOW * height
+    return near and x0 <= above[2] and above[0] <= x1
+
+
+def _circles(registered: RegisteredSheet) -> dict[Role, list[Arc]]:
+    """The whole visible circles of views that are not cut, each once."""
+    found: dict[Role, list[Arc]] = {}
+    for view in registered.drawn:
+        own = found.setdefault(view.role, [])
+        for stroke in view.strokes if not view.hatched else ():
+            whole = isinstance(stroke, Arc) and stroke.is_full
+            if whole and stroke.linetype is Linetype.VISIBLE:
+                own.append(stroke)
+    return found
+
+
+def _said(circle: Arc, circles: Mapping[Role, Sequence[Arc]]) -> tuple[Role | None, list[Arc]]:
+    """The view with a circle that a person pointed at; no view where it is there no more."""
+    for role, own in circles.items():
+        for each in own:
+            if max(_apart(circle, each), abs(circle.radius - each.radius)) <= _SAID_PX:
+                return role, [each]
+    return None, []
+
+
+def _meant(
+    group: Sequence[SheetNote],
+    circles: Mapping[Role, Sequence[Arc]],
+    pointed: Arc | None,
+    taken: Container[tuple[Role, Arc]],
+    scale: float,
+) -> tuple[Role | None, list[Arc]]:
+    """The view and the circles that a note speaks of; no view where that is not certain."""
+    first, *wider = group
+    by_role = {
+        role: found
+        for role, own in circles.items()
+        if (
+            found := [
+                each
+                for each in own
+                if _fits(first, each, scale)
+                and (role, each) not in taken
+                and all(_is_around(more, each, own, scale) for more in wider)
+            ]
+        )
+    }
+    count = first.callout.count
+    if not wider:
+        by_role = {
+            role: _plain(own, circles[role]) if len(own) > count else own
+            for role, own in by_role.items()
+        }
+    for role, own in by_role.items():
+        at = [each for each in own if pointed is not None and _apart(pointed, each) <= _SAME_PX]
+        if at:
+            return role, at[:1] if count == 1 else own
+    told = [role for role, own in by_role.items() if len(own) == count]
+    return (told[0], by_role[told[0]]) if len(told) == 1 else (None, [])
+
+
+def _plain(own: Sequence[Arc], others: Sequence[Arc]) -> list[Arc]:
+    """Those of some circles that no wider one is around: all of them where none is so."""
+    found = [
+        each
+        for each in own
+        if not any(
+            other.radius > each.radius and _apart(each, other) <= _SAME_PX for other in others
+        )
+    ]
+    return found or list(own)
+
+
+def _is_around(note: SheetNote, circle: Arc, others: Sequence[Arc], scale: float) -> bool:
+    """Whether what a note says to be wider is drawn around a circle."""
+    return note.callout.kind not in _WIDER or any(
+        _apart(circle, own) <= _SAME_PX and _fits(note, own, scale) for own in others
+    )
+
+
+def _fits(note: SheetNote, circle: Arc, scale: float) -> bool:
+    drawn, said = 2.0 * circle.radius * scale, note.value_mm
+    if said is None:
+        return False
+    slack = max(_SAME * said, _SAME_PX * scale)
+    if note.callout.kind is NoteKind.THREAD:
+        return _MINOR * said - slack <= drawn <= said + slack
+    return abs(drawn - said) <= slack
+
+
+def _apart(one: Arc, other: Arc) -> float:
+    return float(np.hypot(*np.subtract(one.centre, other.centre)))
+
+
+def _bores(registered: RegisteredSheet, group: Sequence[SheetNote]) -> Iterator[NotedHole]:
+    """The bore through a turned part of which the only view does not show the circle: how deep
+    another one is, and from which end, no note tells."""
+    about = registered.unseen.about if registered.unseen is not None else None
+    first = group[0]
+    if about is None or first.value_mm is None or first.callout.count > 1:
+        return
+    if first.callout.through:
+        role = next(own for own in Role if own.frame.look_axis[0] is about)
+        along = role.frame.right_axis, role.frame.up_axis
+        right, up = (sign * registered.views.size[axis.value] / 2.0 for axis, sign in along)
+        yield NotedHole(role, (right, up), (HoleStep(first.value_mm, None),), first.text)
+
+
+def _noted(
+    registered: RegisteredSheet, role: Role, circle: Arc, group: Sequence[SheetNote]
+) -> NotedHole:
+    right, up = registered.placements[role].to_plane(np.array([circle.centre]))[0].tolist()
+    depth = next((own.depth_mm for own in group if own.callout.kind is NoteKind.DEPTH), None)
+    steps = []
+    for number, own in enumerate(group):
+        if own.callout.kind is NoteKind.DEPTH:
+            continue
+        diameter = 2.0 * circle.radius * registered.mm_per_pixel if not number else own.value_mm
+        deep = own.depth_mm
+        if deep is None and not own.callout.through:
+            # A depth on a line of its own is that of what stands above it.
+            deep = depth
+        if diameter is not None and (deep is not None or own.callout.through):
+            steps.append(HoleStep(diameter, deep))
+    steps.sort(key=lambda step: step.diameter)
+    return NotedHole(role, (right, up), tuple(steps), group[0].text)

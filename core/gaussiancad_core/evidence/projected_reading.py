@@ -1,0 +1,99 @@
+"""The views of a sheet under one projection, and their lines as the reasoning takes them."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from gaussiancad_core.evidence.dimension_evidence import told_numbers
+from gaussiancad_core.evidence.drawn_views import DrawnViews, views_as_read
+from gaussiancad_core.evidence.line_noise import bound_of_seen_px, noise_px
+from gaussiancad_core.evidence.section_evidence import SectionBeside
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.hole_depths import NotedHole
+from gaussiancad_core.model.section_planes import Cut, SectionRole
+from gaussiancad_core.sheet.registration.stroke_precision import tolerance_px
+from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
+from gaussiancad_core.writing.scale_agreement import Measure
+
+_ROUGH_PX = 1.0
+"""Tolerance of strokes that were read from a picture."""
+
+APART_PX = 0.3
+"""px from which the coordinates of such strokes are different ones: lines are read to a twentieth
+of a pixel, and what is one over the views has been made equal."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """The views of a sheet under a projection.
+
+    Attributes:
+        registered: on shared axes.
+        projection: first or third angle.
+        measures: what the sheet's dimensions say.
+        cuts: views that are sections.
+        beside: sections beside plain views.
+        holes: of which notes speak.
+    """
+
+    registered: RegisteredSheet
+    projection: Projection
+    measures: tuple[Measure, ...] = ()
+    cuts: Mapping[Role, Cut] = field(default_factory=dict)
+    beside: Mapping[SectionRole, SectionBeside] = field(default_factory=dict)
+    holes: tuple[NotedHole, ...] = ()
+
+    @property
+    def grid(self) -> float:
+        """mm of a px of the sheet: lines closer together are one."""
+        return self.registered.mm_per_pixel
+
+    @property
+    def is_alone(self) -> bool:
+        """Whether the sheet has one view."""
+        return self.registered.unseen is not None
+
+    @property
+    def drawn(self) -> DrawnViews:
+        """The lines of the views, as the reasoning takes them."""
+        plain = drawn_views(self.registered, self.measures)
+        beside, unseen = self.beside.items(), self.registered.unseen
+        return replace(
+            plain,
+            strokes={**plain.strokes, **{role: own.strokes for role, own in beside}},
+            cuts={**self.cuts, **{role: own.cut for role, own in beside}},
+            holes=self.holes,
+            about=unseen.about if unseen is not None else None,
+        )
+
+    @property
+    def numbered(self) -> DrawnViews:
+        """The same with what the sheet's numbers say of lengths, where the sheet is a file, too."""
+        drawn = self.drawn
+        if drawn.told is not None:
+            return drawn
+        return replace(drawn, told=told_numbers(self.registered, self.measures, drawn.noise))
+
+
+def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -> DrawnViews:
+    """The lines of a sheet's views, with the tolerance of the view that is known least exactly.
+
+    Args:
+        registered: the views.
+        measures: what the sheet's dimensions say; lines of a file are more exact than these.
+    """
+    tolerance = max(tolerance_px(view.source, view.step) for view in registered.drawn)
+    pixel = registered.mm_per_pixel
+    if tolerance < _ROUGH_PX:
+        exact = views_as_read(registered.views, tolerance * pixel)
+        return replace(exact, bound=bound_of_seen_px(registered) * pixel)
+    noise, bound = noise_px(registered)
+    dashes = [view.dash * pixel for view in registered.drawn if view.dash is not None]
+    drawn = views_as_read(
+        registered.views,
+        tolerance * pixel,
+        APART_PX * pixel,
+        noise * pixel,
+        max(dashes, default=None),
+    )
+    numbers = told_numbers(registered, measures, noise)
+    return replace(drawn, bound=bound * pixel, told=numbers, known=registered.told)

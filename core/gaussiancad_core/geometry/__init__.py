@@ -1,0 +1,1 @@
+"""Curves, intervals and tolerances of planes, without views or solids."""

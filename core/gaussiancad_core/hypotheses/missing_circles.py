@@ -1,0 +1,146 @@
+"""Circles that a view may lack: two others show the outline of a cylinder along its axis."""
+
+from collections.abc import Collection, Iterator, Sequence
+from itertools import combinations, islice
+from math import pi
+
+from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, LineCurve
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+
+_MOST = 24
+"""Circles of a view that may be lost; where more would be, widths agree by chance."""
+
+_SQUARE = 2
+"""Sides of the square around a circle that are drawn at least where there is none."""
+
+_MOST_BANDS = 400
+"""Bands of a view that are looked at."""
+
+Band = tuple[float, float, float, float]
+"""Middle and half of the width of two parallel lines, and from where to where both are drawn."""
+
+
+def lost_circles(
+    supports: PartSupports, normal: Axis, near: float
+) -> Iterator[tuple[CircleCurve, float, float]]:
+    """Circles of a plane of whose cylinders both other planes show the sides.
+
+    A square pocket has such sides as well, but is drawn.  Where no view draws any circle there are
+    most likely none.
+
+    Args:
+        supports: of all planes.
+        normal: of the plane.
+        near: units within which coordinates are one.
+    """
+    if not any(
+        isinstance(support.curve, CircleCurve)
+        for plane in supports.planes.values()
+        for support in plane.supports
+    ):
+        return
+    first, second = (Axis(index) for index in IN_PLANE[normal])
+    one = [*islice(_bands(supports.planes[second], first, near), _MOST_BANDS)]
+    other = [*islice(_bands(supports.planes[first], second, near), _MOST_BANDS)]
+    plane = supports.planes[normal]
+    drawn = [s.curve for s in plane.supports if isinstance(s.curve, CircleCurve)]
+    found: list[CircleCurve] = []
+    for a, radius, *ends in one:
+        for b, width, *others in other:
+            apart = (radius - width, ends[0] - others[0], ends[1] - others[1])
+            if max(map(abs, apart)) > near:
+                continue
+            circle = CircleCurve((a, b), radius)
+            known = any(_alike(circle, other, near) for other in (*drawn, *found))
+            if not known and _sides(plane, circle, near) < _SQUARE:
+                found.append(circle)
+    for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
+        yield circle, 0.0, TURN
+
+
+def sectioned_circles(
+    supports: PartSupports, normal: Axis, cuts: Collection[tuple[Axis, float]], near: float
+) -> Iterator[tuple[CircleCurve, float, float]]:
+    """Circles of a plane that sections through the centre of a drawn one show: grooves, and bores
+    that are wider inside.
+
+    Args:
+        supports: of all planes.
+        normal: of the plane.
+        cuts: cutting planes: the axis that one is across, units along it.
+        near: units within which coordinates are one.
+    """
+    plane = supports.planes[normal]
+    drawn = [s.curve for s in plane.supports if isinstance(s.curve, CircleCurve)]
+    found: list[CircleCurve] = []
+    for axis, at in cuts:
+        if axis is normal:
+            continue
+        along = IN_PLANE[normal].index(axis.value)
+        across = Axis(IN_PLANE[normal][1 - along])
+        through = [own.centre for own in drawn if abs(own.centre[along] - at) <= near]
+        for middle, radius, *_ in islice(_bands(supports.planes[axis], across, near), _MOST_BANDS):
+            for centre in through:
+                circle = CircleCurve(centre, radius)
+                known = any(_alike(circle, other, near) for other in (*drawn, *found))
+                coaxial = abs(centre[1 - along] - middle) <= near and not known
+                ends = (middle - radius, middle + radius)
+                if not coaxial or _shows(drawn, along, at, ends, near):
+                    continue
+                if _sides(plane, circle, near) < _SQUARE:
+                    found.append(circle)
+    for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
+        yield circle, 0.0, TURN
+
+
+def _shows(
+    circles: Sequence[CircleCurve],
+    along: int,
+    at: float,
+    places: tuple[float, float],
+    near: float,
+) -> bool:
+    """Whether a line of a section is the side of a drawn circle whose centre the plane meets."""
+    return any(
+        abs(own.centre[along] - at) <= near
+        and abs(abs(place - own.centre[1 - along]) - own.radius) <= near
+        for own in circles
+        for place in places
+    )
+
+
+def _bands(plane: PlaneSupports, across: Axis, near: float) -> Iterator[Band]:
+    """Pairs of lines at right angles to an axis that are drawn from and to the same depths."""
+    place = IN_PLANE[plane.normal].index(across.value)
+    lines = []
+    for support in plane.supports:
+        curve = support.curve
+        if isinstance(curve, LineCurve) and curve.axis == place:
+            start = curve.point[1 - place]
+            for low, high in support.drawn():
+                lines.append((curve.point[place], start + low, start + high))
+    for (a, low, high), (b, other_low, other_high) in combinations(sorted(lines), 2):
+        same = abs(low - other_low) <= near and abs(high - other_high) <= near
+        if same and b - a > 4.0 * near:
+            yield (a + b) / 2.0, (b - a) / 2.0, low, high
+
+
+def _sides(plane: PlaneSupports, circle: CircleCurve, near: float) -> int:
+    """How many sides of the square around a circle are drawn where they touch it."""
+    places = [circle.at(quarter * pi / 2.0) for quarter in range(4)]
+    found = 0
+    for quarter, place in enumerate(places):
+        found += any(
+            support.curve.axis == quarter % 2
+            and support.curve.distance(place) <= near
+            and any(low < support.curve.parameter(place) < high for low, high in support.drawn())
+            for support in plane.supports
+        )
+    return found
+
+
+def _alike(one: CircleCurve, other: CircleCurve, near: float) -> bool:
+    (x, y), (u, v) = one.centre, other.centre
+    return max(abs(x - u), abs(y - v), abs(one.radius - other.radius)) <= near

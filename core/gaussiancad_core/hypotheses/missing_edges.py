@@ -1,0 +1,242 @@
+"""Lines that a view may lack: where two others show an edge, and where strokes end in the open.
+
+Without one line of a view, what lies on both sides of a face is one region, and no labels have all
+lines that are there.  An edge parallel to an axis is a line in two views and a corner of lines in
+the third; if one of these lines is missing, the other two views tell where it was.  So do strokes
+whose end nothing else meets.  Such lines bound regions and are not drawn: that nothing is seen
+there is still a rule, and the labels decide which of these rules are wrong.
+"""
+
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain, pairwise
+from types import MappingProxyType
+
+from gaussiancad_core.cells.arrangement import Arrangement, distinct
+from gaussiancad_core.coordinates.carrier_curves import (
+    CircleCurve,
+    LineCurve,
+    PlaneCurve,
+    Point,
+    axis_line,
+)
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.drawn_intervals import Span, Support, merged_stretches
+from gaussiancad_core.hypotheses.missing_circles import lost_circles, sectioned_circles
+from gaussiancad_core.hypotheses.missing_slants import lost_slants
+from gaussiancad_core.hypotheses.open_corners import joining
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.model.views import Linetype
+
+NEAR = 1e-3
+"""Units within which coordinates are one, at least."""
+
+_APART = 0.05
+"""Units from all other lines that one is at least at which nothing is drawn."""
+
+Stretch = tuple[PlaneCurve, float, float]
+"""A curve and its parameters from a low to a high one."""
+
+
+def with_lost_lines(
+    supports: PartSupports,
+    *,
+    undrawn: Collection[Role] = (),
+    cuts: Collection[tuple[Axis, float]] = (),
+    floors: Mapping[Axis, Sequence[float]] = MappingProxyType({}),
+) -> PartSupports:
+    """The supports with stretches that views may lack.
+
+    Where an edge has to be drawn is known of three planes only.
+
+    Args:
+        supports: of the strokes.
+        undrawn: views that may lack any line along the axes.
+        cuts: cutting planes of sections: the axis that one is across, units along it.
+        floors: coordinates in units at which nothing is drawn and a surface may lie.
+    """
+    near = max(NEAR, supports.tolerance)
+    if len(supports.planes) < len(Axis):
+        grids = {
+            axis: _divided(
+                plane,
+                chain(
+                    _grid(supports, axis, (), floors), sectioned_circles(supports, axis, cuts, near)
+                ),
+            )
+            for axis, plane in supports.planes.items()
+            if all(role in undrawn for role in plane.roles)
+        }
+        return replace(supports, planes={**supports.planes, **grids})
+    corners = {axis: Arrangement(plane.supports).corners for axis, plane in supports.planes.items()}
+    silent = {
+        axis
+        for axis in Axis
+        if all(
+            role in undrawn for own in IN_PLANE[axis] for role in supports.planes[Axis(own)].roles
+        )
+    }
+    planes = {}
+    for axis, plane in supports.planes.items():
+        edges = _edges(supports, corners, axis, near)
+        if all(role in undrawn for role in plane.roles):
+            edges = chain(edges, _grid(supports, axis, silent, floors))
+        slanted = lost_slants(supports, corners[axis], axis, near)
+        round_ones = chain(
+            lost_circles(supports, axis, near), sectioned_circles(supports, axis, cuts, near)
+        )
+        found = chain(edges, slanted, round_ones, joining(supports, axis, near))
+        planes[axis] = _divided(plane, found)
+    return replace(supports, planes=planes)
+
+
+@dataclass(frozen=True)
+class _Beside:
+    """How one of the other planes shows a coordinate of a plane, and its depth.
+
+    Attributes:
+        plane: that plane.
+        along: place of the coordinate among the plane's.
+    """
+
+    plane: PlaneSupports
+    along: int
+
+    @property
+    def depth(self) -> int:
+        """Place of the depth."""
+        return 1 - self.along
+
+
+def _edges(
+    supports: PartSupports, corners: dict[Axis, tuple[Point, ...]], normal: Axis, near: float
+) -> Iterator[Stretch]:
+    """Lines parallel to an axis that show an edge which both other planes show."""
+    for coordinate, index in enumerate(IN_PLANE[normal]):
+        other = Axis(IN_PLANE[normal][1 - coordinate])
+        # The plane in which such an edge is a point, and the one in which it is a line.
+        point = _Beside(supports.planes[other], IN_PLANE[other].index(index))
+        line_plane = supports.planes[Axis(index)]
+        line = _Beside(line_plane, IN_PLANE[Axis(index)].index(other.value))
+        drawn = _lines_by_depth(line, near)
+        for value in distinct([*supports.values[Axis(index)], *_extremes(point)]):
+            depths = _depths_at(point, corners[other], value, near)
+            own = [stretch for depth in depths for stretch in _at(drawn, depth, near)]
+            curve = axis_line(coordinate, value)
+            for low, high in merged_stretches(own, near):
+                yield curve, low, high
+
+
+def _grid(
+    supports: PartSupports,
+    normal: Axis,
+    silent: Collection[Axis],
+    floors: Mapping[Axis, Sequence[float]],
+) -> Iterator[Stretch]:
+    """All lines through a plane at the coordinates that any view shows, or a note tells.
+
+    Along ``silent`` axes, of which only views that may lack lines tell, surfaces may lie anywhere
+    between: the middle stands for that.
+    """
+    for coordinate, index in enumerate(IN_PLANE[normal]):
+        along = supports.values[Axis(IN_PLANE[normal][1 - coordinate])]
+        values = sorted(supports.values[Axis(index)])
+        if Axis(index) in silent:
+            values += [0.5 * (low + high) for low, high in pairwise(values)]
+        for floor in floors.get(Axis(index), ()):
+            if all(abs(floor - value) > _APART for value in values):
+                values.append(floor)
+        for value in values:
+            yield axis_line(coordinate, value), min(along), max(along)
+
+
+def _lines_by_depth(beside: _Beside, near: float) -> dict[int, list[tuple[float, float]]]:
+    """Where lines of one depth are drawn, by multiples of ``near``."""
+    found: dict[int, list[tuple[float, float]]] = defaultdict(list)
+    for support in beside.plane.supports:
+        curve = support.curve
+        if isinstance(curve, LineCurve) and curve.axis == beside.depth:
+            start = curve.point[beside.along]
+            at = round(curve.point[beside.depth] / near)
+            found[at] += [(start + low, start + high) for low, high in support.drawn()]
+    return found
+
+
+def _at(
+    drawn: dict[int, list[tuple[float, float]]], depth: float, near: float
+) -> Iterator[tuple[float, float]]:
+    middle = round(depth / near)
+    for key in (middle - 1, middle, middle + 1):
+        yield from drawn.get(key, ())
+
+
+def _extremes(beside: _Beside) -> Iterator[float]:
+    """Where circles reach farthest: in the view across nothing else may be there."""
+    for support in beside.plane.supports:
+        curve = support.curve
+        if isinstance(curve, CircleCurve):
+            yield curve.centre[beside.along] - curve.radius
+            yield curve.centre[beside.along] + curve.radius
+
+
+def _depths_at(
+    beside: _Beside, corners: Sequence[Point], value: float, near: float
+) -> Iterator[float]:
+    """Depths of the corners at a value, and of the sides of circles whose extreme lies there."""
+    found = {
+        round(corner[beside.depth], 6)
+        for corner in corners
+        if abs(corner[beside.along] - value) <= near
+    }
+    for support in beside.plane.supports:
+        curve = support.curve
+        if isinstance(curve, CircleCurve):
+            away = abs(curve.centre[beside.along] - value)
+            if abs(away - curve.radius) <= near:
+                # The edge of a cylinder's outline is no line of the view across, its sides are.
+                centre = curve.centre[beside.depth]
+                found |= {centre - curve.radius, centre + curve.radius}
+    return iter(sorted(found))
+
+
+def as_if_drawn(supports: PartSupports) -> PartSupports:
+    """The supports with what views may lack as lines that may be drawn or not."""
+    planes = {}
+    for axis, plane in supports.planes.items():
+        found = list(plane.supports)
+        for number, low, high in plane.lost:
+            own = found[number]
+            span = Span(low, high, Linetype.HIDDEN, 0.0)
+            spans = {role: (*own.spans.get(role, ()), span) for role in plane.roles}
+            found[number] = Support(own.curve, spans)
+        planes[axis] = replace(plane, supports=tuple(found), lost=())
+    return replace(supports, planes=planes)
+
+
+def _divided(plane: PlaneSupports, found: Iterable[Stretch]) -> PlaneSupports:
+    """The plane with stretches on its supports, or on new ones, where nothing is drawn yet."""
+    supports = list(plane.supports)
+    lost: list[tuple[int, float, float]] = []
+    for curve, low, high in found:
+        number = next((n for n, own in enumerate(supports) if _same(own.curve, curve)), None)
+        if number is None:
+            supports.append(Support(curve, {}))
+            number = len(supports) - 1
+        own = supports[number].curve
+        ends = (low, high)
+        if isinstance(own, LineCurve) and isinstance(curve, LineCurve):
+            first, last = sorted(own.parameter(curve.at(end)) for end in (low, high))
+            ends = first, last
+        slack = NEAR / own.speed
+        drawn = supports[number].drawn()
+        if not any(a - slack <= ends[0] and ends[1] <= b + slack for a, b in drawn):
+            lost.append((number, *ends))
+    return replace(plane, supports=tuple(supports), lost=tuple(lost))
+
+
+def _same(one: PlaneCurve, other: PlaneCurve) -> bool:
+    if isinstance(one, CircleCurve) or isinstance(other, CircleCurve):
+        return one == other
+    return one.direction == other.direction and one.distance(other.point) < 1e-5

@@ -1,0 +1,84 @@
+"""Slanted lines that a view may lack: two others show the edge, or the other side of a cone it."""
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, line_through
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.hypotheses.suppressed_slants import shows, slanted_edges
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS
+
+_LOOKED_AT = 4000
+"""Edges that are looked at for a view."""
+
+_MOST = 16
+"""Slanted lines of a view that may be lost; where more would be, ends agree by chance."""
+
+
+def lost_slants(
+    supports: PartSupports, corners: Sequence[Point], normal: Axis, near: float
+) -> Iterator[tuple[LineCurve, float, float]]:
+    """Slanted lines of a plane between corners that are drawn there.
+
+    Args:
+        supports: of all planes.
+        corners: of the plane.
+        normal: of the plane.
+        near: units within which coordinates are one.
+    """
+    plane = supports.planes[normal]
+    told = [
+        *_mirrored(supports, normal),
+        *islice(slanted_edges(supports, normal, UNITS), _LOOKED_AT),
+    ]
+    found: list[tuple[Point, Point]] = []
+    for start, end in told:
+        flat = min(abs(a - b) for a, b in zip(start, end, strict=True)) <= near
+        ends = [_corner(corners, point, near) for point in (start, end)]
+        if flat or None in ends or ends[0] == ends[1]:
+            continue
+        edge = min(ends), max(ends)
+        if edge not in found and not any(shows(own, *edge, near) for own in plane.supports):
+            found.append(edge)
+    for start, end in found[:_MOST]:
+        line = line_through(start, end)
+        low, high = sorted((line.parameter(start), line.parameter(end)))
+        yield line, low, high
+
+
+def _corner(corners: Sequence[Point], point: Point, near: float) -> Point | None:
+    """The corner at a point."""
+    for corner in corners:
+        if abs(corner[0] - point[0]) <= near and abs(corner[1] - point[1]) <= near:
+            return corner
+    return None
+
+
+def _mirrored(supports: PartSupports, normal: Axis) -> Iterator[tuple[Point, Point]]:
+    """Slanted lines of a plane on the other side of the axes of circles."""
+    plane = supports.planes[normal]
+    slanted = [
+        (support.curve.at(low), support.curve.at(high))
+        for support in plane.supports
+        if isinstance(support.curve, LineCurve) and support.curve.axis is None
+        for low, high in support.drawn()
+    ]
+    for coordinate, index in enumerate(IN_PLANE[normal]):
+        along = Axis(IN_PLANE[normal][1 - coordinate])
+        for centre in sorted(_centres(supports.planes[along], Axis(index))):
+            for ends in slanted:
+                start, end = (_across(point, coordinate, centre) for point in ends)
+                yield start, end
+
+
+def _centres(plane: PlaneSupports, axis: Axis) -> set[float]:
+    """Coordinates of the centres of circles."""
+    place = IN_PLANE[plane.normal].index(axis.value)
+    circles = (s.curve for s in plane.supports if isinstance(s.curve, CircleCurve))
+    return {round(circle.centre[place], 6) for circle in circles}
+
+
+def _across(point: Point, coordinate: int, centre: float) -> Point:
+    x, y = point
+    return (2.0 * centre - x, y) if coordinate == 0 else (x, 2.0 * centre - y)

@@ -1,0 +1,216 @@
+"""Lines and arcs that would lead on from ends of strokes which nothing else meets."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, islice
+from math import hypot, pi
+
+from gaussiancad_core.coordinates.carrier_curves import (
+    TURN,
+    CircleCurve,
+    LineCurve,
+    PlaneCurve,
+    Point,
+    axis_line,
+    line_through,
+)
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+
+_MOST_ENDS = 40
+"""Ends in the open of a view up to which they are led on."""
+
+_MOST_SLANTED = 4
+"""Slanted lines of a view that may be lost, the shortest ones."""
+
+
+@dataclass(frozen=True)
+class _End:
+    """Where a stroke ends in the open.
+
+    Attributes:
+        point: (2,) units.
+        way: (2,) unit vector, out of a straight stroke; of any other, none.
+    """
+
+    point: Point
+    way: Point | None
+
+
+def joining(
+    supports: PartSupports, normal: Axis, near: float
+) -> Iterator[tuple[PlaneCurve, float, float]]:
+    """Curves of a plane, with stretches, that join open ends with each other.
+
+    Straight along the axes; slanted where both other planes draw lines over all of it; by a quarter
+    of a circle at a corner and half of one between parallels.
+
+    Args:
+        supports: of all planes.
+        normal: of the plane.
+        near: units within which coordinates are one.
+    """
+    plane = supports.planes[normal]
+    ends = _open_ends(plane, near)
+    if len(ends) > _MOST_ENDS:
+        return
+    values = [supports.values[Axis(index)] for index in IN_PLANE[normal]]
+    slanted = []
+    # Where more than two end beside each other, it is a straight line that they ended at.
+    corners = [end for end in ends if _aligned(end, ends, near) <= 1]
+    known = [
+        end
+        for end in corners
+        if all(_is_one(at, own, near) for at, own in zip(end.point, values, strict=True))
+    ]
+    for one, other in combinations(corners, 2):
+        yield from _rounded(one, other, near)
+    for one, other in combinations(ends, 2):
+        span = [abs(a - b) for a, b in zip(one.point, other.point, strict=True)]
+        if min(span) <= near:
+            yield _straight(one.point, other.point, near)
+        elif one in known and other in known and _turn(one, other):
+            slanted.append((hypot(*span), one.point, other.point))
+    edges = (ends for _, *ends in sorted(slanted) if _is_edge(supports, normal, *ends, near))
+    for start, end in islice(edges, _MOST_SLANTED):
+        yield _straight(start, end, near)
+
+
+def _straight(start: Point, end: Point, near: float) -> tuple[LineCurve, float, float]:
+    """The line from point to point; along an axis where it nearly is."""
+    off = [abs(a - b) for a, b in zip(start, end, strict=True)]
+    coordinate = off.index(min(off))
+    if min(off) <= near:
+        line = axis_line(coordinate, start[coordinate])
+    else:
+        line = line_through(start, end)
+    low, high = sorted((line.parameter(start), line.parameter(end)))
+    return line, low, high
+
+
+def _open_ends(plane: PlaneSupports, near: float) -> list[_End]:
+    found: list[_End] = []
+    for support in plane.supports:
+        curve = support.curve
+        for low, high in support.drawn():
+            if isinstance(curve, CircleCurve) and high - low > TURN - 1e-6:
+                continue
+            for at, sign in ((low, -1.0), (high, 1.0)):
+                point = curve.at(at)
+                if any(_is_on(other, point, near) for other in plane.supports if other != support):
+                    continue
+                if _goes_round(support, at):
+                    continue
+                way = None
+                if isinstance(curve, LineCurve):
+                    way = sign * curve.direction[0], sign * curve.direction[1]
+                if all(hypot(*_between(known.point, point)) > near for known in found):
+                    found.append(_End(point, way))
+    return found
+
+
+def _goes_round(support: Support, at: float) -> bool:
+    """Whether an arc ends only where angles begin again."""
+    if not isinstance(support.curve, CircleCurve) or 1e-6 < at < TURN - 1e-6:
+        return False
+    drawn = support.drawn()
+    return any(low < 1e-6 for low, _ in drawn) and any(high > TURN - 1e-6 for _, high in drawn)
+
+
+def _is_on(support: Support, point: Point, near: float) -> bool:
+    curve = support.curve
+    if curve.distance(point) > near:
+        return False
+    at, slack = curve.parameter(point), near / curve.speed
+    turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
+    return any(
+        low - slack <= at + turn <= high + slack for low, high in support.drawn() for turn in turns
+    )
+
+
+def _between(one: Point, other: Point) -> Point:
+    return other[0] - one[0], other[1] - one[1]
+
+
+def _aligned(end: _End, others: Sequence[_End], near: float) -> int:
+    """How many other strokes that run the same way end on the line across its end."""
+    if end.way is None:
+        return 0
+    (x, y), found = end.way, 0
+    for other in others:
+        if other is not end and other.way is not None:
+            a, b = _between(end.point, other.point)
+            parallel = abs(x * other.way[0] + y * other.way[1]) > 1.0 - 1e-6
+            found += parallel and abs(a * x + b * y) <= near
+    return found
+
+
+def _is_one(coordinate: float, values: Sequence[float], near: float) -> bool:
+    return any(abs(coordinate - value) <= near for value in values)
+
+
+def _turn(one: _End, other: _End) -> bool:
+    """Whether both lines lead on towards the other one's end."""
+    if one.way is None or other.way is None:
+        return False
+    x, y = _between(one.point, other.point)
+    return one.way[0] * x + one.way[1] * y > 0.0 > other.way[0] * x + other.way[1] * y
+
+
+def _rounded(one: _End, other: _End, near: float) -> Iterator[tuple[CircleCurve, float, float]]:
+    """The arc that both lines lead into."""
+    if one.way is None or other.way is None:
+        return
+    across = _between(one.point, other.point)
+    (ax, ay), (bx, by) = one.way, other.way
+    cosine = ax * bx + ay * by
+    if abs(cosine) < 1e-6:
+        forth, back = across[0] * ax + across[1] * ay, across[0] * bx + across[1] * by
+        # To the corner of both lines it is as far from either end.
+        if forth > near and abs(forth + back) <= near:
+            centre = one.point[0] - forth * bx, one.point[1] - forth * by
+            yield from _arc(centre, forth, one.point, other.point)
+    elif cosine > 1.0 - 1e-6 and abs(across[0] * ax + across[1] * ay) <= near:
+        radius = hypot(*across) / 2.0
+        centre = one.point[0] + across[0] / 2.0, one.point[1] + across[1] / 2.0
+        first = centre[0] + radius * ax, centre[1] + radius * ay
+        for end in (one.point, other.point):
+            yield from _arc(centre, radius, end, first)
+
+
+def _arc(
+    centre: Point, radius: float, start: Point, end: Point
+) -> Iterator[tuple[CircleCurve, float, float]]:
+    """The shorter way from a point of a circle to another one, cut where angles begin again."""
+    circle = CircleCurve(centre, radius)
+    low, high = sorted((circle.parameter(start), circle.parameter(end)))
+    if high - low <= pi:
+        yield circle, low, high
+        return
+    if low > 1e-9:
+        yield circle, 0.0, low
+    if high < TURN - 1e-9:
+        yield circle, high, TURN
+
+
+def _is_edge(supports: PartSupports, normal: Axis, start: Point, end: Point, near: float) -> bool:
+    """Whether both other planes draw a line over all of what two points of a plane span."""
+    for coordinate, index in enumerate(IN_PLANE[normal]):
+        plane = supports.planes[Axis(IN_PLANE[normal][1 - coordinate])]
+        place = IN_PLANE[plane.normal].index(index)
+        low, high = sorted((start[coordinate], end[coordinate]))
+        if not any(_covers(support, place, low, high, near) for support in plane.supports):
+            return False
+    return True
+
+
+def _covers(support: Support, place: int, low: float, high: float, near: float) -> bool:
+    if not isinstance(support.curve, LineCurve):
+        return False
+    for stretch in support.drawn():
+        first, last = sorted(support.curve.at(at)[place] for at in stretch)
+        if first <= low + near and high <= last + near:
+            return True
+    return False

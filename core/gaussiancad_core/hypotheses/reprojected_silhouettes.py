@@ -1,0 +1,184 @@
+"""Slanted lines drawn again where oblique planes have their edges, and cones their outlines.
+
+A corner of an oblique plane is read in three views, each time a little differently.  Once the plane
+is known, the lines of all views follow from it; as they were read they would leave slivers between
+the plane and its edges.  The outline of a cone is read twice in each of two views, and may end
+early in one of them, where something cuts the cone.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import hypot
+
+from gaussiancad_core.cells.half_spaces import HalfSpace
+from gaussiancad_core.cells.surfaces_of_revolution import RevolvedBody
+from gaussiancad_core.coordinates.carrier_curves import (
+    LineCurve,
+    PlaneCurve,
+    Point,
+    axis_line,
+    line_through,
+)
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.drawn_intervals import Span, Support, nearest_station, stations_on
+from gaussiancad_core.hypotheses.oblique_planes import SHORT
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+
+_EXACT = 1e-5
+"""Units within which a line is as it should be."""
+
+_REACH = 3.0
+"""Tolerances within which an edge is a line that was read, and a line ends at another."""
+
+_OUTLINE = 1.5
+"""Tolerances within which the outline of a body of revolution is a line that was read."""
+
+
+def retraced(
+    supports: PartSupports, half_spaces: Sequence[HalfSpace], bodies: Sequence[RevolvedBody] = ()
+) -> PartSupports:
+    """The supports with those lines moved that are edges of half spaces, or outlines of bodies."""
+    if not half_spaces and not bodies:
+        return supports
+    reach = _REACH * supports.tolerance
+    planes = {}
+    for axis, plane in supports.planes.items():
+        grid = [
+            axis_line(index, value)
+            for index, other in enumerate(IN_PLANE[axis])
+            for value in supports.values[Axis(other)]
+        ]
+        short = max(reach, SHORT * supports.tolerance)
+        outlines = _outlines(plane, bodies, _OUTLINE * supports.tolerance, short)
+        lines = {**outlines, **_edges(plane, half_spaces, reach, short)}
+        corners = [c for body in half_spaces for hull in body.outlines(axis) for c in hull]
+        planes[axis] = _moved(plane, lines, _Ends(grid, corners, reach, short))
+    return replace(supports, planes=planes)
+
+
+def _edges(
+    plane: PlaneSupports, half_spaces: Sequence[HalfSpace], reach: float, short: float
+) -> dict[int, LineCurve]:
+    """The longest edge of a half space along each slanted line that misses it a little."""
+    longest: dict[int, float] = {}
+    found: dict[int, LineCurve] = {}
+    for body in half_spaces:
+        for outline in body.outlines(plane.normal):
+            for start, end in zip(outline, (*outline[1:], outline[0]), strict=True):
+                if hypot(end[0] - start[0], end[1] - start[1]) < _EXACT:
+                    # Seen from its end.
+                    continue
+                line = line_through(start, end)
+                if line.axis is not None:
+                    continue
+                for index, support in enumerate(plane.supports):
+                    length = _length_along(support, start, end, reach, short)
+                    if length > longest.get(index, 0.0):
+                        longest[index], found[index] = length, line
+    return _missed(plane, found)
+
+
+def _outlines(
+    plane: PlaneSupports, bodies: Sequence[RevolvedBody], near: float, short: float
+) -> dict[int, LineCurve]:
+    """The nearest outline of a body along each slanted line that misses it a little."""
+    nearest: dict[int, float] = {}
+    found: dict[int, LineCurve] = {}
+    for body in bodies:
+        for line, (low, high) in body.rims(plane.normal):
+            if not isinstance(line, LineCurve) or line.axis is not None:
+                continue
+            for index, support in enumerate(plane.supports):
+                ends = _ends(support)
+                if not isinstance(support.curve, LineCurve) or not ends:
+                    continue
+                within = all(low - short <= line.parameter(end) <= high + short for end in ends)
+                off = max(line.distance(end) for end in ends)
+                if within and off <= nearest.get(index, near):
+                    nearest[index], found[index] = off, line
+    return _missed(plane, found)
+
+
+def _missed(plane: PlaneSupports, lines: dict[int, LineCurve]) -> dict[int, LineCurve]:
+    """Those of the lines that supports miss."""
+    return {
+        index: line
+        for index, line in lines.items()
+        if max(line.distance(end) for end in _ends(plane.supports[index])) > _EXACT
+    }
+
+
+def _length_along(support: Support, start: Point, end: Point, reach: float, short: float) -> float:
+    """Length of a segment that a slanted line is drawn along; 0 if it is not."""
+    curve = support.curve
+    if not isinstance(curve, LineCurve) or curve.axis is not None:
+        return 0.0
+    if max(curve.distance(start), curve.distance(end)) > reach:
+        return 0.0
+    low, high = sorted((curve.parameter(start), curve.parameter(end)))
+    along = any(first - short <= low and high <= last + short for first, last in support.drawn())
+    return high - low if along else 0.0
+
+
+def _ends(support: Support) -> list[Point]:
+    return [support.curve.at(end) for stretch in support.drawn() for end in stretch]
+
+
+@dataclass(frozen=True)
+class _Ends:
+    """Where lines of a plane may end.
+
+    Attributes:
+        grid: lines of the axes' values.
+        corners: of half spaces.
+        reach: units within which a line ends at another one.
+        short: units by which a line that moved may end too early or too late at a corner.
+    """
+
+    grid: Sequence[PlaneCurve]
+    corners: Sequence[Point]
+    reach: float
+    short: float
+
+
+def _moved(plane: PlaneSupports, lines: dict[int, LineCurve], ends: _Ends) -> PlaneSupports:
+    """The plane with other lines; whatever ends at a line that moved ends there still."""
+    if not lines:
+        return plane
+    curves = [lines.get(index, support.curve) for index, support in enumerate(plane.supports)]
+    moved = []
+    for index, (support, curve) in enumerate(zip(plane.supports, curves, strict=True)):
+        stations = stations_on(curve, [*curves, *ends.grid])
+        corners = []
+        if index in lines:
+            corners = sorted(curve.parameter(c) for c in ends.corners if curve.distance(c) < _EXACT)
+        spans = {
+            role: tuple(
+                _span(span, support.curve, curve, (corners, stations), ends) for span in own
+            )
+            for role, own in support.spans.items()
+        }
+        moved.append(Support(curve, spans))
+    return replace(plane, supports=tuple(moved))
+
+
+def _span(
+    span: Span,
+    old: PlaneCurve,
+    new: PlaneCurve,
+    known: tuple[list[float], list[float]],
+    ends: _Ends,
+) -> Span:
+    """A span between corners of half spaces, or where the line meets others, or as it was."""
+    if not isinstance(old, LineCurve):
+        # Circles stay; so do the places where their angles begin again.
+        return span
+    corners, stations = known
+    found = []
+    for end in (span.low, span.high):
+        at = new.parameter(old.at(end))
+        corner = nearest_station(corners, at, ends.short)
+        found.append(corner if corner in corners else nearest_station(stations, at, ends.reach))
+    low, high = sorted(found)
+    return replace(span, low=low, high=high)

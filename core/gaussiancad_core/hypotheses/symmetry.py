@@ -1,0 +1,69 @@
+"""Whether what is drawn is alike on both sides of a middle, and which cells are mirror images."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.cells.cell_complex import Cell, Crossing
+from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+
+_ALIKE = 3.0
+"""Tolerances by which a line and the mirror image of another may differ."""
+
+_LEAST = 1e-2
+"""The same in units, at least."""
+
+
+def is_symmetric(supports: PartSupports, axis: Axis) -> bool:
+    """Whether all lines of the views that show an axis are alike on both sides of its middle."""
+    middle = supports.size[axis.value] / 2.0
+    reach = max(_LEAST, _ALIKE * supports.tolerance)
+    shown = False
+    for normal, plane in supports.planes.items():
+        if normal is axis:
+            continue
+        shown = True
+        place = IN_PLANE[normal].index(axis.value)
+        stretches = np.array([_key(own) for own in _stretches(plane)])
+        if not len(stretches):
+            continue
+        mirrored = stretches.copy().reshape(-1, 3, 2)
+        mirrored[:, :, place] = 2.0 * middle - mirrored[:, :, place]
+        images = np.array([_key(tuple(map(tuple, own))) for own in mirrored.tolist()])
+        away, _ = cKDTree(stretches).query(images)
+        if away.max() > reach:
+            return False
+    return shown
+
+
+def _stretches(plane: PlaneSupports) -> Iterator[tuple[Point, Point, Point]]:
+    """Middle and both ends of what is drawn; of whole circles two ends of a diameter."""
+    for support in plane.supports:
+        curve = support.curve
+        for low, high in support.drawn():
+            if isinstance(curve, CircleCurve) and high - low > TURN - 1e-3:
+                x, y = curve.centre
+                yield curve.centre, (x - curve.radius, y), (x + curve.radius, y)
+                continue
+            yield curve.at((low + high) / 2.0), curve.at(low), curve.at(high)
+
+
+def _key(places: tuple[Point, ...]) -> tuple[float, ...]:
+    """The middle, and the ends in an order that does not depend on the direction."""
+    middle, *ends = places
+    return (*middle, *(value for end in sorted(ends) for value in end))
+
+
+def mirror_images(column: Sequence[Crossing], at: float) -> Iterator[tuple[Cell, Cell]]:
+    """Different cells of a column that are as far before a plane as behind it."""
+    spans = [(c.depth, d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
+    for low, high, cell in spans:
+        image = 2.0 * at - 0.5 * (low + high)
+        for start, end, other in spans:
+            if start < image < end and cell < other:
+                yield cell, other

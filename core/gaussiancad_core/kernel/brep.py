@@ -1,0 +1,447 @@
+"""Exact solids on disk and in memory: read, write, measure, move, tessellate.
+
+Shapes are OpenCASCADE's ``TopoDS_Shape`` in millimetres.  Files go through Python's own file
+functions, so that any path the file system allows works on every platform.  OpenCASCADE prints to
+file descriptor 1 while it reads and writes; who needs a clean stdout redirects it.
+"""
+
+import io
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
+from OCP.Bnd import Bnd_Box
+from OCP.BRep import BRep_Builder, BRep_Tool
+from OCP.BRepBndLib import BRepBndLib
+from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
+from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.BRepGProp import BRepGProp
+from OCP.BRepMesh import BRepMesh_IncrementalMesh
+from OCP.BRepTools import BRepTools
+from OCP.gp import gp_Trsf, gp_Vec
+from OCP.GProp import GProp_GProps
+from OCP.IFSelect import IFSelect_ReturnStatus
+from OCP.IMeshTools import IMeshTools_Parameters
+from OCP.Message import Message_ProgressRange
+from OCP.StepBasic import StepBasic_Product
+from OCP.STEPControl import (
+    STEPControl_Reader,
+    STEPControl_StepModelType,
+    STEPControl_Writer,
+)
+from OCP.StepData import StepData_StepModel
+from OCP.TCollection import TCollection_HAsciiString
+from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
+from OCP.TopExp import TopExp_Explorer
+from OCP.TopLoc import TopLoc_Location
+from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
+
+from gaussiancad_core.errors import EngineError, UnreadableError
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.storage.plain_files import plain_bytes
+from gaussiancad_core.storage.single_file import write_whole
+
+_STEP_MAGIC = b"ISO-10303-21"
+_BREP_MAGIC = (b"DBRep_DrawableShape", b"CASCADE Topology")
+_HEAD = 512
+_DEEPEST = 256
+"""Parentheses in parentheses of a STEP file: values hardly ever lie in a list of lists."""
+
+_PLAIN_NAME = re.compile(r"[A-Za-z0-9 ._-]+")
+
+
+@dataclass(frozen=True)
+class Soundness:
+    """What is known about a shape as a solid.
+
+    Attributes:
+        valid: OpenCASCADE's own check finds nothing, and the volume is positive.
+        closed: every edge bounds exactly two face sides, so no shell has a border.
+        solids: number of solids.
+        faces: number of distinct faces.
+        volume_mm3: enclosed volume.
+    """
+
+    valid: bool
+    closed: bool
+    solids: int
+    faces: int
+    volume_mm3: float
+
+
+def read_solid(path: Path) -> TopoDS_Shape:
+    """Read a STEP or BREP file as one shape in millimetres; the content decides which it is.
+
+    Returns:
+        The solid, or a compound where the file holds several.
+
+    Raises:
+        UnreadableError: as :func:`read_shape`; ``not-a-solid``, too, if there is no solid inside;
+            ``file-damaged`` if that has no extent.
+    """
+    solids = subshapes(read_shape(path), TopAbs_ShapeEnum.TopAbs_SOLID)
+    if not solids:
+        raise UnreadableError(
+            "not-a-solid",
+            "{path} holds no solid, only surfaces or curves: export a closed solid",
+            path=path,
+        )
+    whole = solids[0] if len(solids) == 1 else compound_of(solids)
+    with readable(path):
+        # What has no extent cannot be drawn.
+        bounding_box(whole)
+    return whole
+
+
+def read_shape(path: Path) -> TopoDS_Shape:
+    """Read all that a STEP or BREP file holds, in millimetres; the content decides which it is.
+
+    Raises:
+        UnreadableError: ``file-missing``, ``file-not-readable``, ``empty-file``, ``not-a-solid``
+            (another format), ``file-damaged``.
+    """
+    content = _read_bytes(path)
+    # Editors put a byte order mark before the text, which the STEP reader takes for damage.
+    text = content.lstrip(b"\xef\xbb\xbf \t\r\n")
+    if text.startswith(_STEP_MAGIC):
+        return _parse_step(path, text)
+    if any(magic in content[:_HEAD] for magic in _BREP_MAGIC):
+        return _parse_brep(path, content)
+    raise UnreadableError(
+        "not-a-solid", "{path} is neither STEP nor BREP: export the solid as STEP", path=path
+    )
+
+
+def _read_bytes(path: Path) -> bytes:
+    try:
+        content = plain_bytes(path)
+    except FileNotFoundError as error:
+        raise UnreadableError(
+            "file-missing", "{path} does not exist: check the path", path=path
+        ) from error
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise UnreadableError(
+            "file-not-readable",
+            "cannot read {path} ({reason}): check what and whose it is",
+            path=path,
+            reason=reason,
+        ) from error
+    if not content.strip():
+        raise UnreadableError("empty-file", "{path} is empty: export the solid again", path=path)
+    return content
+
+
+@contextmanager
+def readable(path: Path) -> Iterator[None]:
+    """What the kernel does not do with the shape of a file is told as damage of the file.
+
+    Raises:
+        UnreadableError: ``file-damaged``.
+    """
+    try:
+        yield
+    except KERNEL_FAILURES as error:
+        raise _damaged(path) from error
+
+
+def _damaged(path: Path) -> UnreadableError:
+    return UnreadableError(
+        "file-damaged", "{path} is cut off or damaged: export the solid again", path=path
+    )
+
+
+def _parse_step(path: Path, content: bytes) -> TopoDS_Shape:
+    # The reader crashes on files that end early, lack entities, or have lists in lists without end,
+    # so that is looked for first.
+    text = re.sub(rb"'[^']*'", b"", content)
+    ends = b"END-ISO-10303-21" in content
+    if not ends or _lacks_entities(text) or _depth(text) > _DEEPEST:
+        raise _damaged(path)
+    reader = STEPControl_Reader()
+    try:
+        status = reader.ReadStream(path.name, io.BytesIO(content))
+        # A transfer after a failed read crashes.
+        if status != IFSelect_ReturnStatus.IFSelect_RetDone or reader.TransferRoots() < 1:
+            raise _damaged(path)
+        shape = reader.OneShape()
+    except KERNEL_FAILURES as error:
+        raise _damaged(path) from error
+    if shape is None or shape.IsNull():
+        raise _damaged(path)
+    return shape
+
+
+def _depth(text: bytes) -> int:
+    """Parentheses in parentheses at most, of a text without strings."""
+    signs = np.frombuffer(text, dtype=np.uint8)
+    signs = signs[(signs == ord("(")) | (signs == ord(")"))]
+    depth = np.cumsum(np.concatenate([[0], np.where(signs == ord("("), 1, -1)]))
+    return int((depth - np.minimum.accumulate(depth)).max())
+
+
+def _lacks_entities(text: bytes) -> bool:
+    """Whether a STEP file, without its strings, refers to an entity that it does not define."""
+    return not set(re.findall(rb"#\d+", text)) <= set(re.findall(rb"(#\d+)\s*=", text))
+
+
+def _parse_brep(path: Path, content: bytes) -> TopoDS_Shape:
+    shape = TopoDS_Shape()
+    try:
+        BRepTools.Read_s(shape, io.BytesIO(content), BRep_Builder())
+    except KERNEL_FAILURES as error:
+        raise _damaged(path) from error
+    if shape.IsNull():
+        raise _damaged(path)
+    return shape
+
+
+def compound_of(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
+    """Shapes as one."""
+    builder, compound = BRep_Builder(), TopoDS_Compound()
+    builder.MakeCompound(compound)
+    for shape in shapes:
+        builder.Add(compound, shape)
+    return compound
+
+
+def write_step(shape: TopoDS_Shape, path: Path) -> None:
+    """Write a shape as STEP (AP214) in millimetres; the file appears only when whole.
+
+    The same shape gives the same bytes: the time stamp is fixed, and the product is called after
+    the file.
+
+    Raises:
+        EngineError: OpenCASCADE cannot express the shape.
+        UsageError, LimitError: the folder cannot be written, or the disk is full.
+    """
+    writer = STEPControl_Writer()
+    stream = io.BytesIO()
+    done = IFSelect_ReturnStatus.IFSelect_RetDone
+    if writer.Transfer(shape, STEPControl_StepModelType.STEPControl_AsIs) != done:
+        raise EngineError(
+            "step-not-written", "the solid for {path} cannot be expressed as STEP", path=path
+        )
+    _name_product(writer.Model(), path.stem if _PLAIN_NAME.fullmatch(path.stem) else "part")
+    if writer.WriteStream(stream) != done:
+        raise EngineError("step-not-written", "the STEP text for {path} cannot be made", path=path)
+    write_whole(path, stream.getvalue())
+
+
+def _name_product(model: StepData_StepModel, name: str) -> None:
+    header = APIHeaderSection_MakeHeader(model)
+    header.SetName(TCollection_HAsciiString(name))
+    header.SetTimeStamp(TCollection_HAsciiString("1970-01-01T00:00:00"))
+    header.SetAuthorValue(1, TCollection_HAsciiString(""))
+    header.SetOrganizationValue(1, TCollection_HAsciiString(""))
+    header.SetOriginatingSystem(TCollection_HAsciiString("GaussianCAD"))
+    header.SetAuthorisation(TCollection_HAsciiString(""))
+    for number in range(1, model.NbEntities() + 1):
+        entity = model.Value(number)
+        if isinstance(entity, StepBasic_Product):
+            # By default it carries a number that counts the writes of the process.
+            entity.SetId(TCollection_HAsciiString(name))
+            entity.SetName(TCollection_HAsciiString(name))
+
+
+def write_brep(shape: TopoDS_Shape, path: Path) -> None:
+    """Write a shape in OpenCASCADE's own text format; the file appears only when whole."""
+    stream = io.BytesIO()
+    BRepTools.Write_s(shape, stream)
+    write_whole(path, stream.getvalue())
+
+
+class ShapeTable:
+    """Numbers sub-shapes so that both orientations of one entity get the same number."""
+
+    def __init__(self) -> None:
+        self.shapes: list[TopoDS_Shape] = []
+        self._numbers: dict[int, list[int]] = {}
+
+    def number(self, shape: TopoDS_Shape) -> int:
+        """The number of an entity, counted from 0; an unknown one is added."""
+        # Shapes have a hash but compare by identity in Python, so a plain dict does not do.
+        bucket = self._numbers.setdefault(hash(shape), [])
+        for number in bucket:
+            if self.shapes[number].IsSame(shape):
+                return number
+        bucket.append(len(self.shapes))
+        self.shapes.append(shape)
+        return bucket[-1]
+
+
+def explore(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> Iterator[TopoDS_Shape]:
+    """All occurrences of sub-shapes of a kind; shared ones come once a use."""
+    explorer = TopExp_Explorer(shape, kind)
+    while explorer.More():
+        yield explorer.Current()
+        explorer.Next()
+
+
+def subshapes(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
+    """The distinct sub-shapes of a kind, in the order of OpenCASCADE's explorer."""
+    table = ShapeTable()
+    for current in explore(shape, kind):
+        table.number(current)
+    return table.shapes
+
+
+def faces_of(shape: TopoDS_Shape) -> list[TopoDS_Face]:
+    """The distinct faces."""
+    return [TopoDS.Face(face) for face in subshapes(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
+
+
+def edges_of(shape: TopoDS_Shape) -> list[TopoDS_Edge]:
+    """The distinct edges, degenerated ones (a cone's apex) included."""
+    return [TopoDS.Edge(edge) for edge in subshapes(shape, TopAbs_ShapeEnum.TopAbs_EDGE)]
+
+
+def bounding_box(shape: TopoDS_Shape) -> npt.NDArray[np.float64]:
+    """(2, 3) lower and upper corner in mm, exact to about 1e-7 and without tolerances added."""
+    box = Bnd_Box()
+    BRepBndLib.AddOptimal_s(shape, box, False, False)
+    box.SetGap(0.0)
+    lower, upper = box.CornerMin(), box.CornerMax()
+    return np.array([[lower.X(), lower.Y(), lower.Z()], [upper.X(), upper.Y(), upper.Z()]])
+
+
+def moved_to_origin(shape: TopoDS_Shape) -> TopoDS_Shape:
+    """A copy whose bounding box starts at the origin; the shape itself where it does already."""
+    lower, upper = bounding_box(shape)
+    if np.abs(lower).max() <= 1e-7 * float((upper - lower).max()):
+        return shape
+    motion = gp_Trsf()
+    motion.SetTranslation(gp_Vec(*(-float(value) for value in lower)))
+    return BRepBuilderAPI_Transform(shape, motion, True).Shape()
+
+
+def volume(shape: TopoDS_Shape) -> float:
+    """Enclosed volume in mm3; negative where the faces point inwards."""
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, properties)
+    return float(properties.Mass())
+
+
+_VOLUME_ERROR = 1e-7
+"""Share of a volume that integrating it face by face may miss at most: a tenth of what solids may
+differ by."""
+
+
+def exact_volume(shape: TopoDS_Shape) -> float:
+    """The same as :func:`volume`, integrated until its error is small.
+
+    The plain integral takes as many points of a face as its surface asks for; where the edges of
+    the face are curves of another kind it may miss a thousandth of the volume.
+    """
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, properties, _VOLUME_ERROR, False, False)
+    return float(properties.Mass())
+
+
+def area(shape: TopoDS_Shape) -> float:
+    """Area of all faces in mm2."""
+    properties = GProp_GProps()
+    BRepGProp.SurfaceProperties_s(shape, properties)
+    return float(properties.Mass())
+
+
+def edge_length(edge: TopoDS_Shape) -> float:
+    """Length of an edge, or of all edges of a shape, in mm; seams count twice."""
+    properties = GProp_GProps()
+    BRepGProp.LinearProperties_s(edge, properties)
+    return float(properties.Mass())
+
+
+def is_valid(shape: TopoDS_Shape) -> bool:
+    """Whether the kernel finds nothing wrong with a shape; an empty one is none."""
+    return not shape.IsNull() and bool(BRepCheck_Analyzer(shape).IsValid())
+
+
+def soundness(shape: TopoDS_Shape) -> Soundness:
+    """Check a shape as a solid."""
+    enclosed = volume(shape)
+    return Soundness(
+        is_valid(shape) and enclosed > 0.0,
+        _closed(shape),
+        len(subshapes(shape, TopAbs_ShapeEnum.TopAbs_SOLID)),
+        len(faces_of(shape)),
+        enclosed,
+    )
+
+
+def _closed(shape: TopoDS_Shape) -> bool:
+    table = ShapeTable()
+    sides: list[int] = []
+    for face in faces_of(shape):
+        for edge in explore(face, TopAbs_ShapeEnum.TopAbs_EDGE):
+            if not BRep_Tool.Degenerated_s(TopoDS.Edge(edge)):
+                sides.append(table.number(edge))
+    # Where bodies touch along an edge it has four sides, which is still closed.
+    return bool(sides) and bool(np.all(np.bincount(sides) % 2 == 0))
+
+
+def tessellate(
+    shape: TopoDS_Shape, deflection: float, angle: float = 0.3, *, strict: bool = False
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+    """Triangles of a shape.
+
+    The triangulation that OpenCASCADE stores on the faces is replaced.
+
+    Args:
+        shape: the solid.
+        deflection: largest distance in mm between a triangle and its surface.
+        angle: largest angle in radians between neighbouring chords of a curve.
+        strict: whether free-form faces keep the deflection away from their edges, too, which
+            OpenCASCADE exceeds several times else; costs twice the triangles.
+
+    Returns:
+        (n, 3) vertices in mm, shared between faces, and (m, 3) indices, counter-clockwise seen from
+        outside.
+    """
+    BRepTools.Clean_s(shape)
+    parameters = IMeshTools_Parameters()
+    parameters.Deflection, parameters.Angle = deflection, angle
+    parameters.ForceFaceDeflection = strict
+    BRepMesh_IncrementalMesh(shape, parameters, Message_ProgressRange())
+    points: list[npt.NDArray[np.float64]] = []
+    triangles: list[npt.NDArray[np.int64]] = []
+    offset = 0
+    for face in faces_of(shape):
+        own, indices = _face_triangles(face)
+        points.append(own)
+        triangles.append(indices + offset)
+        offset += len(own)
+    stacked = np.concatenate(points) if points else np.zeros((0, 3))
+    # Neighbouring faces sample their common edge at the very same points.
+    vertices, inverse = np.unique(np.round(stacked, 9), axis=0, return_inverse=True)
+    faces = inverse.reshape(-1)[np.concatenate(triangles)] if triangles else np.zeros((0, 3), int)
+    distinct = (
+        (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 0] != faces[:, 2])
+    )
+    return vertices, faces[distinct].astype(np.int64)
+
+
+def _face_triangles(
+    face: TopoDS_Face,
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+    location = TopLoc_Location()
+    mesh = BRep_Tool.Triangulation_s(face, location)
+    if mesh is None:
+        return np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64)
+    motion = location.Transformation()
+    points = np.empty((mesh.NbNodes(), 3))
+    for index in range(mesh.NbNodes()):
+        point = mesh.Node(index + 1).Transformed(motion)
+        points[index] = point.X(), point.Y(), point.Z()
+    indices = np.array(
+        [mesh.Triangle(index + 1).Get() for index in range(mesh.NbTriangles())],
+        dtype=np.int64,
+    ).reshape(-1, 3)
+    if face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED:
+        indices = indices[:, ::-1]
+    return points, indices - 1

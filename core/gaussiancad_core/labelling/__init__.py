@@ -1,0 +1,1 @@
+"""Which cells are material: rules of visibility, priors, the constraint solver."""

@@ -1,0 +1,341 @@
+"""A drawing as cells and rules: what the labelling starts from."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import islice
+from types import MappingProxyType
+
+import numpy as np
+
+from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
+from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.cells.edge_fragments import Piece, find_pieces
+from gaussiancad_core.cells.grid_rows import count_pieces, find_rows
+from gaussiancad_core.cells.surfaces_of_revolution import RevolvedBody
+from gaussiancad_core.coordinates.carrier_curves import Point, axis_line
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports, find_supports
+from gaussiancad_core.coordinates.coordinate_clustering import nearest_value
+from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.geometric_constraints import Facet
+from gaussiancad_core.coordinates.point_chains import Chain, through_points
+from gaussiancad_core.errors import LimitError
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.hypotheses.bridges import bridges
+from gaussiancad_core.hypotheses.missing_edges import as_if_drawn, with_lost_lines
+from gaussiancad_core.hypotheses.noted_holes import floors, kept_notes
+from gaussiancad_core.hypotheses.oblique_planes import find_half_spaces
+from gaussiancad_core.hypotheses.reprojected_silhouettes import retraced
+from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
+from gaussiancad_core.hypotheses.short_chamfers import with_untold_chamfers
+from gaussiancad_core.hypotheses.suppressed_slants import with_untold_lines
+from gaussiancad_core.hypotheses.undrawn_smooth_edges import with_smooth_edges
+from gaussiancad_core.labelling.counted_work import NEVER, Counted, Deadline
+from gaussiancad_core.labelling.priors import Usual, usual_of
+from gaussiancad_core.labelling.section_rules import area_rules, merged, scaled_cuts, shown
+from gaussiancad_core.labelling.visibility_rules import (
+    BESIDE,
+    Columns,
+    Rule,
+    rules_of,
+    without_hidden,
+)
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.model.section_planes import Cut
+from gaussiancad_core.model.views import Linetype
+
+MOST_STROKES = 900
+"""Lines of a view, at most: all that is made of them looks at each beside the others."""
+
+_MOST_PIECES = 80_000
+"""Pieces of all views, at most: a part of 120 faces has up to 40,000."""
+
+_MOST_READ, _EXACT = 40_000, 0.02
+"""The same of pictures, whose views are known to more than so many units: where they are read that
+wrongly, no labels are found in time."""
+
+NEAR = 0.01
+"""Units within which a computed curve is one that is drawn, at least."""
+
+_MEETING = 0.5
+"""Units between a chain's end and the corner that it ends at, at most: where a curve turns back,
+its last point is a sample."""
+
+_GAP = 0.05
+"""Units between the end of a curve and the one that it ends at, at most."""
+
+_BESIDE = 0.02
+"""Units beside a chain at which its sides are looked up, and corners are on it."""
+
+_SIDES = 2
+"""Coordinates along an axis at which a region ends at most, if its sides are straight."""
+
+Contradict = Callable[[Sequence[int]], bool]
+
+
+@dataclass(frozen=True)
+class PartModel:
+    """A part as cells with rules.
+
+    Attributes:
+        supports: of the views.
+        space: the cells.
+        rules: what the views say about them.
+        usual: what is taken for usual, where views draw no hidden lines.
+        sections: where views are cut.
+    """
+
+    supports: PartSupports
+    space: Space
+    rules: tuple[Rule, ...]
+    usual: Usual | None = None
+    sections: Mapping[Role, Cut] = field(default_factory=dict)
+
+
+def model_part(
+    views: DrawnViews,
+    near: float = NEAR,
+    deadline: Deadline = NEVER,
+    *,
+    lost_lines: bool = False,
+) -> PartModel:
+    """Supports, cells and rules of views.
+
+    Args:
+        views: two to six; those that draw no hidden lines may lack any line along an axis, too,
+            where lines may be lacking.
+        near: units within which a computed curve is one that is drawn, at least.
+        deadline: by which it has to be done.
+        lost_lines: whether regions are divided as well where a view may lack a line.
+
+    Raises:
+        LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
+    """
+    strokes = max(len(own) for own in views.strokes.values())
+    if strokes > MOST_STROKES:
+        raise _too_complex(f"a view has {strokes} lines")
+    supports = find_supports(views)
+    half_spaces = find_half_spaces(supports)
+    facets = [Facet(body.normal, hull) for body in half_spaces for hull in body.hulls]
+    if facets:
+        # Read by themselves their corners lie on no common plane.
+        supports = find_supports(views, facets)
+        half_spaces = find_half_spaces(supports)
+    if lost_lines:
+        half_spaces = find_half_spaces(as_if_drawn(with_lost_lines(supports)))
+    supports = retraced(supports, half_spaces, find_bodies(supports))
+    supports = with_untold_chamfers(with_untold_lines(supports))
+    supports = with_smooth_edges(supports)
+    if lost_lines:
+        supports = with_lost_lines(
+            supports,
+            undrawn=views.without_hidden,
+            cuts=_planes_of(views, supports.scale),
+            floors=_undrawn_values(views, supports),
+        )
+    planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
+    for axis in Axis:
+        if axis not in planes:
+            planes[axis] = _box(axis, _known_size(supports))
+    space = Space(planes, (*find_bodies(supports), *half_spaces))
+    return without_undrawn(_part(supports, space, near, deadline, views.cuts), views)
+
+
+def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
+    """The part with what is blank only not visible in views that draw no hidden lines."""
+    if not views.without_hidden:
+        return part
+    rules = without_hidden(part.rules, views.without_hidden)
+    if not views.undrawn:
+        return replace(part, rules=rules)
+    whole = [role for role in views.roles if role not in views.cuts]
+    silent = [role for role in views.undrawn if role not in views.cuts]
+    cuts = scaled_cuts(views.cuts, part.supports.scale)
+    usual = usual_of(part.supports, part.space, whole, silent, cuts)
+    usual = replace(usual, noted=kept_notes(views.holes, part.space, part.supports))
+    return replace(part, rules=rules, usual=usual)
+
+
+def _undrawn_values(views: DrawnViews, supports: PartSupports) -> dict[Axis, tuple[float, ...]]:
+    """Coordinates in units at which nothing is drawn and something may end: holes of which notes
+    tell the depth, and what is cut open of a view."""
+    found = floors(views.holes, supports)
+    for role, cut in scaled_cuts(views.cuts, supports.scale).items():
+        for opening in cut.openings:
+            if opening.region is None:
+                continue
+            corners = np.array(opening.region.exterior.coords)
+            for place, index in enumerate(IN_PLANE[role_plane(role).normal]):
+                axis = Axis(index)
+                inner = {
+                    float(value)
+                    for value in corners[:, place]
+                    if 0.0 < value < supports.size[index]
+                }
+                if len(inner) <= _SIDES:
+                    found[axis] = (*found.get(axis, ()), *sorted(inner))
+    return found
+
+
+def _planes_of(views: DrawnViews, scale: float) -> tuple[tuple[Axis, float], ...]:
+    """Cutting planes: the axis that one is across, and units along it."""
+    return tuple(
+        (role_plane(role).normal, opening.at * scale)
+        for role, cut in views.cuts.items()
+        for opening in cut.openings
+    )
+
+
+def with_lone_bodies(
+    part: PartModel, contradict: Contradict, deadline: Deadline = NEVER
+) -> PartModel | None:
+    """The part divided as well by bodies of revolution that one view speaks of.
+
+    More bodies are more cells: they are left out as long as the part can do without.
+
+    Args:
+        part: without them.
+        contradict: tells whether the part's rules contradict each other, those of some numbers left
+            out.  Where lines of sight miss the bodies, the rules stay the same.
+        deadline: by which it has to be done.
+
+    Returns:
+        None if there are no such bodies, or the lines contradict each other whatever lies in them.
+
+    Raises:
+        LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
+    """
+    bodies = find_bodies(part.supports, lone=True)
+    plain = tuple(body for body in part.space.bodies if isinstance(body, RevolvedBody))
+    if bodies == plain:
+        return None
+    if set(plain) <= set(bodies):
+        added = [body for body in bodies if body not in plain]
+        through = [number for number, rule in enumerate(part.rules) if _looks_into(rule, added)]
+        if contradict(through):
+            return None
+    others = part.space.bodies[len(plain) :]
+    space = Space(part.space.planes, (*bodies, *others))
+    return _part(part.supports, space, NEAR, deadline, part.sections)
+
+
+def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
+    """Whether a line of sight beside one of a rule's pieces meets one of the bodies."""
+    return any(
+        body.crossings(role_plane(piece.role).normal, a + way * da, b + way * db)
+        for piece in rule.pieces
+        for (a, b), (da, db) in [(piece.point, piece.across)]
+        for way in (-BESIDE, BESIDE)
+        for body in bodies
+    )
+
+
+def _part(
+    supports: PartSupports,
+    space: Space,
+    near: float,
+    deadline: Deadline,
+    cuts: Mapping[Role, Cut] = MappingProxyType({}),
+) -> PartModel:
+    near = max(near, 2.0 * supports.tolerance)
+    most = _MOST_PIECES if supports.tolerance <= _EXACT else _MOST_READ
+    rows = {normal: find_rows(space, normal) for normal in supports.planes}
+    planes = supports.planes.items()
+    # Counted before any is made: most lie on the grid.
+    count = sum(len(plane.roles) * count_pieces(rows[normal]) for normal, plane in planes)
+    found = find_pieces(space, supports.planes, near, supports.tolerance, rows)
+    pieces = list(islice(_until(found, deadline), most + 1)) if count <= most else []
+    if max(count, len(pieces)) > most:
+        raise _too_complex(f"its lines divide the views into more than {most:,} pieces")
+    sections = scaled_cuts(cuts, supports.scale)
+
+    def seen(role: Role, places: Sequence[Point], columns: Columns) -> Columns | None:
+        return shown(sections[role], role, places, columns)
+
+    rules = rules_of(space, pieces, sections, seen)
+    rules += merged(area_rules(space, sections))
+    return PartModel(supports, space, tuple(rules), sections=cuts)
+
+
+def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
+    """The pieces, each counted as it is made."""
+    for piece in pieces:
+        deadline.count(Counted.PIECE)
+        if not deadline.left:
+            raise LimitError(
+                "search-unfinished",
+                "the drawing has more lines than are understood with the work allowed for one "
+                "sheet: draw less in one sheet",
+                case="lines",
+            )
+        yield piece
+
+
+def _too_complex(what: str) -> LimitError:
+    return LimitError(
+        "part-too-complex",
+        "the drawing is too complex for an exact solid: {what}; draw less in one sheet",
+        what=what,
+    )
+
+
+def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:
+    """The plane's regions; chains become boundaries where the outline is open without them."""
+    plain = Arrangement(plane.supports, lost=plane.lost)
+    chains = [chain for _, chain, _ in plane.chains]
+    leaking = [chain for chain in chains if _lies_outside(plain, chain)]
+    reach = max(_GAP, 1.5 * tolerance)
+    attached = [_attached(chain, plain, chains) for chain in leaking]
+    closing = bridges(plain, attached, reach)
+    if not attached and not closing:
+        return plain
+    return Arrangement(plane.supports, [*attached, *closing], plane.lost)
+
+
+def _lies_outside(arrangement: Arrangement, chain: Chain) -> bool:
+    """Whether most of a drawn curve has the outside on both sides, which cannot be."""
+    outside = 0
+    inner = chain[1:-1] or chain
+    for a, b in inner:
+        sides = ((a + x, b + y) for x in (-_BESIDE, _BESIDE) for y in (-_BESIDE, _BESIDE))
+        outside += all(arrangement.locate(*side) == OUTSIDE for side in sides)
+    return 2 * outside > len(inner)
+
+
+def _attached(chain: Chain, arrangement: Arrangement, chains: Sequence[Chain]) -> Chain:
+    """The chain led through the corners, and ends of other chains, that it meets.
+
+    Its points are known less exactly than they are; a gap would open the outline.
+    """
+    ends = [end for other in chains if other is not chain for end in (other[0], other[-1])]
+    targets = np.array([*arrangement.corners, *ends])
+    points = np.array(chain)
+    for end in (0, -1):
+        away = np.hypot(*(targets - points[end]).T)
+        if away.min() < _MEETING:
+            points[end] = targets[int(away.argmin())]
+    return through_points(points, targets, _BESIDE)
+
+
+def _known_size(supports: PartSupports) -> tuple[float, float, float]:
+    """The part's extents as its values have them, which may have been rounded."""
+    x, y, z = (
+        nearest_value(supports.values.get(axis, ()), extent, max(NEAR, supports.tolerance))
+        for axis, extent in zip(Axis, supports.size, strict=True)
+    )
+    return x, y, z
+
+
+def _box(normal: Axis, size: tuple[float, float, float]) -> Arrangement:
+    """The plane of an axis along which no view looks: nothing is known but the box."""
+    first, second = (size[index] for index in IN_PLANE[normal])
+    role = next(role for role in Role if role.frame.look_axis[0] is normal)
+    sides = ((0, 0.0, second), (0, first, second), (1, 0.0, first), (1, second, first))
+    return Arrangement(
+        [
+            Support(
+                axis_line(coordinate, value), {role: (Span(0.0, length, Linetype.VISIBLE, 1.0),)}
+            )
+            for coordinate, value, length in sides
+        ]
+    )

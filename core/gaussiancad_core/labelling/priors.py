@@ -1,0 +1,343 @@
+"""What an engineer takes for usual where views leave hidden lines out.
+
+Nothing is inside a part that no view shows, and what is seen of a hole goes through.  Neither is a
+rule: of the labels that have all lines those are looked for that keep most of it.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice, pairwise, product
+from math import dist, hypot, prod
+
+from shapely import contains_xy
+
+from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
+from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space, Surface
+from gaussiancad_core.coordinates.carrier_curves import CircleCurve, Point
+from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.hypotheses.noted_holes import Kept
+from gaussiancad_core.hypotheses.symmetry import is_symmetric, mirror_images
+from gaussiancad_core.labelling.visibility_rules import Transition
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.model.section_planes import Cut
+
+UNSEEN, LOOSE, BLIND = 40, 40, 3
+"""Surfaces that weigh as much as a void that no view sees, as what stands by itself in a through
+hole, and, beside one for each of its cells, as a hole that is seen and does not go through."""
+
+NOWHERE = 15
+"""Surfaces that a surface weighs as much as whose trace no view draws."""
+
+NOTED = 400
+"""Surfaces that weigh as much as a note at a hole that is not kept."""
+
+_BULK = 1000.0
+"""Surfaces that a void as large as the part's box weighs as much as, if it is no through hole."""
+
+ROUND = 5
+"""Surfaces that a square corner weighs as much as where a part may be round."""
+
+_OUT = 0.05
+"""Units beyond the square around a circle."""
+
+_MIDDLE = 1e-2
+"""Units by which twice the depth of a section through the middle may differ from the extent."""
+
+_MOST = 4_000
+"""Lines of sight that are followed at most."""
+
+
+@dataclass(frozen=True)
+class Hole:
+    """Cells behind a region of a view that the part surrounds.
+
+    Attributes:
+        cells: of the region itself, the first that is seen first.
+        within: of the regions that it surrounds.
+    """
+
+    cells: tuple[Cell, ...]
+    within: tuple[Cell, ...] = ()
+
+
+@dataclass(frozen=True)
+class Usual:
+    """Columns of cells that tell what is usual.
+
+    Attributes:
+        sights: cells along lines of sight, from each viewer on.
+        holes: that may be, as seen in views without hidden lines.
+        bulks: of each cell, in surfaces, how much a void of its size weighs.
+        corners: of each cell between a circle that no view draws and the square around it the cell
+            that is beyond, None outside of all: where that is void, it is likely to be void.
+        squares: those of them that no larger circle parts from the square's corner.
+        undrawn: of each surface whose trace no view draws the pairs of cells that it parts.
+        mirrored: cells on both sides of a section through the middle of what is drawn alike on
+            both, and how much it weighs, in surfaces, that one is void and the other is not.
+        noted: of each note at a hole the labels under which it is kept.
+    """
+
+    sights: tuple[tuple[Cell, ...], ...]
+    holes: tuple[Hole, ...]
+    bulks: Mapping[Cell, int]
+    undrawn: tuple[frozenset[Transition], ...] = ()
+    mirrored: tuple[tuple[Cell, Cell, int], ...] = ()
+    noted: tuple[tuple[Kept, ...], ...] = ()
+    corners: Mapping[Cell, Cell | None] = field(default_factory=dict)
+    squares: frozenset[Cell] = frozenset()
+
+
+def usual_of(
+    supports: PartSupports,
+    space: Space,
+    roles: Iterable[Role],
+    undrawn: Iterable[Role],
+    cuts: Mapping[Role, Cut],
+) -> Usual:
+    """What is usual in the cells of a part.
+
+    Args:
+        supports: of the views.
+        space: the cells.
+        roles: views that are not cut.
+        undrawn: those of them that draw no hidden lines.
+        cuts: sections, in units.  What they show behind their planes is likely to be before them as
+            well.
+    """
+    silent = {role_plane(role).normal for role in undrawn}
+    found = _Found()
+    for role in roles:
+        normal = role_plane(role).normal
+        _look(found, supports, space, role, with_holes=normal in silent)
+    for role, cut in cuts.items():
+        normal = role_plane(role).normal
+        _look_through(found, supports.planes[normal], space, cut)
+        for at in {own.at for own in cut.openings}:
+            in_middle = abs(2.0 * at - supports.size[normal.value]) <= _MIDDLE
+            alike = in_middle and is_symmetric(supports, normal)
+            _look_from(found, space, normal, at, alike=alike)
+    box = prod(values[-1] - values[0] for values in space.values.values())
+    bulks = {
+        cell: 1 + round(_BULK * min(v for v in own if v) / box)
+        for cell, own in found.volumes.items()
+    }
+    return Usual(
+        tuple(own for own in found.sights if own),
+        tuple(found.holes),
+        bulks,
+        tuple(_undrawn(supports, space)),
+        tuple((a, b, min(bulks.get(a, 1), bulks.get(b, 1))) for a, b in found.mirrored),
+        corners=found.corners,
+        squares=frozenset(found.squares),
+    )
+
+
+@dataclass
+class _Found:
+    """What lines of sight tell; the keys of dictionaries in the order in which they were found.
+
+    Attributes:
+        sights, holes, mirrored: as in :class:`Usual`.
+        volumes: units^3 of each cell, by the axis that lines of sight were along.
+        corners, squares: cells beside what is round rather than square, as there.
+    """
+
+    sights: dict[tuple[Cell, ...], None] = field(default_factory=dict)
+    holes: dict[Hole, None] = field(default_factory=dict)
+    mirrored: dict[tuple[Cell, Cell], None] = field(default_factory=dict)
+    volumes: defaultdict[Cell, list[float]] = field(
+        default_factory=lambda: defaultdict(lambda: [0.0, 0.0, 0.0])
+    )
+    corners: dict[Cell, Cell | None] = field(default_factory=dict)
+    squares: set[Cell] = field(default_factory=set)
+
+
+def _look(
+    found: _Found, supports: PartSupports, space: Space, role: Role, *, with_holes: bool
+) -> None:
+    """What a view that is not cut tells."""
+    looks = role_plane(role)
+    plane = supports.planes[looks.normal]
+    rounds = _turned(plane, max(_MIDDLE, supports.tolerance))
+    drawn = _as_drawn(plane)
+    behind: dict[int, tuple[Cell, ...]] = {}
+    parts: defaultdict[int, set[int]] = defaultdict(set)
+    for region, point, area in space.planes[plane.normal].trapezoids():
+        if len(found.sights) >= _MOST:
+            break
+        column = space.column(plane.normal, *point)
+        inside = [(c, d.depth - c.depth) for c, d in pairwise(column) if c.after is not None]
+        for circle in rounds:
+            if _in_corner(point, circle):
+                beyond = _beyond(point, circle)
+                found.corners.update(_beside(column, space.column(plane.normal, *beyond)))
+                # Of several circles the largest one counts.
+                own = {crossing.after for crossing, _ in inside}
+                found.squares -= own
+                if not _is_ringed(point, beyond, circle, plane):
+                    found.squares |= own
+        for crossing, depth in inside:
+            found.volumes[crossing.after][plane.normal.value] += max(area * depth, 1e-9)
+        cells = tuple(c.after for c, _ in (inside if looks.looks_up else inside[::-1]))
+        found.sights[cells] = None
+        parts[drawn.locate(*point)].add(region)
+        if len(cells) > len(behind.get(region, ())):
+            behind[region] = cells
+    if with_holes:
+        _add_holes(found, drawn, parts, behind)
+
+
+def _add_holes(
+    found: _Found,
+    drawn: Arrangement,
+    parts: Mapping[int, set[int]],
+    behind: Mapping[int, tuple[Cell, ...]],
+) -> None:
+    """The holes of a view; lines that it may lack divide a hole: it is a hole all the same.
+
+    Args:
+        found: what is known.
+        drawn: regions that drawn lines bound.
+        parts: into which lines that may be lacking divide them.
+        behind: the cells behind each.
+    """
+    for whole, within in _surrounded(drawn).items():
+        inner = dict.fromkeys(
+            cell
+            for each in within
+            for part in sorted(parts.get(each, ()))
+            for cell in behind.get(part, ())
+        )
+        for part in sorted(parts.get(whole, ())):
+            if part in behind:
+                found.holes[Hole(behind[part], tuple(inner))] = None
+
+
+def _look_through(found: _Found, plane: PlaneSupports, space: Space, cut: Cut) -> None:
+    """Holes that a section looks into along their axis: they are before its plane as well."""
+    if cut.areas is None:
+        return
+    drawn = _as_drawn(plane)
+    behind: dict[int, tuple[Cell, ...]] = {}
+    parts: defaultdict[int, set[int]] = defaultdict(set)
+    for region, point in space.planes[plane.normal].inner_points():
+        if cut.opening(point) is None or contains_xy(cut.areas, *point):
+            continue
+        column = space.column(plane.normal, *point)
+        cells = tuple(crossing.after for crossing in column if crossing.after is not None)
+        parts[drawn.locate(*point)].add(region)
+        if len(cells) > len(behind.get(region, ())):
+            behind[region] = cells
+    _add_holes(found, drawn, parts, behind)
+
+
+def _look_from(found: _Found, space: Space, normal: Axis, at: float, *, alike: bool) -> None:
+    """What is usual on both sides of a cutting plane."""
+    for _, point in islice(space.planes[normal].inner_points(), _MOST):
+        column = space.column(normal, *point)
+        ends = [(d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
+        before = [c.after for c in column if c.after is not None and c.depth <= at]
+        beyond = [cell for depth, cell in ends if depth > at]
+        found.sights[tuple(before[::-1])] = found.sights[tuple(beyond)] = None
+        if alike:
+            found.mirrored.update(dict.fromkeys(mirror_images(column, at)))
+
+
+def _as_drawn(plane: PlaneSupports) -> Arrangement:
+    """The regions that lines bound which are drawn."""
+    supports = [own for own in plane.supports if own.spans]
+    return Arrangement(supports, [chain for _, chain, _ in plane.chains])
+
+
+def _turned(plane: PlaneSupports, near: float) -> list[CircleCurve]:
+    """Circles that no view of a plane draws, about the centre of one that is drawn, within
+    ``near``: where other views draw the sides of what may be round or square, a turned part is
+    round."""
+    circles = [own for own in plane.supports if isinstance(own.curve, CircleCurve)]
+    circles.sort(key=lambda own: own.curve.radius)
+    drawn = [own.curve.centre for own in circles if own.spans]
+    return [
+        own.curve
+        for own in circles
+        if not own.spans and any(dist(own.curve.centre, each) <= near for each in drawn)
+    ]
+
+
+def _in_corner(point: Point, circle: CircleCurve) -> bool:
+    """Whether a point is outside of a circle and in the square around it."""
+    away = [abs(own - centre) for own, centre in zip(point, circle.centre, strict=True)]
+    return max(away) < circle.radius < hypot(*away)
+
+
+def _beyond(point: Point, circle: CircleCurve) -> Point:
+    """Where the way from a circle's centre through a point leaves the square around it."""
+    (x, y), (a, b) = point, circle.centre
+    far = (circle.radius + _OUT) / max(abs(x - a), abs(y - b))
+    return a + far * (x - a), b + far * (y - b)
+
+
+def _is_ringed(point: Point, beyond: Point, circle: CircleCurve, plane: PlaneSupports) -> bool:
+    """Whether a larger circle about the same centre runs between a point and one beyond it."""
+    near, far = dist(point, circle.centre), dist(beyond, circle.centre)
+    return any(
+        isinstance(own.curve, CircleCurve)
+        and dist(own.curve.centre, circle.centre) <= _MIDDLE
+        and near < own.curve.radius < far
+        for own in plane.supports
+    )
+
+
+def _beside(column: Sequence[Crossing], other: Sequence[Crossing]) -> Iterator[tuple[Cell, Cell]]:
+    """The cells of a column with those of another one at the same depth; None outside of all."""
+    for one, end in pairwise(column):
+        if one.after is not None:
+            middle = 0.5 * (one.depth + end.depth)
+            before = [own.after for own in other if own.depth <= middle]
+            yield one.after, before[-1] if before else None
+
+
+def _undrawn(supports: PartSupports, space: Space) -> Iterator[frozenset[Transition]]:
+    blank = {
+        (normal.value, number)
+        for normal, plane in supports.planes.items()
+        for number, support in enumerate(plane.supports)
+        # Of lost circles other views draw the sides.
+        if not support.spans and not isinstance(support.curve, CircleCurve)
+    }
+    if not blank:
+        return
+    for normal in Axis:
+        # Views look along two axes at times, and across these surfaces along the third.
+        first, second = (_middles(space.values[Axis(index)]) for index in IN_PLANE[normal])
+        for point in islice(product(first, second), _MOST):
+            space.column(normal, *point)
+    parted: defaultdict[Surface, set[Transition]] = defaultdict(set)
+    for before, after, surface in space.crossed():
+        if surface in blank:
+            parted[surface].add((before, after))
+    yield from map(frozenset, parted.values())
+
+
+def _middles(values: Iterable[float]) -> list[float]:
+    return [0.5 * (low + high) for low, high in pairwise(values)]
+
+
+def _surrounded(plane: Arrangement) -> dict[int, list[int]]:
+    """Regions of a plane that do not touch the outside, each with those that it surrounds."""
+    beside: defaultdict[int, set[int]] = defaultdict(set)
+    for one, other in plane.neighbours():
+        beside[one].add(other)
+    inner = sorted(own for own, others in beside.items() if OUTSIDE not in (own, *others))
+    return {region: sorted(set(beside) - {region} - _reached(beside, region)) for region in inner}
+
+
+def _reached(beside: Mapping[int, set[int]], without: int) -> set[int]:
+    """Regions that the outside leads to past one of them."""
+    found, latest = {OUTSIDE}, [OUTSIDE]
+    while latest:
+        more = beside[latest.pop()] - found - {without}
+        found |= more
+        latest += more
+    return found

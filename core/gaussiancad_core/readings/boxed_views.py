@@ -1,0 +1,69 @@
+"""Views that a person boxed, with the strokes that are read in them."""
+
+from collections.abc import Callable
+
+from msgspec.structs import replace as changed
+
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.readings.reading_schema import (
+    DRAWN,
+    Box,
+    SheetReading,
+    StrokeEntry,
+    ViewEntry,
+)
+from gaussiancad_core.readings.reading_shapes import stored_ring
+from gaussiancad_core.readings.stroke_certainty import read_entry, view_certainty
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.sheet_stages import ReadView
+
+Reread = Callable[[tuple[tuple[Role, Box], ...]], tuple[ReadView, ...]]
+"""Reads the views in boxes that a person named, px of the sheet as stored."""
+
+_ROLES = {role.value: role for role in Role}
+
+
+def with_read_views(reading: SheetReading, reread: Reread, turn: Turn) -> SheetReading:
+    """The reading with strokes in the principal views that have none.
+
+    Args:
+        reading: of the sheet.
+        reread: reads views; asked only where some have no strokes.
+        turn: of the sheet.
+
+    Raises:
+        UsageError, NoModelError: a box holds nothing to read.
+    """
+    drawn = {own.view for own in reading.strokes if own.kind in DRAWN}
+    empty = [
+        (_ROLES[view.role.value], view)
+        for view in reading.views
+        if view.role.value in _ROLES and view.id not in drawn
+    ]
+    known = {own.view for own in reading.strokes}
+    empty = [(role, view) for role, view in empty if view.id not in known]
+    if not empty:
+        return reading
+    boxes = tuple((role, view.box) for role, view in empty)
+    found = {own.role: own for own in reread(boxes)}
+    strokes = [*reading.strokes]
+    views = {own.id: own for own in reading.views}
+    for role, view in empty:
+        own = found[role]
+        strokes += _entries(view, own, turn)
+        views[view.id] = changed(
+            view,
+            source=own.source.value,
+            dash=own.dash,
+            step=own.step,
+            hatch=tuple(stored_ring(ring, turn) for ring in own.hatched),
+            opened=stored_ring(own.opened, turn),
+        )
+    return changed(reading, strokes=tuple(strokes), views=tuple(views.values()))
+
+
+def _entries(view: ViewEntry, own: ReadView, turn: Turn) -> list[StrokeEntry]:
+    return [
+        read_entry(f"{view.id}:{number}", view.id, stroke, turn, told)
+        for number, (stroke, told) in enumerate(view_certainty(own), start=1)
+    ]

@@ -1,0 +1,72 @@
+"""Whether the lengths that a person told agree with each other."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import hypot
+
+from gaussiancad_core.readings.correction_operations import Operation, ScaleOperation
+from gaussiancad_core.readings.reading_schema import Point, ReadScale
+
+CLICK_PX = 3.0
+"""px within which a person hits a point of the sheet."""
+
+
+@dataclass(frozen=True)
+class ToldLength:
+    """A length between two points of the sheet.
+
+    Attributes:
+        points: px of the sheet.
+        length_mm: between them, in the part.
+    """
+
+    points: tuple[Point, Point]
+    length_mm: float
+
+    @property
+    def apart(self) -> float:
+        """px between the points."""
+        (x0, y0), (x1, y1) = self.points
+        return hypot(x1 - x0, y1 - y0)
+
+    def is_of(self, other: "ToldLength") -> bool:
+        """Whether both are told of the same two points, in any order."""
+        return any(
+            all(
+                hypot(a[0] - b[0], a[1] - b[1]) <= CLICK_PX
+                for a, b in zip(self.points, own, strict=True)
+            )
+            for own in (other.points, other.points[::-1])
+        )
+
+    def agrees(self, other: "ToldLength") -> bool:
+        """Whether one scale gives both, up to what the clicks may miss."""
+        mine, its = self.length_mm / self.apart, other.length_mm / other.apart
+        return abs(mine - its) <= 2.0 * CLICK_PX * (mine / self.apart + its / other.apart)
+
+
+def contradicting_lengths(
+    scale: ReadScale, operations: Iterable[Operation]
+) -> tuple[ToldLength, ToldLength] | None:
+    """The last length that was told, and an earlier one that no common scale gives.
+
+    A length that is told again of the same points takes the place of the one before; a scale that
+    is told otherwise takes the place of all.
+
+    Args:
+        scale: of the reading before the operations, which may have been told.
+        operations: a person's.
+    """
+    before = scale.points is not None and scale.length_mm is not None
+    told = [ToldLength(scale.points, scale.length_mm)] if before else []
+    for own in operations:
+        if not isinstance(own, ScaleOperation):
+            continue
+        if own.points is None or own.length_mm is None:
+            told = []
+            continue
+        new = ToldLength(own.points, own.length_mm)
+        if new.apart > CLICK_PX:
+            told = [*(one for one in told if not one.is_of(new)), new]
+    *earlier, last = told or [None]
+    return next(((one, last) for one in earlier if not one.agrees(last)), None)

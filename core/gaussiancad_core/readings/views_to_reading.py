@@ -1,0 +1,347 @@
+"""What was read on a sheet -> ``reading.json``."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from gaussiancad_core import __version__
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.messages import args_of, told
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.views import Stroke
+from gaussiancad_core.readings.reading_schema import (
+    LARGEST,
+    LINES,
+    SCHEMA,
+    DimensionEntry,
+    Measured,
+    NoteEntry,
+    Problem,
+    ReadProjection,
+    ReadScale,
+    ReadSheet,
+    ReadUnit,
+    SectionEntry,
+    SheetReading,
+    StrokeEntry,
+    StrokeKind,
+    ViewEntry,
+    ViewRole,
+)
+from gaussiancad_core.readings.reading_shapes import stored_box, stored_points, stored_ring
+from gaussiancad_core.readings.stroke_certainty import (
+    OF_FILE,
+    Certainty,
+    mark_certainty,
+    read_entry,
+    view_certainty,
+)
+from gaussiancad_core.recognition.one_view import shown_extents
+from gaussiancad_core.recognition.views_and_lines import SheetLines
+from gaussiancad_core.report.run_report import Report
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
+from gaussiancad_core.writing.dimension_texts import Span
+from gaussiancad_core.writing.note_texts import SheetNote
+from gaussiancad_core.writing.scale_agreement import ReadDimension
+from gaussiancad_core.writing.section_titles import NamedSection, Trace
+from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
+
+READING_FILE = "reading.json"
+
+_ROLES = {
+    SpecialKind.SECTION: ViewRole.SECTION,
+    SpecialKind.HALF_SECTION: ViewRole.SECTION,
+    SpecialKind.PARTIAL_SECTION: ViewRole.SECTION,
+    SpecialKind.DETAIL: ViewRole.DETAIL,
+    SpecialKind.AUXILIARY: ViewRole.AUXILIARY,
+    SpecialKind.PICTORIAL: ViewRole.PICTORIAL,
+}
+"""What drawings that are no plain views show; others are ignored."""
+
+_KINDS = {
+    AnnotationKind.FRAME: StrokeKind.FRAME,
+    AnnotationKind.TITLE_BLOCK: StrokeKind.FRAME,
+    AnnotationKind.TEXT: StrokeKind.TEXT,
+    AnnotationKind.DIMENSION: StrokeKind.DIMENSION,
+    AnnotationKind.EXTENSION: StrokeKind.EXTENSION,
+    AnnotationKind.LEADER: StrokeKind.LEADER,
+    AnnotationKind.CENTRE_LINE: StrokeKind.CENTRE,
+    AnnotationKind.CENTRE_MARK: StrokeKind.CENTRE,
+    AnnotationKind.SYMMETRY: StrokeKind.CENTRE,
+    AnnotationKind.SYMBOL: StrokeKind.SYMBOL,
+    AnnotationKind.PICTURE: StrokeKind.PICTURE,
+    AnnotationKind.HATCHING: StrokeKind.HATCH,
+    AnnotationKind.THREAD: StrokeKind.THREAD,
+    AnnotationKind.TANGENT_EDGE: StrokeKind.TANGENT,
+}
+
+_OFFERS = {
+    "open-outline": ("draw", "view"),
+    "scale-assumed": ("scale",),
+    "full-scale-assumed": ("scale",),
+    "unit-contradicts-note": ("scale",),
+    "size-contradicts-unit": ("scale",),
+    "dimensions-disagree": ("dimension", "scale"),
+    "unused-view": ("view",),
+    "lines-left-out": ("view",),
+    "other-pen-lines": ("kind",),
+    "labels-doubtful": ("kind",),
+    "views-disagree": ("view", "erase"),
+    "symbol-contradicts-lines": ("projection",),
+}
+"""Corrections that may help, by the code of what is in doubt."""
+
+_NO_VIEWS = ("view",)
+"""The same where a sheet was refused for another reason: its views are not where they are."""
+
+
+def sheet_reading(
+    report: Report,
+    lines: SheetLines,
+    turn: Turn,
+    size: tuple[int, int],
+    refused: Sequence[Problem] = (),
+) -> SheetReading:
+    """What was read.
+
+    Args:
+        report: so far, with the sheet's hash, the projection and what is in doubt.
+        lines: views and strokes, px of the upright sheet.
+        turn: of the upright sheet.
+        size: width and height of the sheet as stored, px.
+        refused: why no part follows, if that is so.
+    """
+    scale = lines.scale
+    doubts = [
+        Problem(**told(own.code, own.message), severity=severity, offers=_offers(own.code))
+        for remarks, severity in ((report.reasons, "doubt"), (report.warnings, "warning"))
+        for own in remarks
+    ]
+    return SheetReading(
+        schema=SCHEMA,
+        engine=__version__,
+        sheet=ReadSheet(
+            sha256=report.sheet_sha256,
+            page=int(report.settings.get("page", 1)),
+            size=size,
+            turn=round(float(turn.angle), 8),
+        ),
+        projection=ReadProjection(
+            value=lines.layout.projection.value,
+            source="symbol" if lines.layout.symbol else lines.layout.source,
+            alternatives=tuple(own.value for own in lines.layout.alternatives),
+        ),
+        unit=_unit(scale),
+        scale=_scale(lines, turn),
+        views=(
+            *(_view(own, turn) for own in lines.drawn),
+            *_specials(lines, turn),
+            *(_left_out(n, own, turn) for n, own in enumerate(lines.layout.left_out, start=1)),
+        ),
+        strokes=tuple(_strokes(lines, turn)),
+        dimensions=tuple(
+            _dimension(number, own, turn)
+            for number, own in enumerate(scale.dimensions if scale else (), start=1)
+            if own.value_mm <= LARGEST
+        ),
+        notes=tuple(_note(own, turn) for own in lines.notes),
+        sections=tuple(_section(own, turn) for own in lines.sections),
+        problems=(*refused, *doubts),
+    )
+
+
+def refusal(code: str, message: str) -> Problem:
+    """Why no part follows from a sheet."""
+    offers = _offers(code) or _NO_VIEWS
+    if code == "one-view" and "axis" in args_of(message):
+        # A length along an axis that no view shows is the thickness.
+        offers = ("scale", *offers)
+    return Problem(**told(code, message), severity="refused", offers=offers)
+
+
+def write_reading(reading: SheetReading, folder: Path) -> None:
+    """Write ``reading.json`` into a folder."""
+    (folder / READING_FILE).write_bytes(msgspec.json.encode(reading) + b"\n")
+
+
+def _offers(code: str) -> tuple[str, ...]:
+    return _OFFERS.get(code, ())
+
+
+def _unit(scale: SheetScale | None) -> ReadUnit:
+    if scale is None:
+        return ReadUnit()
+    told = "sheet" if scale.unit_noted else "dimension" if scale.dimensions else "default"
+    return ReadUnit(value=scale.unit.value, source=told)
+
+
+def _note(own: SheetNote, turn: Turn) -> NoteEntry:
+    said = own.callout
+    return NoteEntry(
+        text=own.text[:1000],
+        kind=said.kind,
+        box=stored_box(own.box, turn),
+        value_mm=own.value_mm if (own.value_mm or 0.0) <= LARGEST else None,
+        count=said.count,
+        depth_mm=own.depth_mm if (own.depth_mm or 0.0) <= LARGEST else None,
+        through=said.through,
+        reference=said.reference,
+    )
+
+
+def _section(own: NamedSection, turn: Turn) -> SectionEntry:
+    trace = own.trace
+    line = way = None
+    if trace is not None:
+        start, end, tip = stored_points([*trace.ends, np.add(trace.ends[0], trace.way)], turn)
+        line = start, end
+        away = np.subtract(tip, start)
+        way = tuple((away / np.hypot(*away)).round(6).tolist())
+    return SectionEntry(
+        label=own.title.label,
+        box=stored_box(own.box, turn),
+        in_view=ViewRole(own.cut_in.value) if own.cut_in else None,
+        line=line,
+        way=way,
+        straight=trace is None or trace.straight,
+        path=_corners(trace, turn),
+        looks=ViewRole(own.looks.value) if own.looks else None,
+    )
+
+
+def _corners(trace: Trace | None, turn: Turn) -> tuple[tuple[float, float], ...]:
+    """Corners of a cutting line in steps; nothing of a straight one, or where none were found."""
+    if trace is None or trace.straight or not trace.path:
+        return ()
+    return tuple(stored_points(trace.path, turn))
+
+
+def _scale(lines: SheetLines, turn: Turn) -> ReadScale:
+    options, scale = lines.options, lines.scale
+    given = options.mm_per_pixel is not None or bool(options.lengths)
+    told = scale is not None and options.mm_per_pixel == scale.mm_per_pixel
+    source = scale.source if told else ScaleSource.GIVEN if given else ScaleSource.DEFAULT
+    per_pixel, lengths = options.mm_per_pixel, options.lengths
+    if per_pixel is None and len(lengths) > 1:
+        # A reading has one length: that which no view shows, beside the scale that the other tells.
+        extents = shown_extents(lines.drawn)
+        told = options.scaling_length(extents)
+        if told is not None:
+            per_pixel = told[1] / extents[told[0]]
+            lengths = tuple(own for own in lengths if own[0] not in extents)
+    axis, length = lengths[0] if lengths else (None, None)
+    return ReadScale(
+        source=source.value,
+        mm_per_px=None if per_pixel is None else per_pixel / turn.scale,
+        axis=axis.name.lower() if isinstance(axis, Axis) else None,
+        length_mm=length,
+    )
+
+
+def _view(view: ReadView, turn: Turn) -> ViewEntry:
+    return ViewEntry(
+        id=view.role.value,
+        role=ViewRole(view.role.value),
+        box=tuple(round(float(value), 2) for value in view.stored_box(turn)),
+        source=view.source.value,
+        hidden_lines="drawn" if view.has_hidden_lines else "none",
+        dash=view.dash,
+        step=view.step,
+        hatch=tuple(stored_ring(own, turn) for own in view.hatched),
+        opened=stored_ring(view.opened, turn),
+    )
+
+
+def _specials(lines: SheetLines, turn: Turn) -> Iterator[ViewEntry]:
+    beside = iter(lines.beside)
+    for number, own in enumerate(lines.layout.special, start=1):
+        entry = _special(number, own, turn)
+        if own.beside:
+            view = _view(next(beside), turn)
+            more = {
+                name: getattr(view, name) for name in ("source", "dash", "step", "hatch", "opened")
+            }
+            entry = msgspec.structs.replace(entry, box=view.box, looks=view.role, **more)
+        yield entry
+
+
+def _special(number: int, view: SpecialView, turn: Turn) -> ViewEntry:
+    kind = view.kind.value
+    return ViewEntry(
+        id=f"{kind}-{number}",
+        role=_ROLES.get(view.kind, ViewRole.IGNORE),
+        box=stored_box(view.box, turn),
+        kind=kind,
+        used=view.used,
+        cut=stored_box(view.cut, turn) if view.cut else None,
+    )
+
+
+def _left_out(number: int, box: tuple[float, float, float, float], turn: Turn) -> ViewEntry:
+    return ViewEntry(
+        id=f"{LINES}-{number}",
+        role=ViewRole.IGNORE,
+        box=stored_box(box, turn),
+        kind=LINES,
+        used=False,
+    )
+
+
+def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
+    owned: list[tuple[str | None, Certainty, Stroke]] = [
+        (view.role.value, sure, stroke)
+        for view in lines.drawn
+        for stroke, sure in view_certainty(view)
+    ]
+    names = [own.id for own in _specials(lines, turn) if own.looks is not None]
+    owned += [
+        (name, sure, stroke)
+        for name, view in zip(names, lines.beside, strict=True)
+        for stroke, sure in view_certainty(view)
+    ]
+    owned += [(None, OF_FILE, stroke) for stroke in lines.loose]
+    for number, (view, sure, stroke) in enumerate(owned, start=1):
+        yield read_entry(f"s{number}", view, stroke, turn, sure)
+    for number, mark in enumerate(lines.marks, start=1 + len(owned)):
+        yield _marked(f"s{number}", mark, turn, mark_certainty(mark, lines.labels))
+
+
+def _marked(name: str, mark: Mark, turn: Turn, told: Certainty) -> StrokeEntry:
+    kind = _KINDS.get(mark.kind, StrokeKind.IGNORE)
+    line = None if mark.line is None else tuple(stored_points(mark.line, turn))
+    box = stored_box(mark.box, turn)
+    return StrokeEntry(id=name, view=None, kind=kind, line=line, box=box, **told)
+
+
+def _dimension(number: int, own: ReadDimension, turn: Turn) -> DimensionEntry:
+    measure = own.measure
+    return DimensionEntry(
+        id=f"d{number}",
+        text=own.text[:1000],
+        value_mm=own.value_mm,
+        box=tuple(round(float(value), 2) for value in own.box),
+        type=own.sign.value or "linear",
+        mm_per_px=own.mm_per_pixel if (own.mm_per_pixel or 0.0) <= LARGEST else None,
+        used=own.used,
+        measures=_measured(own, turn),
+        told_mm=measure.value_mm if measure else None,
+        digit_mm=measure.digit_mm if measure else None,
+    )
+
+
+def _measured(own: ReadDimension, turn: Turn) -> Measured | None:
+    place = own.place
+    if place is None:
+        return None
+    if isinstance(place, Span):
+        x0, y0, x1, y1 = turn.box_to_upright(own.box)
+        across = (y0 + y1) / 2.0 if place.level else (x0 + x1) / 2.0
+        ends = np.array([(at, across) for at in (place.low, place.high)])
+        return Measured(span=tuple(stored_points(ends if place.level else ends[:, ::-1], turn)))
+    (centre,) = stored_points([place.centre], turn)
+    return Measured(circle=(*centre, round(place.radius * turn.scale, 4)))

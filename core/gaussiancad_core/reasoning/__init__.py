@@ -1,1 +1,0 @@
-"""From the lines of the views to which space is material: supports, cells, labels."""

@@ -1,0 +1,1 @@
+"""A file to its views with strokes, and what is told of them."""

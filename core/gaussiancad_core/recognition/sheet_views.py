@@ -1,0 +1,154 @@
+"""The views of a sheet, whatever it is: by the strokes of its file, else by its picture."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.files.vectors import VectorDrawing
+from gaussiancad_core.messages import Message
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.recognition.picture_views import picture_views
+from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
+from gaussiancad_core.sheet.graph.graph_views import GraphViews, graph_views
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.reading_options import Box, Finder
+from gaussiancad_core.sheet.special_views.drawing_names import inside
+from gaussiancad_core.sheet.special_views.projection_note import noted_projection
+from gaussiancad_core.sheet.special_views.projection_symbol import find_symbol
+from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_core.writing.sheet_scale import WrittenSheet
+
+
+@dataclass(frozen=True, eq=False)
+class SheetViews:
+    """What was found on a sheet before its lines are read.
+
+    Attributes:
+        separated: the part's ink, and the annotations.
+        layout: where the views are.
+        vectors: exact lines of the part, where the file has them.
+        written: the texts, where they are read already.
+        labels_problem: why a picture was read without the labels network; None where it was not.
+        other_pens: boxes in px of strokes in other pens than the part's that may be its own.
+        frame_guessed: whether the layout's frame may as well be the part's outline.
+    """
+
+    separated: SeparatedSheet
+    layout: Layout
+    vectors: VectorSheet | None = None
+    written: WrittenSheet | None = None
+    labels_problem: Message | None = None
+    other_pens: tuple[Box, ...] = ()
+    frame_guessed: bool = False
+
+
+def sheet_views(
+    sheet: OpenedSheet,
+    given: Mapping[Role, Box] | None = None,
+    projection: Projection | None = None,
+    finder: Finder = Finder.RIDGES,
+) -> SheetViews:
+    """Find the views of a sheet.
+
+    The pens of a file tell its part where one of them drew views that belong together; all else is
+    read from the picture.
+
+    Args:
+        sheet: as stored and upright.
+        given: boxes that the user named, in px of the upright sheet.
+        projection: as told by the user, or nothing: then the sheet is asked.
+        finder: only ridges take the lines of a file.
+
+    Raises:
+        NoModelError: there are fewer than two views that belong together, and not one alone.
+        UsageError: a given box holds no ink.
+    """
+    boxes = dict(given or {})
+    drawing = sheet.image.vectors if finder is Finder.RIDGES else None
+    symbol = None if projection is not None else find_symbol(sheet) or noted_projection(sheet)
+    told = projection, symbol
+    try:
+        return _found(sheet, boxes, told, drawing)
+    except NoModelError:
+        # A box alone fixes one view; what is found without it stands where it is that view there.
+        if len(boxes) != 1:
+            raise
+        found = _holding(sheet, boxes, told, drawing)
+        if found is None:
+            raise
+        return found
+
+
+def _holding(
+    sheet: OpenedSheet,
+    given: dict[Role, Box],
+    told: tuple[Projection | None, ProjectionSymbol | None],
+    drawing: VectorDrawing | None,
+) -> SheetViews | None:
+    """What is found without the only given box, if that is one of its views and has its name there,
+    or is the only one."""
+    try:
+        found = _found(sheet, {}, told, drawing)
+    except NoModelError:
+        return None
+    ((role, given_box),) = given.items()
+    layout = found.layout
+    held = [own for own, box in layout.boxes.items() if _is_middle_in(box, given_box)]
+    if held == [role]:
+        return found
+    if not held or len(layout.boxes) != 1:
+        return None
+    return replace(found, layout=replace(layout, boxes={role: layout.boxes[held[0]]}))
+
+
+def _is_middle_in(box: Box, around: Box) -> bool:
+    x, y = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
+    return around[0] <= x <= around[2] and around[1] <= y <= around[3]
+
+
+def _found(
+    sheet: OpenedSheet,
+    boxes: dict[Role, Box],
+    told: tuple[Projection | None, ProjectionSymbol | None],
+    drawing: VectorDrawing | None,
+) -> SheetViews:
+    """The views by the pens of a file, where they tell them; else by the picture."""
+    projection, symbol = told
+    by_pens = None
+    if drawing is not None:
+        by_pens = graph_views(drawing, sheet, boxes, projection, symbol)
+        if by_pens is not None and len(by_pens.layout.boxes) > 1:
+            return _of_pens(by_pens)
+        if by_pens is not None and by_pens.is_all and not drawing.has_paper:
+            # A picture of it shows no more.
+            return _of_pens(by_pens)
+    if drawing is not None and not drawing.complete and projection is None and symbol is None:
+        symbol = find_symbol(sheet, pictured=True)
+    try:
+        seen = picture_views(sheet, boxes, projection, symbol)
+    except NoModelError:
+        if by_pens is None:
+            raise
+        return _of_pens(by_pens)
+    if by_pens is not None and _is_one(by_pens.layout, seen.layout):
+        return _of_pens(by_pens)
+    vectors = VectorSheet(drawing, sheet.clean) if drawing is not None else None
+    return SheetViews(seen.separated, seen.layout, vectors, seen.written, seen.problem)
+
+
+def _is_one(alone: Layout, seen: Layout) -> bool:
+    """Whether what a picture shows is the one view that the pens tell, or pieces within it."""
+    (whole,) = alone.boxes.values()
+    return len(seen.boxes) == 1 or all(inside(box, whole) for box in seen.boxes.values())
+
+
+def _of_pens(found: GraphViews) -> SheetViews:
+    return SheetViews(
+        found.separated,
+        found.layout,
+        found.vectors,
+        other_pens=found.doubtful,
+        frame_guessed=found.frame_guessed,
+    )

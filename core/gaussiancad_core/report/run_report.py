@@ -1,0 +1,516 @@
+"""``report.json`` (schema 2): what a run made, how sure it is, and what it cost."""
+
+import json
+import platform
+import sys
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import psutil
+
+from gaussiancad_core import __version__
+from gaussiancad_core.lines.line_agreement import Agreement
+from gaussiancad_core.messages import told
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.modes import Status
+from gaussiancad_core.report.explanation import are_measures_told, explained, is_size_known, verdict
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
+from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
+from gaussiancad_core.writing.scale_agreement import ReadDimension
+
+SCHEMA = 2
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A reason or a warning: a kebab-case code and a sentence for a person.
+
+    Values travel with a sentence that is a :class:`.Message`.
+    """
+
+    code: str
+    message: str
+
+
+Box = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class Unused:
+    """Something on the sheet that was not used.
+
+    Attributes:
+        kind: what it is: one of :class:`SpecialKind`, ``lines`` or ``frame``.
+        box: around it, px of the sheet.
+        why: and what that means.
+    """
+
+    kind: str
+    box: Box
+    why: str
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """Something that was taken to be so, as nothing on the sheet says otherwise.
+
+    Attributes:
+        code: kebab-case.
+        message: what was assumed; values travel with it as with a :class:`Remark`.
+        at: where on the sheet, a box in px; None where that is the whole sheet.
+        alternative: what else might be.
+        places: boxes of all that it speaks of, where these are several things alike.
+    """
+
+    code: str
+    message: str
+    at: Box | None
+    alternative: str
+    places: tuple[Box, ...] = ()
+
+
+@dataclass(frozen=True)
+class PlaneReport:
+    """Where a section cuts the part.
+
+    Attributes:
+        axis: of the part, that the plane is square to.
+        at_mm: along it.
+        source: how that is known.
+    """
+
+    axis: str
+    at_mm: float
+    source: str = "trace"
+
+
+@dataclass(frozen=True)
+class SectionReport:
+    """A section.
+
+    Attributes:
+        label: its letters; empty where it has no title.
+        role: the direction in which it looks; empty where that was not found.
+        box: around it, px of the sheet.
+        plane: where it cuts; None where that is not known, or the cut is no plane.
+        line_recall, line_precision: shares of the sheet's lines and of the solid's, cut alike, that
+            the other has; None where there is no solid or the section was not used.
+        area_agreement: hatched and cut area, what is common by what is in either.
+    """
+
+    label: str
+    role: str
+    box: Box
+    plane: PlaneReport | None = None
+    line_recall: float | None = None
+    line_precision: float | None = None
+    area_agreement: float | None = None
+
+
+@dataclass(frozen=True)
+class NoteReport:
+    """A note at a feature.
+
+    Attributes:
+        text: as it was read.
+        kind: what it speaks of.
+        value_mm: the length that it gives; degrees of an angle.
+        at: around it, px of the sheet.
+        count: of how many features it speaks.
+        depth_mm: how deep they are.
+        through: whether it says that they go through.
+        used: whether the solid rests on it.
+    """
+
+    text: str
+    kind: str
+    value_mm: float | None
+    at: Box
+    count: int = 1
+    depth_mm: float | None = None
+    through: bool = False
+    used: bool = False
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """A stretch of line that the sheet and the solid do not share.
+
+    Attributes:
+        view: its role.
+        at: px of the sheet, a point of it.
+        length_mm: of the stretch.
+        missing: whether the solid lacks it; otherwise the sheet does.
+        kind: ``visible`` or ``hidden``, of the line.
+        line: px of the sheet, its ends where it is straight.
+    """
+
+    view: str
+    at: tuple[float, float]
+    length_mm: float
+    missing: bool
+    kind: str
+    line: tuple[tuple[float, float], tuple[float, float]] | None
+
+
+@dataclass(frozen=True)
+class MeasuresReport:
+    """How well the places of the solid's faces are known.
+
+    Attributes:
+        uncertainty_mm: a bound that 95 % of all faces' places keep.
+        source: ``numbers``, ``drawing`` or ``mixed``.
+        by_axis_mm: the same along x, y and z.
+    """
+
+    uncertainty_mm: float
+    source: str
+    by_axis_mm: dict[str, float]
+
+
+@dataclass(frozen=True)
+class ViewReport:
+    """One view.
+
+    Attributes:
+        box: around its lines, px of the sheet.
+        agreement: of the result's lines, once it was drawn again.
+        hidden_lines: ``drawn`` if it has some, ``none`` otherwise.
+    """
+
+    box: Box
+    agreement: Agreement | None = None
+    hidden_lines: str | None = None
+
+    def as_json(self) -> dict[str, Any]:
+        """JSON values."""
+        entry: dict[str, Any] = {"box": [round(value, 2) for value in self.box]}
+        if self.hidden_lines:
+            entry["hidden_lines"] = self.hidden_lines
+        if self.agreement:
+            entry.update({k: round(v, 4) for k, v in asdict(self.agreement).items()})
+        return entry
+
+
+@dataclass(frozen=True)
+class SolidReport:
+    """The solid.
+
+    Attributes:
+        alternatives: number of others that fit the sheet as well.
+        source: ``lines`` if it was found from all lines, ``sketch`` if it is the part of slabs that
+            explains them best.
+        agreement: share of all lines, the sheet's and the solid's, that agree.
+    """
+
+    valid: bool
+    closed: bool
+    faces: int
+    volume_mm3: float
+    bounding_box_mm: tuple[float, float, float]
+    alternatives: int
+    source: str = "lines"
+    agreement: float = 1.0
+
+
+@dataclass(frozen=True)
+class AlternativeReport:
+    """Another solid that fits the sheet.
+
+    Attributes:
+        file: in the output folder.
+        projection: under which the sheet was read.
+        faces, volume_mm3: of the solid.
+        agreement: share of all lines, the sheet's and the solid's, that agree.
+    """
+
+    file: str
+    projection: str
+    faces: int
+    volume_mm3: float
+    agreement: float
+
+
+@dataclass(frozen=True)
+class ConflictReport:
+    """A line that contradicts others.
+
+    Attributes:
+        view: its role.
+        drawn: ``visible``, ``hidden``, or None where nothing is drawn.
+        suspect: whether all others agree without it.
+        fitting: how a suspect would have to be drawn, None for not at all.
+        box: around it, px of the sheet.
+    """
+
+    view: str
+    drawn: str | None
+    suspect: bool
+    fitting: str | None
+    box: tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class HullReport:
+    """The hull on which the Gaussians start.
+
+    Attributes:
+        carved_from: status of the exact solid whose depths carved it; None if it is the masks' own.
+        regions: of all views, that were carved.
+        doubted: regions that were not, as the sheet lacks the lines that bound them.
+        refused: why a carved hull was not taken: ``outline-lost``, ``lines-worse`` or
+            ``not-watertight``; empty otherwise.
+    """
+
+    carved_from: str | None = None
+    regions: int = 0
+    doubted: int = 0
+    refused: str = ""
+
+
+@dataclass(frozen=True)
+class SurfaceReport:
+    """The surface.
+
+    Attributes:
+        nearer: what has the outlines of the views better: ``gaussians``, whose Poisson mesh this
+            is, or the ``hull`` on which they started, which is written beside it then.
+        outline_difference: of the shadows of either from the masks, as a share of these.
+    """
+
+    vertices: int
+    triangles: int
+    watertight: bool
+    volume_mm3: float
+    nearer: str = "gaussians"
+    outline_difference: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class GaussiansReport:
+    """The trained Gaussians.
+
+    Attributes:
+        loss: the last one.
+        settled: whether the training ended because the loss fell no more.
+        image_px: width and height of the images that were trained on.
+        resumed: iterations that were made by an earlier run.
+        residuals: by role, how much of the mask differs, and where, boxes in px of the sheet.
+    """
+
+    count: int
+    iterations: int
+    loss: float
+    settled: bool = False
+    image_px: tuple[int, int] = (0, 0)
+    resumed: int = 0
+    residuals: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Report:
+    """Everything that is known about a run, filled in stage by stage with ``replace``.
+
+    Attributes:
+        sheet_sha256: of the sheet's file.
+        settings: of the job, JSON values.
+        stage: the last stage that was begun.
+        projection, projection_source, projection_alternatives: reading of the arrangement.
+        views: by role.
+        scale_mm_per_pixel, scale_source: of sheet pixels.
+        dimensions: that were read from the sheet; boxes in px of it.
+        annotations: boxes in sheet px of what is not the part, by kind.
+        strokes_source: ``vector`` if all views have the strokes of the file, else ``raster``.
+        residuals_px: axis -> (median, largest) distance of what the views show from the coordinates
+            that they share, for axes that two views show.
+        special_views: drawings that are no plain principal views; boxes in sheet px.
+        sections: those that the sheet names.
+        notes: what texts say of features.
+        unused: what else is on the sheet and was not used.
+        assumptions: what the result rests on that no line says.
+        measures: how well the places of the solid's faces are known.
+        disagreements: where the solid's lines and the sheet's differ, the longest first.
+        trace: what was tried for the solid, in order, JSON values.
+        tolerance_px: within which lines were matched.
+        alternatives: other solids, best first.
+        conflict: lines that contradict each other, the suspects first.
+        device: where the Gaussians were trained, ``cpu`` or ``cuda``.
+        files: all others that the run wrote, with size and SHA-256, by their path in the folder.
+    """
+
+    sheet_sha256: str
+    settings: dict[str, Any]
+    status: Status = Status.FAILED
+    stage: str = ""
+    reasons: tuple[Remark, ...] = ()
+    warnings: tuple[Remark, ...] = ()
+    projection: Projection = Projection.THIRD
+    projection_source: str = "default"
+    projection_alternatives: tuple[Projection, ...] = ()
+    views: dict[Role, ViewReport] = field(default_factory=dict)
+    annotations: dict[str, list[tuple[float, float, float, float]]] = field(default_factory=dict)
+    strokes_source: str = "raster"
+    residuals_px: dict[str, tuple[float, float]] = field(default_factory=dict)
+    special_views: tuple[SpecialView, ...] = ()
+    sections: tuple[SectionReport, ...] = ()
+    notes: tuple[NoteReport, ...] = ()
+    unused: tuple[Unused, ...] = ()
+    assumptions: tuple[Assumption, ...] = ()
+    measures: MeasuresReport | None = None
+    disagreements: tuple[Disagreement, ...] = ()
+    trace: tuple[dict[str, Any], ...] = ()
+    tolerance_px: float = 0.0
+    scale_mm_per_pixel: float | None = None
+    scale_source: str = "default"
+    dimensions: tuple[ReadDimension, ...] = ()
+    bounding_box_mm: tuple[float, float, float] | None = None
+    solid: SolidReport | None = None
+    alternatives: tuple[AlternativeReport, ...] = ()
+    conflict: tuple[ConflictReport, ...] = ()
+    hull: HullReport | None = None
+    surface: SurfaceReport | None = None
+    gaussians: GaussiansReport | None = None
+    device: str = "cpu"
+    seconds: dict[str, float] = field(default_factory=dict)
+    files: dict[str, dict[str, Any]] = field(default_factory=dict)
+
+    def warned(self, code: str, message: str) -> "Report":
+        """The report with one more warning."""
+        return replace(self, warnings=(*self.warnings, Remark(code, message)))
+
+    def doubted(self, code: str, message: str) -> "Report":
+        """The report with one more reason why the result is not verified; each counts once."""
+        remark = Remark(code, message)
+        if remark in self.reasons:
+            return self
+        return replace(self, reasons=(*self.reasons, remark))
+
+    @property
+    def size_known(self) -> bool:
+        """Whether anything tells how large the part is."""
+        return is_size_known(self._values())
+
+    @property
+    def measures_told(self) -> bool:
+        """Whether a bound of the measures can be stated."""
+        return self.size_known and are_measures_told(self._values())
+
+    @property
+    def verdict(self) -> str:
+        """What is known of the part, in one line."""
+        return verdict(self._values())
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as JSON values, as the schema has them."""
+        values = self._values()
+        return {**values, "verdict": verdict(values), "explanation": explained(values)}
+
+    def _values(self) -> dict[str, Any]:
+        return {
+            "schema": SCHEMA,
+            "status": self.status.value,
+            "reasons": [told(own.code, own.message) for own in self.reasons],
+            "warnings": [told(own.code, own.message) for own in self.warnings],
+            "stage": self.stage,
+            "projection": self.projection.value,
+            "projection_source": self.projection_source,
+            "projection_alternatives": [p.value for p in self.projection_alternatives],
+            "views": {role.value: view.as_json() for role, view in self.views.items()},
+            "annotations": {
+                kind: [[round(value, 1) for value in box] for box in boxes]
+                for kind, boxes in self.annotations.items()
+            },
+            "strokes_source": self.strokes_source,
+            "residuals_px": {
+                axis: {"median": round(median, 4), "max": round(largest, 4)}
+                for axis, (median, largest) in self.residuals_px.items()
+            },
+            "special_views": [
+                {
+                    "kind": view.kind.value,
+                    "box": [round(value, 1) for value in view.box],
+                    "used": view.used,
+                }
+                for view in self.special_views
+            ],
+            "sections": [_with_box(asdict(own), "box") for own in self.sections],
+            "notes": [_with_box(asdict(own), "at") for own in self.notes],
+            "unused": [_with_box(asdict(own), "box") for own in self.unused],
+            "assumptions": [
+                {**_with_box(asdict(own), "at"), **told(own.code, own.message)}
+                for own in self.assumptions
+            ],
+            "tolerance_px": self.tolerance_px,
+            "scale_mm_per_pixel": self.scale_mm_per_pixel,
+            "scale_source": self.scale_source,
+            "dimensions": [
+                {
+                    "text": own.text,
+                    "type": own.sign.value or "linear",
+                    "value_mm": own.value_mm,
+                    "box": [round(value, 1) for value in own.box],
+                    "mm_per_pixel": own.mm_per_pixel,
+                    "used": own.used,
+                }
+                for own in self.dimensions
+            ],
+            "bounding_box_mm": self.bounding_box_mm,
+            "measures": asdict(self.measures) if self.measures else None,
+            "solid": asdict(self.solid) if self.solid else None,
+            "alternatives": [asdict(other) for other in self.alternatives],
+            "conflict": [
+                {**asdict(line), "box": [round(value, 1) for value in line.box]}
+                for line in self.conflict
+            ],
+            "disagreements": [
+                {**asdict(own), "length_mm": round(own.length_mm, 2)} for own in self.disagreements
+            ],
+            "hull": asdict(self.hull) if self.hull else None,
+            "surface": asdict(self.surface) if self.surface else None,
+            "gaussians": asdict(self.gaussians) if self.gaussians else None,
+            "trace": list(self.trace),
+            "seconds": self.seconds,
+            "peak_memory_mb": peak_memory_mb(),
+            "files": self.files,
+            "settings": self.settings,
+            "engine": engine_facts(self.settings, self.sheet_sha256, self.device),
+        }
+
+    def write(self, path: Path) -> None:
+        """Write the report as UTF-8 JSON."""
+        text = json.dumps(self.as_json(), indent=2, ensure_ascii=False)
+        path.write_text(text + "\n", encoding="utf-8")
+
+
+def _with_box(entry: dict[str, Any], name: str) -> dict[str, Any]:
+    """An entry with a box in rounded px, if there is one."""
+    box = entry[name]
+    return {**entry, name: None if box is None else [round(value, 1) for value in box]}
+
+
+def engine_facts(
+    settings: dict[str, Any], sheet_sha256: str, device: str = "cpu"
+) -> dict[str, Any]:
+    """Versions, device, seed and the sheet's hash: what a repetition needs."""
+    return {
+        "version": __version__,
+        "python": platform.python_version(),
+        "platform": sys.platform,
+        "packages": installed_versions(ENGINE_PACKAGES),
+        "device": device,
+        "seed": settings.get("seed"),
+        "sheet_sha256": sheet_sha256,
+    }
+
+
+def peak_memory_mb() -> float:
+    """Largest resident memory of this process so far."""
+    memory = psutil.Process().memory_info()
+    if hasattr(memory, "peak_wset"):
+        return round(memory.peak_wset / 1e6, 1)
+    import resource
+
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    # Linux counts in KiB, macOS in bytes.
+    return round(peak * (1.0 if sys.platform == "darwin" else 1024.0) / 1e6, 1)

@@ -1,0 +1,358 @@
+"""The exact solid of a sheet, under the reading of its projection that has one.
+
+First and third angle are two readings of the same views.  Where neither the user nor a symbol says
+which, the solid decides: the reading is right whose lines a solid has.  If both have one, and the
+two differ, nobody can tell from the sheet which is meant.
+
+Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
+Only where that leaves much unexplained, or a solid could be certain, are lines given up, of the
+likelier reading, and for a short while: a solid that is found so takes the sketch's place where it
+shows the sheet's lines better.  On a sheet without hidden lines nothing can be certain: a sketch
+that has all lines is taken at once.  A sheet of one view is sketched alone.
+"""
+
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+
+from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.labelling.cell_labelling import Effort
+from gaussiancad_core.messages import Message
+from gaussiancad_core.modes import SolidWay, Status
+from gaussiancad_core.sketch.projection_by_sketch import Weighed, weigh
+from gaussiancad_core.sketch.sketch_check import checked
+from gaussiancad_core.sketch.sketching import Sketch
+from gaussiancad_core.solid.exact import ExactResult, exact_solid_and_model
+from gaussiancad_core.solid.limits import Limits, Modelled
+from gaussiancad_core.solid.reasons import UNBUILT, has_hidden_lines
+from gaussiancad_core.solid.same import same_solid
+from gaussiancad_core.solid.verify import Verification
+
+_UNSETTLED = (
+    "search-unfinished",
+    Message(
+        "whether the views fit a solid in the other projection as well is not certain: "
+        "tell --projection",
+        case="projection",
+    ),
+)
+
+OPEN_ENDED = ("search-unfinished",)
+"""Codes of searches that a limit ended: there may be a solid."""
+
+_KEPT = 0.9
+"""Share of all lines, both ways, on which a solid must agree to be kept at all."""
+
+_MORE_USUAL = 0.8
+"""Share of what is unusual about one solid that there is about a clearly more usual one."""
+
+_AMBIGUOUS = (
+    "ambiguous",
+    Message(
+        "the views fit different solids in first and in third angle: tell --projection",
+        case="projection",
+    ),
+)
+
+
+_RELAXED = 0.25
+"""Share of the work for a solid that does not have all lines."""
+
+_BESIDE_FIRM = 0.1
+"""The same where a sketch stays unless that has all lines."""
+
+_FIRM = 0.05
+"""Share of the lines' length that a sketch costs at most to stay: lines were misread then."""
+
+_BRIEF = 0.25
+"""Share of the usual effort for what carves the hull alone: a few seconds on usual parts."""
+
+_BRIEF_ALTERNATIVES = 2
+_BRIEF_WORK = 10.0
+"""Solids that are looked at beside the first then, and units of work after which none is begun."""
+
+_MOST_BRIEF = 300
+"""Lines of all views up to which such a search is cheap enough."""
+
+
+@dataclass(frozen=True, eq=False)
+class ExactModel:
+    """The solid of a sheet.
+
+    Attributes:
+        reading: under which it was found.
+        result: the solid; its shape is None if there is none worth keeping.
+        decided: whether the solids, or the sketches, tell which reading is right.
+        sketched: the part's sketch, where the solid is that.
+        contradicted: whether the other reading fits clearly better than the symbol's.
+    """
+
+    reading: Reading
+    result: ExactResult
+    decided: bool
+    sketched: Sketch | None = None
+    contradicted: bool = False
+
+
+def find_exact(
+    own: Reading,
+    other: Reading | None,
+    limits: Limits | None = None,
+    *,
+    by_symbol: bool = False,
+    way: SolidWay = SolidWay.ALL,
+) -> ExactModel:
+    """The exact solid of a sheet.
+
+    Args:
+        own: the reading that was told, inferred or assumed.
+        other: the other one, if it is possible.
+        limits: of the search.
+        by_symbol: whether the sheet's projection symbol tells the first: the other is tried only
+            where lines contradict it, and taken only where they plainly do.
+        way: the sketch alone, or all ways.
+    """
+    limits = limits or Limits()
+    readings = _Readings(own, other, by_symbol)
+    if own.is_alone or way is SolidWay.SKETCH:
+        # Cells take two views.
+        failed = ExactResult(Status.FAILED, None, None, (), (UNBUILT,), {})
+        return readings.sketched or ExactModel(own, failed, False)
+    if not has_hidden_lines(own.drawn):
+        # Nothing can be certain of such a sheet.
+        sketched = _told_by_sketches(readings)
+        if sketched is not None:
+            return sketched
+    strict = replace(limits, relaxed=False)
+    result, model = _solved(own, strict)
+    if result.explains and (other is None or by_symbol):
+        return ExactModel(own, result, by_symbol)
+    contrary, model_of_other = _solved(other, strict) if other is not None else (None, None)
+    if contrary is None or not (result.explains or contrary.explains):
+        return _not_strictly(readings, limits, (model, model_of_other))
+    if result.explains and contrary.explains:
+        return _told_apart((own, result), (other, contrary))
+    # The reading that has no solid must have none for certain, for the other one to be.
+    loser = contrary if result.explains else result
+    reading, winner = (own, result) if result.explains else (other, contrary)
+    return ExactModel(reading, winner if loser.is_settled else winner.doubted(_UNSETTLED), True)
+
+
+@dataclass(frozen=True, eq=False)
+class _Readings:
+    """The readings of a sheet.
+
+    Attributes:
+        own: that was told, inferred or assumed.
+        other: the other one, if it is possible.
+        by_symbol: whether a projection symbol tells the first.
+    """
+
+    own: Reading
+    other: Reading | None
+    by_symbol: bool
+
+    @cached_property
+    def weighed(self) -> Weighed:
+        """How well they are sketched."""
+        return weigh((self.own,) if self.other is None else (self.own, self.other))
+
+    @property
+    def likelier(self) -> int:
+        """Number of the one that is taken, where no solid has all lines."""
+        weighed = self.weighed
+        return 0 if self.by_symbol and not weighed.is_plain else weighed.likelier
+
+    @property
+    def is_contradicted(self) -> bool:
+        """Whether the other one fits clearly better than the symbol's."""
+        return self.by_symbol and self.weighed.is_clear and self.weighed.likelier == 1
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether sketches tell the one that is taken."""
+        return self.weighed.is_clear and self.likelier == self.weighed.likelier
+
+    @property
+    def taken(self) -> Reading:
+        """The one that is taken, where no solid has all lines."""
+        return self.own if self.likelier == 0 or self.other is None else self.other
+
+    @cached_property
+    def sketched(self) -> ExactModel | None:
+        """The sketch of that, drawn again; None where there is none."""
+        return self.sketch_of(self.likelier)
+
+    def sketch_of(self, number: int) -> ExactModel | None:
+        """The sketch of a reading, drawn again; None where there is none."""
+        sketch = self.weighed.sketches[number]
+        reading = self.own if number == 0 or self.other is None else self.other
+        result = checked(sketch, reading.drawn) if sketch is not None else None
+        if result is None:
+            return None
+        return ExactModel(reading, result, self.is_decided, sketch, self.is_contradicted)
+
+
+def _told_by_sketches(readings: _Readings) -> ExactModel | None:
+    """A sketch that has all lines, and, where nothing tells the reading, that of the other one
+    beside it; None where no sketch has."""
+    sketched = readings.sketched
+    if readings.other is None or readings.by_symbol or readings.is_decided:
+        if sketched is None or not sketched.result.explains:
+            return None
+        return replace(sketched, decided=sketched.decided or readings.by_symbol)
+    contrary = readings.sketch_of(1 - readings.likelier)
+    found = [own for own in (sketched, contrary) if own is not None and own.result.explains]
+    if len(found) < 2:
+        # The other one has lines that nothing explains, if it was sketched at all.
+        is_told = sketched is not None and contrary is not None
+        return replace(found[0], decided=is_told) if found else None
+    first, second = ((own.reading, own.result) for own in found)
+    return replace(_beside(first, second), sketched=found[0].sketched)
+
+
+def _told_apart(
+    first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]
+) -> ExactModel:
+    """Where both readings have a solid: the likelier one, and the other beside it."""
+    return _beside(second, first) if _is_likelier(second, first) else _beside(first, second)
+
+
+def _beside(first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]) -> ExactModel:
+    """A solid, and that of the other reading beside it, if it is another one."""
+    (own, result), (_, contrary) = first, second
+    indistinct = own.drawn.indistinct
+    further = [
+        (shape, share)
+        for shape, share in zip(
+            (contrary.shape, *contrary.alternatives),
+            (contrary.verification.share, *contrary.agreements),
+            strict=True,
+        )
+        if not same_solid(shape, result.shape, indistinct)
+    ]
+    if not further:
+        return ExactModel(own, result, False)
+    result = replace(
+        result,
+        alternatives=(*result.alternatives, *(shape for shape, _ in further)),
+        agreements=(*result.agreements, *(share for _, share in further)),
+        contrary=len(further),
+    )
+    return ExactModel(own, result.doubted(_AMBIGUOUS), False)
+
+
+def _is_likelier(other: tuple[Reading, ExactResult], own: tuple[Reading, ExactResult]) -> bool:
+    """Whether the other reading of two that fit alike is to be taken: whose solid is clearly more
+    usual, where hidden lines are left out; else whose sketch explains more."""
+    result, contrary = own[1], other[1]
+    if result.unusual is not None and contrary.unusual is not None:
+        if contrary.unusual < _MORE_USUAL * result.unusual:
+            return True
+        if result.unusual < _MORE_USUAL * contrary.unusual:
+            return False
+    return weigh((own[0], other[0])).likelier == 1
+
+
+def _not_strictly(
+    readings: _Readings, limits: Limits, models: tuple[Modelled | None, Modelled | None]
+) -> ExactModel:
+    """Where no reading has a solid that has all lines: the sketch, or what has more of them.
+
+    Args:
+        readings: of the sheet.
+        limits: of the search.
+        models: of both readings, as the search for such solids made them.
+    """
+    sketched, reading = readings.sketched, readings.taken
+    is_firm = sketched is not None and _costs(sketched.sketched, reading) <= _FIRM
+    share = _BESIDE_FIRM if is_firm else _RELAXED
+    less = replace(limits, work=share * limits.work)
+    relaxed, _ = _solved(reading, less, models[readings.likelier])
+    told = readings.is_decided, None, readings.is_contradicted
+    if sketched is None or relaxed.status is Status.VERIFIED:
+        return ExactModel(reading, relaxed, *told)
+    result = sketched.result
+    if relaxed.shape is not None and _is_better(relaxed, result, is_firm=is_firm):
+        return ExactModel(reading, relaxed, *told)
+    result = replace(
+        result,
+        conflict=relaxed.conflict,
+        trace=(*(replace(each, taken=False) for each in relaxed.trace), *result.trace),
+        seconds=relaxed.seconds,
+    )
+    return replace(sketched, result=result)
+
+
+def _costs(sketch: Sketch, reading: Reading) -> float:
+    """What a sketch costs as a share of the lines' length."""
+    drawn = sum(own.length for strokes in reading.drawn.strokes.values() for own in strokes)
+    return sketch.energy / drawn
+
+
+def _is_better(relaxed: ExactResult, result: ExactResult, *, is_firm: bool) -> bool:
+    """Whether a solid for which lines are given up takes the place of a sketch: with all lines, or,
+    where the sketch explains less, with fewer wrong ones."""
+    if is_firm or relaxed.explains:
+        return relaxed.explains and not result.explains
+    return _wrong(relaxed.verification) < _wrong(result.verification)
+
+
+def _wrong(verification: Verification) -> float:
+    """mm of line in which a solid and the sheet differ."""
+    return sum(flaw.length for flaw in verification.flaws)
+
+
+def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
+    """The exact solid as far as it is found quickly, for the depths of its surfaces alone.
+
+    Returns:
+        What :func:`find_exact` finds with a quarter of the effort; None for sheets of many lines.
+    """
+    strokes = sum(map(len, own.drawn.strokes.values()))
+    if strokes > _MOST_BRIEF:
+        return None
+    usual = Effort()
+    times = [field.name for field in fields(usual) if field.name != "workers"]
+    effort = replace(usual, **{name: _BRIEF * getattr(usual, name) for name in times})
+    limits = Limits(
+        effort,
+        alternatives=_BRIEF_ALTERNATIVES,
+        work=_BRIEF_WORK,
+        conflict=_BRIEF * Limits().conflict,
+    )
+    return find_exact(own, other, limits)
+
+
+def _solved(
+    reading: Reading, limits: Limits, model: Modelled | None = None
+) -> tuple[ExactResult, Modelled | None]:
+    """The solid of a reading as far as it is worth keeping, and the model of its drawing."""
+    result, model = exact_solid_and_model(reading.drawn, limits, model)
+    return _kept(result), model
+
+
+def _kept(result: ExactResult) -> ExactResult:
+    """A result without its solid where that agrees with too few of the lines."""
+    if result.verification is None:
+        return result
+    share = result.verification.share
+    if share >= _KEPT and result.verification.sound:
+        return result
+    reason = (
+        "no-exact-solid",
+        Message(
+            "the exact solid that fits best agrees with {percent} % of the lines only and was not "
+            "kept: lines were misread, or the part has surfaces that are not supported yet",
+            case="refused",
+            percent=round(100 * share),
+        ),
+    )
+    return replace(
+        result,
+        status=Status.FAILED,
+        shape=None,
+        verification=None,
+        alternatives=(),
+        agreements=(),
+        reasons=(reason,),
+    )

@@ -1,0 +1,245 @@
+"""The stage masks: views with strokes to views on shared axes, under one or two projections."""
+
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.evidence.dimension_evidence import contradicts, trusted
+from gaussiancad_core.evidence.hole_notes import hole_notes
+from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projection_choice import both_readings, opposite
+from gaussiancad_core.evidence.section_evidence import cuts_of, sections_of
+from gaussiancad_core.messages import Message
+from gaussiancad_core.model.axes import Projection, mutually_orthogonal
+from gaussiancad_core.modes import Recipe, ResultKind
+from gaussiancad_core.recognition.views_and_lines import SheetLines
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.report.run_notes import RunNotes
+from gaussiancad_core.report.run_report import ViewReport
+from gaussiancad_core.report.section_report import section_reports
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
+from gaussiancad_core.writing.section_titles import NamedSection
+from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
+
+
+@dataclass(frozen=True, eq=False)
+class SheetFindings:
+    """What was read on a sheet.
+
+    Attributes:
+        own: the views on shared axes, as they are named; once the readings are weighed, under the
+            likelier projection.
+        other: the same under the other projection, where that is possible.
+        marks: annotations, in px of the upright sheet.
+        special: views that are no plain projections.
+        symbol: the projection that the sheet's symbol tells, if there is one.
+        contradicted: whether the lines fit the other projection better than the symbol's.
+    """
+
+    own: Reading
+    other: Reading | None
+    marks: tuple[Mark, ...]
+    special: tuple[SpecialView, ...]
+    symbol: Projection | None = None
+    contradicted: bool = False
+
+
+def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -> SheetFindings:
+    """Views on shared axes, under one or two projections.
+
+    Where a solid is asked for, it may tell which of two is right: they are not weighed yet.
+
+    Args:
+        job: with what is asked for.
+        lines: of the sheet.
+        turn: of the sheet.
+        notes: told what is found.
+
+    Raises:
+        NoModelError: the views contradict each other.
+    """
+    options, layout = lines.options, lines.layout
+    with notes.stage("masks"):
+        if job.recipe is Recipe.PAPER:
+            options = replace(options, open_holes=False)
+        if layout.alternatives and not options.views and lines.unseen is None:
+            found = _both(lines, options, notes)
+        else:
+            registered = register_views(lines.drawn, options, lines.unseen)
+            own = Reading(registered, notes.report.projection)
+            found = SheetFindings(own, None, (), ())
+        found = _with_measures(found, lines.scale, notes)
+        found = _with_cuts(found, lines)
+        found = _with_notes(found, lines, turn, notes)
+        if found.other and job.result is ResultKind.SURFACE:
+            found = weigh_readings(found, notes)
+        _tell_views(notes, found.own.registered, turn)
+        _tell_registration(notes, found.own.registered, turn)
+        notes.tell(sections=section_reports(found.own, lines.sections, turn))
+    return replace(found, marks=lines.marks, special=layout.special)
+
+
+def tell_projection(notes: RunNotes, projection: Projection, inferred: bool) -> None:
+    """Say which projection was taken, and whether the sheet told it."""
+    notes.tell(
+        projection=projection,
+        projection_source="inferred" if inferred else "default",
+        projection_alternatives=() if inferred else (projection.other,),
+    )
+
+
+def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> None:
+    """Say that the symbol told the projection, or that the lines do not agree with it."""
+    symbol = found.symbol
+    if symbol is None:
+        return
+    if taken is symbol:
+        notes.tell(projection_source="symbol")
+        if not found.contradicted:
+            return
+    notes.doubt(
+        "symbol-contradicts-lines",
+        Message(
+            "the projection symbol says {symbol} angle, but the visible and hidden lines fit "
+            "{other} angle better: {taken} angle was taken; tell --projection if it is the other",
+            symbol=symbol,
+            other=symbol.other,
+            taken=taken,
+        ),
+    )
+
+
+def weigh_readings(found: SheetFindings, notes: RunNotes) -> SheetFindings:
+    """The same with the likelier of both readings first, by what their sketches explain.
+
+    What the sheet's symbol says stays first; the findings then tell whether lines contradict it.
+    """
+    from gaussiancad_core.sketch.projection_by_sketch import weigh
+
+    own, other = found.own, found.other
+    weighed = weigh((own, other))
+    is_other = weighed.likelier == 1
+    contradicted = found.symbol is not None and is_other and weighed.is_clear
+    if is_other and found.symbol is None:
+        own, other = other, own
+    tell_projection(notes, own.projection, weighed.is_clear or found.symbol is not None)
+    return replace(found, own=own, other=other, contradicted=contradicted)
+
+
+def _both(lines: SheetLines, options: ReadingOptions, notes: RunNotes) -> SheetFindings:
+    """The views as they are named, and as the other projection names them where that may be."""
+    layout = lines.layout
+    registered, contrary = both_readings(lines.drawn, options)
+    own = Reading(registered, layout.projection)
+    other = Reading(contrary, layout.projection.other) if contrary else None
+    if other is None:
+        tell_projection(notes, own.projection, inferred=True)
+    return SheetFindings(own, other, (), (), layout.symbol)
+
+
+def _with_measures(
+    found: SheetFindings, scale: SheetScale | None, notes: RunNotes
+) -> SheetFindings:
+    """The readings with what the dimensions say of lengths, where they fit the scale."""
+    if contradicts(found.own.registered, scale):
+        notes.doubt(
+            "scale-contradicts-dimensions",
+            Message(
+                "the dimensions on the sheet agree on {sheet:.4g} mm a pixel, but {told:.4g} was "
+                "told: check --length or --mm-per-pixel; their numbers were not used",
+                sheet=scale.mm_per_pixel,
+                told=found.own.registered.mm_per_pixel,
+            ),
+        )
+    measured = [
+        reading and replace(reading, measures=trusted(reading.registered, scale))
+        for reading in (found.own, found.other)
+    ]
+    return replace(found, own=measured[0], other=measured[1])
+
+
+def _with_cuts(found: SheetFindings, lines: SheetLines) -> SheetFindings:
+    """The readings with their sections and the planes of these."""
+    own, other = (reading and _cut(reading, lines) for reading in (found.own, found.other))
+    return replace(found, own=own, other=other)
+
+
+def _with_notes(
+    found: SheetFindings, lines: SheetLines, turn: Turn, notes: RunNotes
+) -> SheetFindings:
+    """The readings with the holes that notes speak of."""
+    dimensions = [
+        replace(own, box=turn.box_to_upright(own.box))
+        for own in (lines.scale.dimensions if lines.scale is not None else ())
+    ]
+    told = [
+        reading and hole_notes(reading.registered, lines.notes, dimensions)
+        for reading in (found.own, found.other)
+    ]
+    for code, message in told[0].doubts:
+        notes.doubt(code, message)
+    used = {turn.box_to_stored(box) for _, box in told[0].used}
+    notes.tell(notes=tuple(replace(own, used=own.at in used) for own in notes.report.notes))
+    own, other = (
+        reading and replace(reading, holes=its.holes)
+        for reading, its in zip((found.own, found.other), told, strict=True)
+    )
+    return replace(found, own=own, other=other)
+
+
+def _cut(reading: Reading, lines: SheetLines) -> Reading:
+    sections = lines.sections
+    if reading.projection is not lines.layout.projection:
+        sections = tuple(_turned(own) for own in sections)
+    return replace(
+        reading,
+        cuts=cuts_of(reading.registered, sections),
+        beside=sections_of(reading.registered, lines.beside, sections),
+    )
+
+
+def _turned(section: NamedSection) -> NamedSection:
+    """The same under the other projection."""
+    return replace(section, cut_in=section.cut_in and opposite(section.cut_in))
+
+
+def _tell_views(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:
+    notes.tell(views={view.role: ViewReport(view.stored_box(turn)) for view in registered.drawn})
+
+
+def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:
+    notes.tell(
+        scale_mm_per_pixel=registered.mm_per_pixel / turn.scale,
+        bounding_box_mm=registered.views.size,
+        strokes_source=registered.source.value,
+        residuals_px={
+            axis.name.lower(): (residual.median, residual.largest)
+            for axis, residual in registered.extents.residuals.items()
+        },
+    )
+    if notes.report.scale_source == ScaleSource.DEFAULT.value:
+        notes.warn(
+            "scale-assumed",
+            "the scale is not known: the longest edge was made 100 mm; "
+            "tell --length AXIS=MM or --mm-per-pixel",
+        )
+    for axis in registered.extents.disagreeing:
+        spread = registered.extents.spread[axis]
+        residual = registered.extents.residuals[axis]
+        notes.warn(
+            "views-disagree",
+            Message(
+                "the views differ by {spread:.1f} px in the part's extent along {axis}, and by up "
+                "to {largest:.1f} px from the coordinates that they share: their mean was taken",
+                axis=axis.name,
+                spread=spread,
+                largest=residual.largest,
+                spread_mm=round(spread * registered.mm_per_pixel, 2),
+            ),
+        )
+    if registered.unseen is None and not mutually_orthogonal(registered.views.roles):
+        notes.doubt(
+            "two-views", "only two directions of view: what a third would show is not known"
+        )

@@ -1,0 +1,1 @@
+"""A file to an upright, evenly lit picture of a sheet, and its ink."""

@@ -1,0 +1,274 @@
+"""Part or annotation, along a line: where a line changes from one to the other, it is parted.
+
+An extension line goes on where an edge ends, a centre line where it leaves the view.  Along each
+line or circle the log-odds of its points are added, and a change costs as much as a few points
+tell: the cheapest assignment is found exactly (Viterbi 1967).
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.annotations.annotation_marks import values_at
+from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape, points_along
+from gaussiancad_core.sheet.labels.ink_classes import PART, Evidence, InkClass
+from gaussiancad_core.sheet.labels.labels_network import InkLabels, part_odds
+from gaussiancad_core.sheet.tracing.ink_runs import Run
+
+Floats = npt.NDArray[np.float64]
+
+SURE = 3.0
+"""Margin from which a line's label is believed, where others learn from it."""
+
+_CLIP = 4.0
+"""Log-odds of one point at most."""
+
+_SHARED = 0.1
+"""Weight of a point that lies on another line's ink, too: a crossing has the other's label."""
+
+_PER_PX = 0.25
+"""Weight of a px: neighbouring points see the same ink."""
+
+_CHANGE = 5.0
+"""Cost of a change along unbroken ink."""
+
+_CHANGE_AT_GAP = 1.5
+"""The same between two runs of one line."""
+
+_CHANGE_IN_ROW = 8.0
+"""The same between dashes of a row: they are of one kind, whatever crosses them."""
+
+_ALIKE = 1.35
+"""Ratio of the lengths of dashes in a row at most."""
+
+_STEP = 1.0
+"""px between the points."""
+
+_NEVER = -20.0
+"""Log-probability of what is known not to be."""
+
+_TELLING_PX = 40.0
+"""px of a line that tell what it is: what one stretch of it looks like, the rest does, too."""
+
+
+@dataclass(frozen=True, eq=False)
+class LabelledRun:
+    """A piece of a run of ink with what it stands for.
+
+    Attributes:
+        run: where it is.
+        ink: what it is taken for.
+        margin: mean log-odds of the part against annotation, before neighbours were asked.
+        log_p: (classes,) mean log-probabilities.
+        why: what decided.
+        support: log-odds of the decision where something else than its own ink made it.
+    """
+
+    run: InkedRun
+    ink: InkClass
+    margin: float
+    log_p: Floats
+    why: Evidence = Evidence.NETWORK
+    support: float | None = None
+
+    @property
+    def is_part(self) -> bool:
+        """Whether it is an edge."""
+        return self.ink in PART
+
+    @property
+    def evidence(self) -> float:
+        """What its ink says for the part, as log-odds: no more than so many px tell."""
+        return float(_weighed(self.margin)) * _PER_PX * min(self.run.run.length, _TELLING_PX)
+
+    def turned(self, support: float | None = None) -> "LabelledRun":
+        """The same as the likeliest class of the other group, as its ends are loose otherwise."""
+        ink = likeliest(self.log_p, part=not self.is_part)
+        return replace(self, ink=ink, why=Evidence.LOOSE_END, support=support)
+
+    def as_figure(self, ink: InkClass, support: float) -> "LabelledRun":
+        """The same taken for what its figure is."""
+        return replace(self, ink=ink, why=Evidence.FIGURE, support=support)
+
+    def no_longer(self, ink: InkClass) -> "LabelledRun":
+        """The same where it is known that it is not of a class: the others tell what it is."""
+        log_p = self.log_p.copy()
+        log_p[ink] = _NEVER
+        margin = float(part_odds(log_p[None])[0])
+        ink = likeliest(log_p, margin > 0.0)
+        told = {"why": Evidence.FIGURE, "support": None}
+        return replace(self, ink=ink, margin=margin, log_p=log_p, **told)
+
+    def otherwise(self) -> InkClass:
+        """The likeliest class of the other group: what it would be if the decision is wrong."""
+        return likeliest(self.log_p, part=not self.is_part)
+
+
+def likeliest(log_p: Floats, part: bool) -> InkClass:
+    """The likeliest class of ink of a group."""
+    ranked = (InkClass(k) for k in np.argsort(-log_p, kind="stable") if k)
+    return next(own for own in ranked if (own in PART) is part)
+
+
+@dataclass(frozen=True, eq=False)
+class _Points:
+    """Of a run: (n, classes) log-probabilities, (n,) log-odds of the part, the same by the network
+    alone, (n,) weights."""
+
+    log_p: Floats
+    odds: Floats
+    network: Floats
+    weights: Floats
+
+
+def labelled_runs(
+    shape: InkedShape,
+    labels: InkLabels,
+    shared: npt.NDArray[np.bool_],
+    pens: Sequence[Callable[[InkedShape, InkedRun, Floats], Floats]] = (),
+) -> list[LabelledRun]:
+    """The runs of a line or circle, parted where they change from the part's to annotation.
+
+    Args:
+        shape: with its runs.
+        labels: of the picture.
+        shared: (h, w) bool, ink that more than one line runs through.
+        pens: further log-odds of the points of a run each, from their (n, classes)
+            log-probabilities.
+    """
+    points = []
+    for own in shape.runs:
+        where = points_along(shape.geometry, own.run, _STEP)
+        log_p = labels.at(where)
+        network = part_odds(log_p)
+        odds = network + sum(told(shape, own, log_p) for told in pens)
+        weights = np.where(values_at(shared, where), _SHARED, 1.0)
+        odds, network = (np.clip(each, -_CLIP, _CLIP) for each in (odds, network))
+        points.append(_Points(log_p, odds, network, weights))
+    if not points:
+        return []
+    rows = _rows([own.run.length for own in shape.runs])
+    points = _with_row_linetypes(points, rows)
+    told = np.concatenate([_weighed(own.odds) * own.weights for own in points]) * _PER_PX
+    starts = np.cumsum([0, *(len(own.odds) for own in points)])
+    change = np.full(len(told), _CHANGE)
+    change[starts[:-1]] = np.where(rows, _CHANGE_IN_ROW, _CHANGE_AT_GAP)
+    is_part = _cheapest(told, change)
+    return [
+        _labelled(
+            run,
+            own,
+            piece,
+            part=bool(is_part[start + piece[0]]),
+            kept=_kept(told, change, is_part, (start + piece[0], start + piece[1])),
+        )
+        for run, own, start in zip(shape.runs, points, starts[:-1].tolist(), strict=True)
+        for piece in _pieces(is_part[start : start + len(own.odds)])
+    ]
+
+
+def _rows(lengths: Sequence[float]) -> npt.NDArray[np.bool_]:
+    """(n,) whether each run of a line goes on a row of dashes with the one before it."""
+    own = np.asarray(lengths)
+    alike = np.maximum(own[1:], own[:-1]) <= _ALIKE * np.minimum(own[1:], own[:-1])
+    # Two of equal length may be anything; three are a row.
+    beside = np.pad(alike, 1)
+    return np.concatenate([[False], alike & (beside[:-2] | beside[2:])])
+
+
+def _with_row_linetypes(points: list[_Points], rows: npt.NDArray[np.bool_]) -> list[_Points]:
+    """The points of runs, those of a row with one ratio of hidden to visible; what they have of
+    both together stays."""
+    found = list(points)
+    for row in np.split(np.arange(len(points)), np.flatnonzero(~rows))[1:]:
+        if len(row) < 2:
+            continue
+        log_p = np.concatenate([points[k].log_p for k in row])
+        ratio = float(np.mean(log_p[:, InkClass.HIDDEN] - log_p[:, InkClass.VISIBLE]))
+        for k in row:
+            own = points[k].log_p.copy()
+            both = np.logaddexp(own[:, InkClass.VISIBLE], own[:, InkClass.HIDDEN])
+            own[:, InkClass.HIDDEN] = both - np.logaddexp(0.0, -ratio)
+            own[:, InkClass.VISIBLE] = both - np.logaddexp(0.0, ratio)
+            found[k] = replace(points[k], log_p=own)
+    return found
+
+
+def _weighed(odds: Floats | float) -> Floats | float:
+    """What log-odds of the network are worth: small ones are right as often as not, large ones
+    nearly always."""
+    return odds * np.abs(odds) / _CLIP
+
+
+def _cheapest(told: Floats, change: Floats) -> npt.NDArray[np.bool_]:
+    """(n,) whether each point is the part's.
+
+    Args:
+        told: (n,) log-odds.
+        change: (n,) cost of a change between a point and the one before it.
+    """
+    # By how much being the part's costs less up to here; a change lowers it to what that costs.
+    ahead = 0.0
+    back = []
+    for own, cost in zip(told.tolist(), change.tolist(), strict=True):
+        back.append((ahead > cost, ahead < -cost))
+        ahead = min(max(ahead, -cost), cost) + own
+    state = int(ahead >= 0.0)
+    states = np.zeros(len(told), bool)
+    for k in range(len(told) - 1, -1, -1):
+        states[k] = bool(state)
+        if back[k][state]:
+            state = 1 - state
+    return states
+
+
+def _pieces(states: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of each stretch of one state."""
+    borders = np.flatnonzero(np.diff(states)) + 1
+    firsts, lasts = [0, *borders], [*(borders - 1), len(states) - 1]
+    return [(int(a), int(b)) for a, b in zip(firsts, lasts, strict=True)]
+
+
+def _kept(
+    told: Floats, change: Floats, is_part: npt.NDArray[np.bool_], piece: tuple[int, int]
+) -> float:
+    """By how much a piece costs less as it is than turned, all else as it is.
+
+    Args:
+        told, change: as of :func:`_cheapest`.
+        is_part: (n,) what that found.
+        piece: first and last index.
+    """
+    first, last = piece
+    state = bool(is_part[first])
+    saved = float(told[first : last + 1].sum()) * (1.0 if state else -1.0)
+    if first > 0:
+        saved += float(change[first]) * (1.0 if bool(is_part[first - 1]) is state else -1.0)
+    if last + 1 < len(told):
+        saved += float(change[last + 1]) * (1.0 if bool(is_part[last + 1]) is state else -1.0)
+    return saved
+
+
+def _labelled(
+    run: InkedRun, points: _Points, piece: tuple[int, int], part: bool, kept: float
+) -> LabelledRun:
+    first, last = piece
+    count = len(points.odds)
+    step = run.run.length / max(count - 1, 1)
+    start = run.run.start + step * (first - 0.5 if first else 0)
+    end = run.run.start + step * (last + 0.5) if last < count - 1 else run.run.end
+    own = slice(first, last + 1)
+    weights = points.weights[own] / points.weights[own].sum()
+    mean = weights @ points.log_p[own]
+    margin = float(weights @ points.odds[own])
+    network = float(weights @ points.network[own])
+    ink = likeliest(mean, part)
+    why = Evidence.NETWORK
+    if (margin > 0.0) is not part:
+        why = Evidence.LINE
+    elif (network > 0.0) is not part:
+        why = Evidence.PEN
+    support = kept if why is Evidence.LINE else None
+    return LabelledRun(InkedRun(Run(start, end), run.width), ink, margin, mean, why, support)

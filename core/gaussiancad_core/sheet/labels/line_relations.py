@@ -1,0 +1,201 @@
+"""What a line is by those that it meets: edges end at edges, and a figure is of one kind.
+
+The network sees each pixel's surroundings; that an outline closes it does not ask.  Two relations
+say more: an edge that ends where no other edge or break line is costs something, so that a doubtful
+piece between two loose ends is an edge; and lines that hang together are all of a view or all of a
+pictorial.
+"""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+import numpy.typing as npt
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
+from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
+from gaussiancad_core.sheet.labels.line_decoding import LabelledRun
+
+Floats = npt.NDArray[np.float64]
+
+_LOOSE_END = 6.0
+"""Cost of an end of a visible edge at which there is no other edge, as log-odds."""
+
+_BROKEN_END = 3.0
+"""The same where it meets what may be a break line."""
+
+_REACH = 1.2
+"""Distance from an end to the edge that it meets at most, in stroke widths."""
+
+_SPARE_PX = 2.0
+"""The same, px more."""
+
+_DOUBTFUL = 3.0
+"""Margin up to which pieces that hang together are turned together."""
+
+_ROUNDS = 20
+"""Turns of one group or piece after which it is enough."""
+
+_LEAST_GAIN = 1e-9
+"""What a turn has to save at least."""
+
+_STEP = 2.0
+"""px between the points of a piece."""
+
+Labelled = list[list[LabelledRun]]
+
+
+def related(shapes: Sequence[InkedShape], labelled: Labelled, stroke_width: float) -> Labelled:
+    """The labels of pieces, changed where those of their neighbours say otherwise.
+
+    Args:
+        shapes: lines and circles.
+        labelled: the pieces of each.
+        stroke_width: px.
+    """
+    pieces = [own for each in labelled for own in each]
+    if not pieces:
+        return labelled
+    points = [
+        points_along(shape.geometry, own.run.run, _STEP)
+        for shape, each in zip(shapes, labelled, strict=True)
+        for own in each
+    ]
+    ends = _meetings(points, _REACH * stroke_width + _SPARE_PX)
+    pieces = _of_one_figure(pieces, ends)
+    pieces = _without_loose_ends(pieces, ends)
+    rest = iter(pieces)
+    return [[next(rest) for _ in each] for each in labelled]
+
+
+def _meetings(points: Sequence[Floats], reach: float) -> list[tuple[list[int], list[int]]]:
+    """For both ends of each piece the others that pass there."""
+    every = np.concatenate(points)
+    owner = np.repeat(np.arange(len(points)), [len(own) for own in points])
+    tree = cKDTree(every)
+    firsts = tree.query_ball_point(np.array([own[0] for own in points]), reach)
+    lasts = tree.query_ball_point(np.array([own[-1] for own in points]), reach)
+    return [
+        tuple(sorted(set(owner[near].tolist()) - {k}) for near in both)
+        for k, both in enumerate(zip(firsts, lasts, strict=True))
+    ]
+
+
+def _of_one_figure(
+    pieces: list[LabelledRun], ends: list[tuple[list[int], list[int]]]
+) -> list[LabelledRun]:
+    """Pieces of a view or a pictorial, as most of what hangs together with them is."""
+    kinds = (*PART, InkClass.PICTORIAL)
+    figure = np.array([own.ink in kinds for own in pieces])
+    pairs = [(k, j) for k, both in enumerate(ends) for near in both for j in near]
+    pairs = [(k, j) for k, j in pairs if figure[k] and figure[j]]
+    groups = _components(len(pieces), pairs)
+    turned = list(pieces)
+    for group in _members(groups):
+        members = [k for k in group if figure[k]]
+        pictorial = [k for k in members if pieces[k].ink is InkClass.PICTORIAL]
+        if not pictorial or len(pictorial) == len(members):
+            continue
+        odds = sum(
+            pieces[k].run.run.length
+            * (pieces[k].log_p[InkClass.PICTORIAL] - np.logaddexp(*pieces[k].log_p[list(PART)]))
+            for k in members
+        )
+        total = sum(pieces[k].run.run.length for k in members)
+        for k in members:
+            pictured = pieces[k].ink is InkClass.PICTORIAL
+            if odds > 0.0 and not pictured:
+                turned[k] = pieces[k].as_figure(InkClass.PICTORIAL, odds / total)
+            elif odds <= 0.0 and pictured:
+                turned[k] = pieces[k].no_longer(InkClass.PICTORIAL)
+    return turned
+
+
+def _without_loose_ends(
+    pieces: list[LabelledRun], ends: list[tuple[list[int], list[int]]]
+) -> list[LabelledRun]:
+    """Turn pieces, or groups of doubtful ones that hang together, as long as that costs less."""
+    touched: list[set[int]] = [set() for _ in pieces]
+    for k, both in enumerate(ends):
+        for j in (*both[0], *both[1]):
+            touched[j].add(k)
+    # What the rest of its line decided against its own ink stays as it is.
+    doubtful = {
+        k
+        for k, own in enumerate(pieces)
+        if abs(own.margin) <= _DOUBTFUL and own.is_part is (own.margin > 0.0)
+    }
+    part = [own.is_part for own in pieces]
+    pairs = [
+        (k, j) for k in doubtful for near in ends[k] for j in near if j in doubtful and not part[j]
+    ]
+    pairs = [(k, j) for k, j in pairs if not part[k]]
+    groups = _components(len(pieces), pairs)
+    chosen = [{k} for k in doubtful]
+    chosen += [own for group in _members(groups) if len(own := set(group) & doubtful) > 1]
+
+    def looseness(near: Sequence[int]) -> float:
+        if any(part[j] for j in near):
+            return 0.0
+        broken = any(pieces[j].ink is InkClass.OTHER for j in near)
+        return _BROKEN_END if broken else _LOOSE_END
+
+    def cost(around: Iterable[int]) -> float:
+        total = 0.0
+        for k in around:
+            total -= pieces[k].evidence * (0.5 if part[k] else -0.5)
+            if part[k] and pieces[k].log_p[InkClass.VISIBLE] >= pieces[k].log_p[InkClass.HIDDEN]:
+                total += sum(looseness(near) for near in ends[k])
+        return total
+
+    surroundings = [set(group).union(*(touched[k] for k in group)) for group in chosen]
+
+    def turn(group: Iterable[int]) -> None:
+        for k in group:
+            part[k] = not part[k]
+
+    def saved(number: int) -> float:
+        group, around = chosen[number], surroundings[number]
+        before = cost(around)
+        turn(group)
+        after = cost(around)
+        turn(group)
+        return before - after
+
+    asking: list[list[int]] = [[] for _ in pieces]
+    for number, around in enumerate(surroundings):
+        for k in around:
+            asking[k].append(number)
+    supports: dict[int, float] = {}
+    gains = np.array([saved(number) for number in range(len(chosen))])
+    for _ in range(_ROUNDS):
+        if not (gains > _LEAST_GAIN).any():
+            break
+        best = int(gains.argmax())
+        turned = chosen[best]
+        supports.update(dict.fromkeys(turned, float(gains[best])))
+        turn(turned)
+        # What others save depends on their surroundings and on what the ends of these meet.
+        changed = turned.union(*(touched[k] for k in turned))
+        for number in {number for k in changed for number in asking[k]}:
+            gains[number] = saved(number)
+    return [
+        own if own.is_part is state else own.turned(supports.get(k))
+        for k, (own, state) in enumerate(zip(pieces, part, strict=True))
+    ]
+
+
+def _members(groups: npt.NDArray[np.int32]) -> list[list[int]]:
+    """The members of each group, ascending, by the groups' numbers."""
+    order = np.argsort(groups, kind="stable")
+    starts = np.flatnonzero(np.diff(groups[order])) + 1
+    return [own.tolist() for own in np.split(order, starts)]
+
+
+def _components(count: int, pairs: Sequence[tuple[int, int]]) -> npt.NDArray[np.int32]:
+    """(count,) the number of the group that each belongs to."""
+    rows, columns = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
+    graph = coo_array((np.ones(len(rows)), (rows, columns)), shape=(count, count))
+    return connected_components(graph, directed=False)[1]

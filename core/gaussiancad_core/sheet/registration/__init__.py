@@ -1,0 +1,1 @@
+"""Views on shared axes in millimetres."""

@@ -1,0 +1,369 @@
+"""The sheet's stages in order: image -> named views with strokes -> views on shared axes."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.length_units import LONGEST_MM, SHORTEST_MM
+from gaussiancad_core.model.unseen_extent import Unseen
+from gaussiancad_core.model.views import Linetype, Stroke, ViewSet
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
+from gaussiancad_core.sheet.reading_options import Box, Finder, ReadingOptions
+from gaussiancad_core.sheet.registration.seen_coordinates import PlaneView
+from gaussiancad_core.sheet.registration.shared_axes import share_axes
+from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource, precision_of
+from gaussiancad_core.sheet.registration.through_holes import Extent, ViewEvidence, is_through
+from gaussiancad_core.sheet.registration.view_masks import (
+    Outline,
+    Region,
+    find_outline,
+    supersampling_for,
+)
+from gaussiancad_core.sheet.registration.view_registration import (
+    DEFAULT_LONGEST_MM,
+    AxisExtents,
+    Placement,
+    axis_extents,
+    make_view,
+    placement,
+    scaled,
+    shared_placement,
+    strokes_in_plane,
+    view_box,
+)
+from gaussiancad_core.sheet.tracing.dash_blocks import with_dash_blocks
+from gaussiancad_core.sheet.tracing.dashed_rings import with_rings
+from gaussiancad_core.sheet.tracing.edge_dashes import with_edge_dashes
+from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
+from gaussiancad_core.sheet.tracing.twin_lines import with_twins
+from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
+from gaussiancad_core.sheet.views.outside_strokes import without_outside
+from gaussiancad_core.sheet.views.sheet_layout import Layout
+
+_MOST_STROKES = 3000
+"""Of a view: each is looked at beside the others, and parts have some hundred."""
+
+_LEAST_PX = 0.5
+"""px that a view is wide and high at least: less lies between the edges of one line."""
+
+_ALONE = 0.6
+"""Gaps by which a line may be longer than its only dash: lines at its ends cover the rest."""
+
+
+Ring = tuple[tuple[float, float], ...]
+"""Corners of a polygon."""
+
+
+@dataclass(frozen=True)
+class ReadView:
+    """A named view with its strokes, in px of the upright sheet.
+
+    Attributes:
+        role: of the view.
+        box: between the centre lines of the outermost strokes.
+        strokes: visible and hidden.
+        outline: its filled contour and blank regions; None where it is open, or encloses nothing.
+        source: where its strokes come from.
+        dash: px up to which a hidden stroke may be one dash, as solid as a visible one; None where
+            the pens or the file tell linetypes.
+        step: px of the grid to which its file was rounded; 0 of exact files, and of pictures.
+        hatched: of a section the outlines of what is cut: an odd number of them surrounds it.
+        opened: corners of the region that is cut open; empty where that is all of the view.
+        labels: what the lines of its ink were taken for; nothing where no labels told it.
+    """
+
+    role: Role
+    box: Box
+    strokes: tuple[Stroke, ...]
+    outline: Outline | None
+    source: StrokesSource = StrokesSource.RASTER
+    dash: float | None = None
+    step: float = 0.0
+    hatched: tuple[Ring, ...] = ()
+    opened: Ring = ()
+    labels: SheetLabels = NO_LABELS
+
+    @property
+    def has_hidden_lines(self) -> bool:
+        """Whether it has any."""
+        return any(stroke.linetype is Linetype.HIDDEN for stroke in self.strokes)
+
+    def stored_box(self, turn: Turn) -> Box:
+        """The view's box in px of the sheet as stored, before it was turned."""
+        solid = [s for s in self.strokes if s.linetype is Linetype.VISIBLE]
+        if not turn.angle or not solid:
+            return turn.box_to_stored(self.box)
+        points = turn.to_stored(np.concatenate([stroke.sample(1.0) for stroke in solid]))
+        low, high = points.min(0), points.max(0)
+        return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+
+@dataclass(frozen=True)
+class RegisteredSheet:
+    """Views on shared axes, and how they lie on the sheet.
+
+    Attributes:
+        views: in mm.
+        placements: sheet px -> plane mm of each view.
+        drawn: the views as they were read.
+        mm_per_pixel: mean over the axes, of sheet px.
+        extents: of the axes in sheet px.
+        opened: number of through holes opened in the masks.
+        told: the axis whose extent was told; None where none was, or the scale.
+        unseen: what is known of the axis that the only view does not show; None of several views.
+    """
+
+    views: ViewSet
+    placements: dict[Role, Placement]
+    drawn: tuple[ReadView, ...]
+    mm_per_pixel: float
+    extents: AxisExtents
+    opened: int
+    told: Axis | None = None
+    unseen: Unseen | None = None
+
+    @property
+    def source(self) -> StrokesSource:
+        """Where the strokes come from: the file only if it has those of every view."""
+        exact = all(view.source is not StrokesSource.RASTER for view in self.drawn)
+        return StrokesSource.VECTOR if exact else StrokesSource.RASTER
+
+
+def read_views(
+    sheet: CleanSheet,
+    layout: Layout,
+    progress: Callable[[float], None] = lambda _: None,
+    finder: Finder = Finder.RIDGES,
+    vectors: VectorSheet | None = None,
+) -> tuple[ReadView, ...]:
+    """Strokes and outlines of the views of a layout.
+
+    The exact lines of a file are taken for the views whose ink they explain.
+
+    Args:
+        sheet: the ink.
+        layout: where the views are.
+        progress: told the fraction done.
+        finder: of lines and circles.
+        vectors: of a file that has exact lines.
+
+    Returns:
+        The views; those whose outline is open without one.
+    """
+    exact = vector_views(vectors, sheet, layout) if vectors is not None else {}
+    shapes = {}
+    for index, (role, box) in enumerate(layout.boxes.items(), start=1):
+        if role not in exact:
+            shapes[role] = find_shapes(sheet, box, finder)
+        progress(index / (len(layout.boxes) + 1))
+    shapes = dict(zip(shapes, with_rings(shapes, layout.boxes), strict=True))
+    rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
+    lines = with_twins(with_dash_blocks(list(shapes.values()), rhythm), rhythm)
+    shapes = dict(zip(shapes, with_edge_dashes(lines, rhythm), strict=True))
+    pens = view_pens(list(shapes.values()), rhythm)
+    largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
+    supersampling = supersampling_for(largest)
+    drawn = []
+    for role, box in layout.boxes.items():
+        step, source = 0.0, StrokesSource.RASTER
+        if role in exact:
+            (strokes, step), source = exact[role], StrokesSource.VECTOR
+        else:
+            strokes = classify_strokes(shapes[role], rhythm, pens)
+        outline = find_outline(sheet, box, supersampling)
+        own = box
+        if outline is not None:
+            if source is StrokesSource.RASTER:
+                strokes = without_outside(strokes, outline)
+            own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
+        told = pens.told or source is not StrokesSource.RASTER
+        dash = None if told else rhythm.dash + _ALONE * rhythm.gap
+        drawn.append(ReadView(role, own, strokes, outline, source, dash, step))
+    return tuple(drawn)
+
+
+def _check_outline(view: ReadView) -> None:
+    case = fault = ""
+    x0, y0, x1, y1 = view.box
+    if view.outline is None:
+        case, fault = "gap", "is not closed: draw its visible edges without gaps"
+    elif min(x1 - x0, y1 - y0) < _LEAST_PX:
+        # Two edges that melted into one line are closed, and bound nothing.
+        case = "thin"
+        fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
+    if fault:
+        raise NoModelError(
+            "open-outline",
+            "the outline of the {view} view at {place} px {fault}",
+            boxes=[view.box],
+            view=view.role,
+            place=f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f})",
+            case=case,
+            fault=fault,
+        )
+
+
+def register_views(
+    drawn: tuple[ReadView, ...], options: ReadingOptions, unseen: Unseen | None = None
+) -> RegisteredSheet:
+    """Bring views onto shared axes in mm.
+
+    Args:
+        drawn: the views, px of the upright sheet.
+        options: with the scale, if it is known.
+        unseen: of the axis that a view alone does not show.
+
+    Raises:
+        NoModelError: ``open-outline`` if the outline of a view does not close;
+            ``part-too-complex``; ``size-out-of-range``; the views contradict each other.
+    """
+    for view in drawn:
+        _check_amount(view)
+        _check_outline(view)
+    hidden_axis = unseen.axis if unseen is not None else None
+    extents = axis_extents({view.role: view.box for view in drawn}, hidden_axis)
+    plain = [_own_placement(view) for view in drawn]
+    shared = share_axes(
+        [_in_own_plane(view, place) for view, place in zip(drawn, plain, strict=True)]
+    )
+    scale = _scale(shared.extents, options)
+    along = dict(shared.extents)
+    if unseen is not None:
+        along[unseen.axis] = unseen.extent(shared.extents, scale)
+    extents = replace(extents, extents=along, residuals=shared.residuals)
+    pixels = tuple(along[axis] for axis in Axis)
+    size = tuple(extent * scale for extent in pixels)
+    _check_size(max(size))
+    placements = {}
+    strokes = {}
+    for place, own, moved in zip(plain, shared.maps, shared.strokes, strict=True):
+        box = shared_placement(place, own, pixels).box
+        placements[place.role] = placement(place.role, box, size)
+        strokes[place.role] = scaled(moved, scale)
+    views = []
+    opened = 0
+    for view in drawn:
+        holes = _through_holes(view, drawn) if options.open_holes else ()
+        opened += len(holes)
+        own = make_view(
+            placements[view.role],
+            strokes[view.role],
+            view.outline.without(holes),
+            view.outline,
+            scale / view.outline.supersampling,
+        )
+        views.append(own)
+    told = _scaling(shared.extents, options)
+    found = ViewSet(tuple(views), size)
+    return RegisteredSheet(
+        found, placements, drawn, scale, extents, opened, told and told[0], unseen
+    )
+
+
+def _check_amount(view: ReadView) -> None:
+    if len(view.strokes) > _MOST_STROKES:
+        raise NoModelError(
+            "part-too-complex",
+            "the {view} view has {count:,} lines, more than the {most:,} that a part is made from: "
+            "draw less in one sheet",
+            boxes=[view.box],
+            view=view.role,
+            count=len(view.strokes),
+            most=_MOST_STROKES,
+        )
+
+
+def _check_size(longest: float) -> None:
+    if not SHORTEST_MM <= longest <= LONGEST_MM:
+        raise NoModelError(
+            "size-out-of-range",
+            "by its scale the part is {longest:.3g} mm long, and parts of {least:g} to {most:g} mm "
+            "are built: tell its true size with --length AXIS=MM",
+            longest=longest,
+            least=SHORTEST_MM,
+            most=LONGEST_MM,
+        )
+
+
+def _own_placement(view: ReadView) -> Placement:
+    """The view's box in its plane, in px and with its own extents."""
+    x0, y0, x1, y1 = view.box
+    frame = view.role.frame
+    size = [0.0, 0.0, 0.0]
+    size[frame.right_axis[0].value], size[frame.up_axis[0].value] = x1 - x0, y1 - y0
+    return placement(view.role, view.box, (size[0], size[1], size[2]))
+
+
+def _in_own_plane(view: ReadView, place: Placement) -> PlaneView:
+    x0, y0, x1, y1 = view.box
+    strokes = strokes_in_plane(view.strokes, place)
+    return PlaneView(view.role, strokes, (x1 - x0, y1 - y0), precision_of(view.source, view.step))
+
+
+def _scale(extents: dict[Axis, float], options: ReadingOptions) -> float:
+    """mm per sheet px, for a part whose extents are so many."""
+    if options.mm_per_pixel is not None:
+        return options.mm_per_pixel
+    if told := _scaling(extents, options):
+        axis, length = told
+        return length / extents[axis]
+    return DEFAULT_LONGEST_MM / max(extents.values())
+
+
+def _scaling(extents: dict[Axis, float], options: ReadingOptions) -> tuple[Axis, float] | None:
+    """The length that the scale is taken from."""
+    return options.scaling_length(extents) if options.mm_per_pixel is None else None
+
+
+def _through_holes(view: ReadView, drawn: tuple[ReadView, ...]) -> tuple[Region, ...]:
+    """Regions of a view that the other views prove to be through holes."""
+    others = [
+        ViewEvidence(
+            other.role,
+            other.strokes,
+            other.box,
+            other.outline.mask,
+            float(other.outline.supersampling),
+            other.outline.offset,
+        )
+        for other in drawn
+        if other.role is not view.role
+    ]
+    regions = view.outline.regions
+    interior = [index for index, region in enumerate(regions) if not _on_outline(region, view)]
+    found = []
+    for index in interior:
+        around = [_extent(regions[p], view) for p in regions[index].parents if p in interior]
+        extent = _extent(regions[index], view)
+        if is_through(view.role, extent, around, others, tolerance=2.0):
+            found.append(regions[index])
+    return tuple(found)
+
+
+def _on_outline(region: Region, view: ReadView) -> bool:
+    """Whether a region reaches the view's own outline: then it is no hole."""
+    x, y = region.corner
+    height, width = region.mask.shape
+    depth = view.outline.depth[y : y + height, x : x + width]
+    return bool((region.mask & (depth < 2.0)).any())
+
+
+def _extent(region: Region, view: ReadView) -> Extent:
+    """Interval of a region on the axes of its view, as fractions of the part's size."""
+    frame = view.role.frame
+    factor = view.outline.supersampling
+    ox, oy = view.outline.offset
+    x0, y0, x1, y1 = (value / factor for value in region.box)
+    bx0, by0, bx1, by1 = view.box
+    right = ((x0 + ox - bx0) / (bx1 - bx0), (x1 + ox - bx0) / (bx1 - bx0))
+    up = ((by1 - y1 - oy) / (by1 - by0), (by1 - y0 - oy) / (by1 - by0))
+    return {
+        axis: interval if sign > 0 else (1.0 - interval[1], 1.0 - interval[0])
+        for (axis, sign), interval in ((frame.right_axis, right), (frame.up_axis, up))
+    }

@@ -1,0 +1,239 @@
+"""Thread symbols among strokes (ISO 6410-1), in all views.
+
+Along its axis a thread is a whole circle and three quarters of another one about it; from the side
+the second one shows as two more lines.  These are no edges: what is left is the plain cylinder.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.sheet.annotations.erase import Told
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
+
+_DRAWN = (0.6, 0.9)
+"""Share of the thin circle that is drawn: about three quarters."""
+
+_BROKEN = 0.08
+"""Share of it that gaps besides the one large take at most: it is no dashed circle."""
+
+_RATIO = (0.7, 0.95)
+"""The smaller radius in larger ones: minor diameters are 0.8 to 0.9 of major ones."""
+
+_CONCENTRIC_PX = 1.5
+"""px between the centres of a thread's circles, and between its lines and where they belong."""
+
+_WHOLE = 0.98
+"""Share of a circle from which it is drawn whole."""
+
+_SHORTEST_PX = 3.0
+"""px of a line that shows a thread from the side at least."""
+
+_ALONG = 0.7
+"""Share of such a line beside which the rim runs at least: at the end of a blind hole the
+drill went farther."""
+
+
+@dataclass(frozen=True)
+class ThreadSymbol:
+    """A thread seen along its axis.
+
+    Attributes:
+        role: of the view.
+        thin: the circle that is drawn in part, px of the upright sheet.
+        rim: the whole one.
+    """
+
+    role: Role
+    thin: Arc
+    rim: Arc
+
+    @property
+    def special(self) -> SpecialView:
+        """How it is told."""
+        (x, y), r = self.thin.centre, self.thin.radius
+        return SpecialView(SpecialKind.THREAD, (x - r, y - r, x + r, y + r))
+
+
+def without_threads(
+    drawn: Sequence[ReadView], beside: Sequence[Arc]
+) -> tuple[tuple[ReadView, ...], tuple[SpecialView, ...]]:
+    """Views without the lines of thread symbols, and the symbols.
+
+    Args:
+        drawn: the views.
+        beside: arcs in other pens than the part's, or of which nobody knows.
+    """
+    found = [symbol for view in drawn for symbol in _symbols(view, beside)]
+    views = tuple(
+        replace(
+            view,
+            strokes=tuple(
+                stroke
+                for stroke in view.strokes
+                if not any(_is_of(stroke, symbol, view, drawn) for symbol in found)
+            ),
+        )
+        for view in drawn
+    )
+    return views, tuple(symbol.special for symbol in found)
+
+
+def arcs_of(told: Told) -> list[Arc]:
+    """The circles of a picture that are no edges and of which one piece is missing, px of the
+    upright sheet.
+
+    Args:
+        told: the sheet's lines and circles, and what each is.
+    """
+    found = []
+    for shape, kinds in zip(told.shapes, told.kinds, strict=True):
+        runs = [own.run for own in shape.runs]
+        if not isinstance(shape.geometry, Circle) or not runs or None in kinds:
+            continue
+        around = shape.geometry.around
+        gaps = [after.start - before.end for before, after in pairwise(runs)]
+        gaps.append(runs[0].start + around - runs[-1].end)
+        missing = int(np.argmax(gaps))
+        if sum(gaps) - gaps[missing] <= _BROKEN * around:
+            start = runs[(missing + 1) % len(runs)].start
+            (x, y), radius = shape.geometry.centre, shape.geometry.radius
+            sweep = (around - gaps[missing]) / radius
+            found.append(Arc((x + 0.5, y + 0.5), radius, start / radius, sweep, Linetype.VISIBLE))
+    return found
+
+
+def _symbols(view: ReadView, beside: Sequence[Arc]) -> Iterator[ThreadSymbol]:
+    own = [stroke for stroke in view.strokes if isinstance(stroke, Arc)]
+    rims = [arc for arc in own if _share(arc) >= _WHOLE]
+    seen: list[Arc] = []
+    for arc in (*beside, *own):
+        if not _DRAWN[0] < _share(arc) < _DRAWN[1] or any(_same(arc, other) for other in seen):
+            continue
+        if sum(_same(arc, other) for other in own) > 1:
+            continue  # A circle in pieces.
+        rim = next((rim for rim in rims if _about(arc, rim)), None)
+        if rim is not None:
+            seen.append(arc)
+            yield ThreadSymbol(view.role, arc, rim)
+
+
+def _share(arc: Arc) -> float:
+    return arc.sweep / (2.0 * np.pi)
+
+
+def _same(arc: Arc, other: Arc) -> bool:
+    near = np.hypot(*np.subtract(arc.centre, other.centre)) <= _CONCENTRIC_PX
+    return bool(near) and abs(arc.radius - other.radius) <= _CONCENTRIC_PX
+
+
+def _about(arc: Arc, rim: Arc) -> bool:
+    small, large = sorted((arc.radius, rim.radius))
+    near = np.hypot(*np.subtract(arc.centre, rim.centre)) <= _CONCENTRIC_PX
+    return bool(near) and _RATIO[0] < small / large < _RATIO[1]
+
+
+def _is_of(stroke: Stroke, symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]) -> bool:
+    """Whether a stroke of a view is one of a thread's that are no edges."""
+    if isinstance(stroke, Arc):
+        if view.role is symbol.role:
+            return _same(stroke, symbol.thin)
+        return any(_same(stroke, own) for own in _seen_along(symbol, view, drawn))
+    if not isinstance(stroke, Segment) or view.role is symbol.role:
+        return False
+    return any(
+        _runs_at(stroke, upright, thin) and _is_beside(stroke, upright, rim, view.strokes)
+        for upright, thins, rims in _sides(symbol, view, drawn)
+        for thin, rim in zip(thins, rims, strict=True)
+    )
+
+
+def _is_beside(stroke: Segment, upright: bool, at: float, strokes: Sequence[Stroke]) -> bool:
+    """Whether the rim's line runs along most of a line."""
+    along = 1 if upright else 0
+    low, high = sorted((stroke.start[along], stroke.end[along]))
+    covered = 0.0
+    for own in strokes:
+        if isinstance(own, Segment) and _runs_at(own, upright, at):
+            first, last = sorted((own.start[along], own.end[along]))
+            covered += max(0.0, min(last, high) - max(first, low))
+    return covered >= _ALONG * (high - low)
+
+
+def _sides(
+    symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]
+) -> Iterator[tuple[bool, tuple[float, ...], tuple[float, ...]]]:
+    """Whether lines along the axis run upright in a view, and where those of the thin circle and
+    those of the rim are, in the same order."""
+    source = _box(symbol.role, drawn)
+    for axis in _shared_axes_of(symbol.role, view.role):
+        upright = view.role.frame.right_axis[0] is axis
+        thins, rims = (
+            tuple(
+                _across_of(view.role, view.box, axis, place)
+                for place in _places_of(symbol.role, source, axis, circle)
+            )
+            for circle in (symbol.thin, symbol.rim)
+        )
+        yield upright, thins, rims
+
+
+def _seen_along(symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]) -> Iterator[Arc]:
+    """The thin circle where a view along the same axis, from the other side, has it."""
+    frame, own = view.role.frame, symbol.role.frame
+    if frame.look_axis[0] is not own.look_axis[0]:
+        return
+    source = _box(symbol.role, drawn)
+    middle: dict[Axis, float] = {}
+    for axis in (own.right_axis[0], own.up_axis[0]):
+        low, high = _places_of(symbol.role, source, axis, symbol.thin)
+        middle[axis] = (low + high) / 2.0
+    x = _across_of(view.role, view.box, frame.right_axis[0], middle[frame.right_axis[0]])
+    y = _across_of(view.role, view.box, frame.up_axis[0], middle[frame.up_axis[0]])
+    yield replace(symbol.thin, centre=(x, y))
+
+
+def _box(role: Role, drawn: Sequence[ReadView]) -> tuple[float, float, float, float]:
+    return next(view.box for view in drawn if view.role is role)
+
+
+def _runs_at(stroke: Segment, upright: bool, at: float) -> bool:
+    along, across = (1, 0) if upright else (0, 1)
+    ends = stroke.start, stroke.end
+    beside = max(abs(end[across] - at) for end in ends)
+    return beside <= _CONCENTRIC_PX and abs(ends[0][along] - ends[1][along]) >= _SHORTEST_PX
+
+
+def _shared_axes_of(one: Role, other: Role) -> list[Axis]:
+    """Axes that two views with different directions both show."""
+    if one.frame.look_axis[0] is other.frame.look_axis[0]:
+        return []
+    axes = [(role.frame.right_axis[0], role.frame.up_axis[0]) for role in (one, other)]
+    return [axis for axis in axes[0] if axis in axes[1]]
+
+
+def _places_of(role: Role, box: Box, axis: Axis, circle: Circle | Arc) -> tuple[float, float]:
+    """px along an axis of the part, from its lower end, of both sides of a circle."""
+    frame = role.frame
+    if frame.right_axis[0] is axis:
+        middle = circle.centre[0] - box[0]
+        middle = middle if frame.right_axis[1] > 0 else box[2] - box[0] - middle
+    else:
+        middle = box[3] - circle.centre[1]
+        middle = middle if frame.up_axis[1] > 0 else box[3] - box[1] - middle
+    return middle - circle.radius, middle + circle.radius
+
+
+def _across_of(role: Role, box: Box, axis: Axis, place: float) -> float:
+    """The sheet's coordinate of a place along an axis of the part."""
+    frame = role.frame
+    if frame.right_axis[0] is axis:
+        return box[0] + place if frame.right_axis[1] > 0 else box[2] - place
+    return box[3] - place if frame.up_axis[1] > 0 else box[1] + place

@@ -1,0 +1,1 @@
+"""The ink of a view to strokes, solid and dashed."""

@@ -1,0 +1,320 @@
+"""The strokes of one view: lines, circles and ellipses, cut by the ink under them, with exact ends.
+
+The shapes with the most ink come first; every accepted stroke explains its ink, and a shape that
+explains little that is new is dropped: a chord of a circle, or an arc that cuts a corner.  What no
+of them explains (free curves) is traced as short segments.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.geometry.ellipses import WholeEllipse
+from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Geometry, Line
+from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.tracing.behind_edges import with_ends_behind_edges
+from gaussiancad_core.sheet.tracing.borrowed_dashes import own_runs
+from gaussiancad_core.sheet.tracing.close_fits import with_close_fits
+from gaussiancad_core.sheet.tracing.closed_circles import is_closed_by_others
+from gaussiancad_core.sheet.tracing.corner_dashes import find_corner_dashes
+from gaussiancad_core.sheet.tracing.curved_corners import find_curved_fillets
+from gaussiancad_core.sheet.tracing.dangling import with_met_ends
+from gaussiancad_core.sheet.tracing.drill_tips import with_drill_tips
+from gaussiancad_core.sheet.tracing.edged_chamfers import with_edged_chamfers
+from gaussiancad_core.sheet.tracing.explained_ink import (
+    Explained,
+    is_new,
+    is_next_dash,
+    joins_arcs,
+    path_points,
+    told_linetypes,
+    with_dashes_beside,
+)
+from gaussiancad_core.sheet.tracing.hidden_fillets import find_hidden_fillets
+from gaussiancad_core.sheet.tracing.ink_runs import (
+    InkField,
+    Piece,
+    Rhythm,
+    Run,
+    bridged,
+    with_dashes_between,
+    with_dashes_led_to,
+)
+from gaussiancad_core.sheet.tracing.ink_shapes import (
+    refit_circle,
+)
+from gaussiancad_core.sheet.tracing.junctions import (
+    FULL_TURN,
+    Placed,
+    ended_at_junctions,
+    is_full_circle,
+)
+from gaussiancad_core.sheet.tracing.leftover_tracing import trace_remainder
+from gaussiancad_core.sheet.tracing.line_widths import Pens
+from gaussiancad_core.sheet.tracing.linetype_changes import with_changes_at_junctions
+from gaussiancad_core.sheet.tracing.linetype_odds import told_runs
+from gaussiancad_core.sheet.tracing.outline_bows import with_bows
+from gaussiancad_core.sheet.tracing.outline_jogs import find_jogs
+from gaussiancad_core.sheet.tracing.parted_lines import parted_at_corners
+from gaussiancad_core.sheet.tracing.remaining_dashes import find_remaining_dashes
+from gaussiancad_core.sheet.tracing.run_linetypes import classify
+from gaussiancad_core.sheet.tracing.run_outs import with_run_outs
+from gaussiancad_core.sheet.tracing.rungs import find_rungs
+from gaussiancad_core.sheet.tracing.shadows import without_shadows
+from gaussiancad_core.sheet.tracing.short_hidden_lines import with_corners_reached
+from gaussiancad_core.sheet.tracing.short_legs import with_short_legs
+from gaussiancad_core.sheet.tracing.short_strokes import find_short_strokes
+from gaussiancad_core.sheet.tracing.slant_fits import with_fitted_slants
+from gaussiancad_core.sheet.tracing.slanted_ends import ended_before_slants
+from gaussiancad_core.sheet.tracing.slanted_rungs import find_slanted_rungs
+from gaussiancad_core.sheet.tracing.small_chamfers import with_chamfers
+from gaussiancad_core.sheet.tracing.small_fillets import Fillet, find_fillets, is_chord
+from gaussiancad_core.sheet.tracing.square_corners import has_square_corner
+from gaussiancad_core.sheet.tracing.touching_arcs import ended_where_lines_touch, up_to_tangents
+from gaussiancad_core.sheet.tracing.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
+
+_ASLANT = 0.2
+"""Sine of the angle to both axes of the sheet at least of a line that meets the strokes at its ends
+at obtuse angles: their ink is beside it farther on than at a right one."""
+
+_OPEN = 0.4
+"""Share of a circle that is blank at most: dashes at a corner lie on many small circles."""
+
+
+def classify_strokes(
+    view: ViewShapes, rhythm: Rhythm, pens: Pens | None = None
+) -> tuple[Stroke, ...]:
+    """Visible and hidden strokes of a view in px of the sheet (y down, pixel centres at .5).
+
+    Args:
+        view: its shapes.
+        rhythm: of the sheet's dashes.
+        pens: what widths tell; nothing if left out.
+    """
+    explained = Explained.blank(view.sheet)
+    pieces = _seen_pieces(view, rhythm, pens, explained)
+    rows = find_remaining_dashes(view.sheet.ink & (explained.around == 0), view.sheet, rhythm)
+    for geometry, piece in rows:
+        explained.add(geometry, piece, close=True)
+    pieces = without_shadows([*pieces, *rows], view.sheet.stroke_width, rhythm.dash)
+    pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
+    pieces += find_corner_dashes(pieces, view.sheet, rhythm)
+    pieces = ended_before_slants(pieces, view.sheet)
+    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    jogs = find_jogs(ended, view.sheet)
+    rungs = find_rungs([*ended, *jogs], view.sheet, pens)
+    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
+    pieces += [*jogs, *rungs, *slanted]
+    pieces = _refitted(pieces, ended, view.sheet)
+    pieces = with_fitted_slants(pieces, ended, view.sheet)
+    pieces = with_close_fits(pieces, ended, view.sheet)
+    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    parted = parted_at_corners(ended, view.sheet, rhythm)
+    if len(parted) > len(ended):
+        ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
+    ended, cuts = with_edged_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
+    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width, cuts)
+    ended = _with_fillets(ended, rounded, explained)
+    ended = _with_curved_fillets(ended, view.sheet, explained)
+    ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
+    ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
+    ended = with_short_legs(ended, view.sheet, rhythm)
+    ended = with_drill_tips(ended, view.sheet)
+    ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
+    ended = with_run_outs(ended, view.sheet)
+    ended = with_ends_behind_edges(ended, view.sheet, rhythm)
+    # Strokes that were drawn out to a junction explain the ink up to there.
+    for geometry, piece in ended:
+        explained.add(geometry, piece)
+    remainder = view.sheet.ink & (explained.around == 0)
+    short = find_short_strokes(remainder, ended, view.sheet, rhythm, pens)
+    for geometry, piece in short:
+        explained.add(geometry, piece)
+    ended += short
+    remainder &= explained.around == 0
+    ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
+    if pens is None or not pens.told:
+        ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
+    strokes = [_stroke(geometry, piece) for geometry, piece in ended]
+    strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
+    shift = np.array(view.offset) + 0.5
+    return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
+
+
+def _seen_pieces(
+    view: ViewShapes, rhythm: Rhythm, pens: Pens | None, explained: Explained
+) -> list[Placed]:
+    """The pieces of all shapes where their ink is seen, those with most ink first; ``explained``
+    has their ink at last."""
+    pieces: list[Placed] = []
+    unsure = (shape for shape in view.shapes if shape.told is None)
+    order = sorted(unsure, key=lambda shape: -shape.support)
+    # Along the flat sides of ellipses run lines that are none.
+    joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
+    lines = [(own.geometry, own.runs) for own in order if isinstance(own.geometry, Line)]
+    known = explained
+    for shape in view.shapes:
+        if shape.told is not None:
+            whole = Piece(0.0, shape.geometry.around, shape.told, 1.0)
+            pieces.append((shape.geometry, whole))
+            explained.add(shape.geometry, whole, close=True)
+    for index, shape in enumerate(order):
+        # Of two that share their ink neither explains the other's.
+        if not shape.twin:
+            known = explained
+        elif known is explained or not order[index - 1].twin:
+            known = explained.copy()
+        width = view.sheet.stroke_width
+        inked = own_runs(shape.geometry, shape.runs, lines, rhythm, width)
+        # The ink of twins is as wide as both.
+        own_pens = Pens() if pens is None or shape.twin else pens
+        runs = told_runs(view.sheet, shape.geometry, inked, own_pens)
+        fresh = [
+            (run, odds)
+            for k, (run, odds) in enumerate(runs)
+            if is_new(shape.geometry, run, known.near(shape.close))
+            or is_next_dash(shape.geometry, runs, k, known, rhythm)
+            or (joins and joins_arcs(shape.geometry, run, known.around))
+        ]
+        if not isinstance(shape.geometry, Line):
+            fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm, width)
+        touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
+        told = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
+        found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
+        if not isinstance(shape.geometry, Line):
+            curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
+            curved = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
+            found = with_dashes_between(shape.geometry, found, curved, rhythm)
+        if isinstance(shape.geometry, Circle):
+            circle = shape.geometry
+            found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
+        joined = bridged(view.field, shape.geometry, found, rhythm)
+        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
+            found = joined
+        if not isinstance(shape.geometry, Line):
+            found = _closed(shape.geometry, found, rhythm)
+        for piece in found:
+            pieces.append((shape.geometry, piece))
+            own = up_to_tangents(shape.geometry, piece, lines, view.sheet.stroke_width)
+            explained.add(shape.geometry, own)
+    return pieces
+
+
+def _is_curved(curve: Curve, piece: Piece, sheet: CleanSheet) -> bool:
+    length = piece.end - piece.start
+    sagitta = length**2 / (8 * radius_of(curve))
+    return sagitta > MIN_SAGITTA + sheet.stroke_width / 2 or length > curve.around / 2
+
+
+def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
+    """Make a piece that leaves only a dash's gap open the full circle or ellipse."""
+    around = curve.around
+    if len(pieces) == 1:
+        piece = pieces[0]
+        slack = 2.5 * rhythm.gap + 1.0 if piece.linetype is Linetype.HIDDEN else 6.0
+        slack = min(slack, _OPEN * around)
+        if around - (piece.end - piece.start) <= slack:
+            return [replace(piece, end=piece.start + around)]
+    elif len(pieces) == 2 and pieces[0].linetype is pieces[1].linetype is Linetype.HIDDEN:
+        # One dashed circle that was cut at angle 0.
+        first, last = pieces
+        if first.start + around - last.end <= 2.5 * rhythm.gap + 1.0:
+            return [replace(last, end=first.end + around)]
+    return pieces
+
+
+def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]:
+    """Whether the start and the end of a run lie on another stroke: there is ink beside it."""
+    half = field.stroke_width / 2
+    beside = half + 2.0
+
+    def inked(place: npt.NDArray[np.float64]) -> bool:
+        x, y = np.rint(place).astype(int)
+        inside = 0 <= y < field.weight.shape[0] and 0 <= x < field.weight.shape[1]
+        return bool(inside and field.weight[y, x] > 0.45)
+
+    def touch(position: float, outward: float) -> bool:
+        for share in (-1.0, 0.0, 1.0, 2.0):
+            along = position + share * outward * half
+            here, ahead = path_points(geometry, along, along + 1.0)[[0, -1]]
+            tangent = (ahead - here) / max(float(np.hypot(*(ahead - here))), 1e-9)
+            if share > 1.0 and not (np.abs(tangent).min() > _ASLANT and inked(here)):
+                break
+            normal = np.array([-tangent[1], tangent[0]])
+            if inked(here + beside * normal) or inked(here - beside * normal):
+                return True
+        return False
+
+    return touch(run.start, -1.0), touch(run.end, 1.0)
+
+
+def _refitted(pieces: list[Placed], ended: list[Placed], sheet: CleanSheet) -> list[Placed]:
+    """The pieces with their arcs fitted to the ink between their ends alone."""
+    better: dict[Circle, Circle] = {}
+    for geometry in {geometry: None for geometry, _ in ended if isinstance(geometry, Circle)}:
+        stretches = [piece for other, piece in ended if other == geometry]
+        if not any(is_full_circle(geometry, piece) for piece in stretches):
+            spans = [(piece.start, piece.end) for piece in stretches]
+            better[geometry] = refit_circle(sheet, geometry, spans)
+    return [
+        (better[geometry], _scaled(piece, better[geometry].radius / geometry.radius))
+        if isinstance(geometry, Circle) and geometry in better
+        else (geometry, piece)
+        for geometry, piece in pieces
+    ]
+
+
+def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explained) -> list[Placed]:
+    """The pieces with the arcs that round their corners; what was taken for a chord goes."""
+    rounded = list(ended)
+    arcs: list[Placed] = []
+    for fillet in fillets:
+        for index, piece in fillet.pieces:
+            rounded[index] = (rounded[index][0], piece)
+        arcs.append(fillet.arc)
+        explained.add(*fillet.arc)
+    gone = {index for fillet in fillets for index in fillet.instead}
+    left = [own for index, own in enumerate(rounded) if index not in gone]
+    return [own for own in left if not any(is_chord(own, arc) for arc in arcs)] + arcs
+
+
+def _with_curved_fillets(
+    ended: list[Placed], sheet: CleanSheet, explained: Explained
+) -> list[Placed]:
+    """The pieces with the arcs between lines and arcs, which are fitted again without them."""
+    first = find_curved_fillets(sheet.weight, ended, sheet.stroke_width)
+    if not first:
+        return ended
+    better = _refitted(ended, _with_fillets(ended, first, explained.copy()), sheet)
+    fillets = find_curved_fillets(sheet.weight, better, sheet.stroke_width)
+    return _with_fillets(better, fillets, explained)
+
+
+def _scaled(piece: Piece, factor: float) -> Piece:
+    """The piece at the same angles of a circle of another radius."""
+    return replace(piece, start=piece.start * factor, end=piece.end * factor)
+
+
+def _stroke(geometry: Geometry, piece: Piece) -> Stroke:
+    kind = piece.linetype, piece.confidence
+    if isinstance(geometry, Line):
+        return Segment(geometry.at(piece.start), geometry.at(piece.end), *kind)
+    if isinstance(geometry, WholeEllipse):
+        first, last = geometry.parameters(np.array([piece.start, piece.end]))
+        turn = FULL_TURN if is_full_circle(geometry, piece) else float(last - first)
+        axes = geometry.semi_major, geometry.semi_minor, geometry.rotation
+        return Ellipse(geometry.centre, *axes, float(first % FULL_TURN), turn, *kind)
+    sweep = min((piece.end - piece.start) / geometry.radius, FULL_TURN)
+    start = (piece.start / geometry.radius) % FULL_TURN
+    return Arc(geometry.centre, geometry.radius, start, sweep, *kind)
+
+
+def _shifted(stroke: Stroke, shift: npt.NDArray[np.float64]) -> Stroke:
+    def moved(point: tuple[float, float]) -> tuple[float, float]:
+        return float(point[0] + shift[0]), float(point[1] + shift[1])
+
+    if isinstance(stroke, Segment):
+        return replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
+    return replace(stroke, centre=moved(stroke.centre))

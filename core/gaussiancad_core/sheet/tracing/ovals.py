@@ -1,0 +1,206 @@
+"""Ellipses grown along ridge points: circles of the part that are seen at a slant.
+
+An arc that the growth of circles gave is the start.  The ellipse through its points is followed
+both ways, across gaps as wide as those between dashes, fitted to what it meets, and so on until it
+ends.  It stays if it is one beyond doubt: where a circle fits, or a line and a fillet, it goes.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.geometry.ellipses import WholeEllipse, ellipse_through, refined
+from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.sheet.tracing.ridges import RidgePoints
+
+Floats = npt.NDArray[np.float64]
+Rows = npt.NDArray[np.int64]
+
+_BANDS = (1.8, 1.8, 1.2, 1.2, 0.8)
+"""px beside an ellipse that are looked at turn by turn; the last goes on."""
+
+_TURNS = 16
+"""Times that an ellipse is fitted and followed, at most."""
+
+_CONSUMED, _CONSUMED_TURN = 1.3, np.cos(np.radians(22.0))
+"""px beside an ellipse within which points are explained by it, and cosine of their turn."""
+
+_NEARER = 0.05
+"""px by which a line's point may be nearer to the line than to an ellipse that has it as well."""
+
+_LEAST_AXIS, _LARGEST = 3.0, 4_000.0
+"""px: half axes of ellipses that can be told from a blot and from a line."""
+
+_FEWEST = 20
+"""Points of an ellipse at least."""
+
+_LEAST_TURN = np.radians(80.0)
+"""Turn of the tangent from which a curve tells its ellipse."""
+
+_OFF = 0.2
+"""Largest distance in px of nine in ten points, each the mean of its neighbours along the curve."""
+
+_SMOOTHED = 7
+"""Neighbours over which the noise of ridge points evens out."""
+
+_ROUND = 0.3
+"""Root mean square in px of the distances from a circle up to which the circle fits as well."""
+
+_SECTORS, _MOST_OF = 36, 0.8
+"""Sectors of a circle, and the share of them in which a whole circle has points."""
+
+_FILLED = 0.4
+"""Share of the way along an ellipse that has points."""
+
+
+@dataclass(frozen=True)
+class OvalRules:
+    """When points belong to an ellipse.
+
+    Attributes:
+        gap: px, widest stretch without points that is crossed.
+        band: px, farthest from the centre line.
+        cosine: of the largest angle between a point's tangent and the ellipse's.
+    """
+
+    gap: float
+    band: float
+    cosine: float
+
+
+def grow_ovals(
+    ridges: RidgePoints, seeds: Iterable[tuple[Circle, Rows]], beside: Floats, rules: OvalRules
+) -> list[tuple[WholeEllipse, Rows]]:
+    """Ellipses that explain ridge points, with the rows of those points.
+
+    Args:
+        ridges: the points.
+        seeds: arcs with the rows of their points, those with most first.
+        beside: (n,) px from each point to the line that has it, infinite where none has.
+        rules: when points belong.
+    """
+    found: list[tuple[WholeEllipse, Rows]] = []
+    explained = np.zeros(len(ridges.points), dtype=bool)
+    for circle, members in seeds:
+        if len(members) < 5 or explained[members].mean() > 0.5:
+            continue
+        if _is_whole_circle(circle, ridges.points[members]):
+            explained[members] = True
+            continue
+        grown = _grown(ridges, circle, members, beside, rules)
+        if grown is None:
+            continue
+        ellipse, seed = grown
+        wide = OvalRules(rules.gap, _CONSUMED, _CONSUMED_TURN)
+        own = _followed(ridges, ellipse, seed, np.full(len(explained), np.inf), wide)[0]
+        explained[own] = True
+        found.append((ellipse, own))
+    return found
+
+
+def _is_whole_circle(circle: Circle, points: Floats) -> bool:
+    """Whether points lie around a circle, on it: nothing else is to be found there."""
+    offset = points - np.array(circle.centre)
+    turned = np.unique(np.floor(np.arctan2(offset[:, 1], offset[:, 0]) * (_SECTORS / (2 * np.pi))))
+    return len(turned) > _MOST_OF * _SECTORS and circle.distances(points).mean() < _OFF
+
+
+def _grown(
+    ridges: RidgePoints, circle: Circle, members: Rows, beside: Floats, rules: OvalRules
+) -> tuple[WholeEllipse, int] | None:
+    """The ellipse that an arc is a piece of, and one of its points."""
+    points = ridges.points
+    ellipse = _start(points[members], circle)
+    seed = int(members[np.argmin(ellipse.distances(points[members]))])
+    before = 0
+    own, turned = members, 0.0
+    for turn in range(_TURNS):
+        band = max(rules.band, _BANDS[min(turn, len(_BANDS) - 1)])
+        looser = OvalRules(rules.gap, band, rules.cosine)
+        own, turned, length = _followed(ridges, ellipse, seed, beside, looser)
+        if len(own) < 8:
+            return None
+        for _ in range(2):
+            ellipse = refined(ellipse, points[own])
+        if not _LEAST_AXIS <= ellipse.semi_minor <= ellipse.semi_major <= _LARGEST:
+            return None
+        if turn >= len(_BANDS) and len(own) == before:
+            break
+        before = len(own)
+    filled = len(own) >= max(_FEWEST, _FILLED * length)
+    told = filled and turned >= _LEAST_TURN and _fits(points[own], ellipse)
+    return (ellipse, seed) if told else None
+
+
+def _start(points: Floats, circle: Circle) -> WholeEllipse:
+    """The ellipse through the points of an arc, or its circle where they tell none."""
+    ellipse = ellipse_through(points)
+    if ellipse is not None:
+        sane = _LEAST_AXIS <= ellipse.semi_minor <= ellipse.semi_major < 4.0 * circle.radius
+        if sane and ellipse.distances(points).mean() < 0.5:
+            return ellipse
+    return WholeEllipse(circle.centre, circle.radius, circle.radius, 0.0)
+
+
+def _followed(
+    ridges: RidgePoints, ellipse: WholeEllipse, seed: int, beside: Floats, rules: OvalRules
+) -> tuple[Rows, float, float]:
+    """The points along an ellipse from a seed to a gap both ways, the angle that its tangent turns
+    by from the first to the last, and the length between them."""
+    local = ellipse.local(ridges.points)
+    # How far this is from 1, times the minor half axis, is never more than the distance.
+    level = np.hypot(local[:, 0] / ellipse.semi_major, local[:, 1] / ellipse.semi_minor)
+    rows = np.flatnonzero(np.abs(level - 1.0) * ellipse.semi_minor <= rules.band)
+    across, parameters = ellipse.away(ridges.points[rows])
+    tangents = ellipse.tangents(parameters)
+    alike = np.abs((tangents * ridges.tangents[rows]).sum(1))
+    near = np.abs(across) <= np.minimum(rules.band, beside[rows] + _NEARER)
+    bend = _radii(ellipse, parameters)
+    slack = np.cos(np.minimum(np.arccos(rules.cosine) + 1.2 / bend, 1.2))
+    kept = (near & (alike >= slack)) | (rows == seed)
+    rows, parameters = rows[kept], parameters[kept]
+    if seed not in rows:
+        return rows[:0], 0.0, 0.0
+    around = ellipse.around
+    along = np.mod(ellipse.lengths(parameters), around)
+    order = np.argsort(along, kind="stable")
+    rows, along, parameters = rows[order], along[order], parameters[order]
+    gaps = np.diff(along, append=along[0] + around)
+    wide = np.flatnonzero(gaps > rules.gap)
+    if not len(wide):
+        return rows, 2 * np.pi, around
+    at = int(np.flatnonzero(rows == seed)[0])
+    first = int(wide[wide < at][-1]) + 1 if (wide < at).any() else int(wide[-1]) + 1 - len(rows)
+    last = int(wide[wide >= at][0]) if (wide >= at).any() else int(wide[0]) + len(rows)
+    chosen = np.arange(first, last + 1) % len(rows)
+    ends = ellipse.tangents(parameters[chosen[[0, -1]]])
+    length = float((along[chosen[-1]] - along[chosen[0]]) % around)
+    turned = float(np.arctan2(_cross(ends[0], ends[1]), ends[0] @ ends[1]) % (2 * np.pi))
+    return rows[chosen], turned, length
+
+
+def _cross(one: Floats, other: Floats) -> float:
+    return float(one[0] * other[1] - one[1] * other[0])
+
+
+def _radii(ellipse: WholeEllipse, parameters: Floats) -> Floats:
+    """(n,) radii of curvature."""
+    a, b = ellipse.semi_major, ellipse.semi_minor
+    return np.hypot(a * np.sin(parameters), b * np.cos(parameters)) ** 3 / (a * b)
+
+
+def _fits(points: Floats, ellipse: WholeEllipse) -> bool:
+    """Whether points follow an ellipse without swinging from side to side, and no circle."""
+    away, _ = ellipse.away(points)
+    kernel = np.ones(_SMOOTHED) / _SMOOTHED
+    swing = np.abs(np.convolve(away, kernel, mode="valid"))
+    if np.percentile(swing, 90) > _OFF:
+        return False
+    local = points - points.mean(0)
+    system = np.column_stack([2.0 * local, np.ones(len(local))])
+    solution = np.linalg.lstsq(system, (local**2).sum(1), rcond=None)[0]
+    radius = np.sqrt(max(float(solution[2] + solution[:2] @ solution[:2]), 0.0))
+    beside = np.hypot(*(local - solution[:2]).T) - radius
+    return float(np.sqrt((beside**2).mean())) > _ROUND

@@ -1,0 +1,76 @@
+"""Hidden lines that are two: parted where nothing is drawn between two corners.
+
+Two hidden edges on one line, with less than three gaps of dashes between them, are taken for one.
+What parts them is a wide gap at both ends of which another stroke meets the line.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
+from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
+from gaussiancad_core.sheet.tracing.ink_shapes import sample
+from gaussiancad_core.sheet.tracing.outline_jogs import distance_to
+
+_WIDE = 1.5
+"""Gaps of the sheet's dashes that a gap between two lines is wide at least."""
+
+_STEP = 0.5
+"""px between the places that are looked at."""
+
+_DARK = 0.35
+"""Weight from which a place is ink: between two columns of pixels a thin grey line has half of its
+own in each."""
+
+_MEETING = 1.0
+"""px beyond half a stroke by which one may miss the end of the ink that it meets."""
+
+
+def parted_at_corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> list[Placed]:
+    """The pieces, hidden lines cut where a wide gap lies between two strokes that meet them.
+
+    The cut ends are where the ink ends, not yet at the junctions.
+
+    Args:
+        pieces: of a view, with their ends at junctions; px.
+        sheet: its ink.
+        rhythm: of its dashes.
+    """
+    parted: list[Placed] = []
+    for geometry, piece in pieces:
+        if not isinstance(geometry, Line) or piece.linetype is not Linetype.HIDDEN:
+            parted.append((geometry, piece))
+            continue
+        others = [other for other in pieces if other[0] != geometry]
+        start = piece.start
+        for low, high in wide_gaps(geometry, piece, sheet, rhythm):
+            near = sheet.stroke_width / 2.0 + _MEETING
+            if all(_is_met(geometry, at, others, near) for at in (low, high)):
+                parted.append((geometry, replace(piece, start=start, end=low)))
+                start = high
+        parted.append((geometry, replace(piece, start=start)))
+    return parted
+
+
+def wide_gaps(
+    line: Line, piece: Piece, sheet: CleanSheet, rhythm: Rhythm
+) -> Iterator[tuple[float, float]]:
+    """Where nothing is drawn along a hidden line for longer than between its dashes, in px."""
+    along = np.arange(piece.start, piece.end, _STEP)
+    points = line.points_at(along)
+    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    places = along[dark]
+    for before, after in pairwise(places):
+        if after - before > _WIDE * rhythm.gap:
+            yield float(before), float(after)
+
+
+def _is_met(line: Line, at: float, others: Sequence[Placed], near: float) -> bool:
+    point = np.array(line.at(at))
+    return any(distance_to(other, point) <= near for other in others)

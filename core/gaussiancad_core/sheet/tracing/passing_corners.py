@@ -1,0 +1,113 @@
+"""Corners at which a stroke ends beside one that runs past: a rib's foot, rounded into its base.
+
+Where a line ends in an arc that touches another, the other goes on both ways.  The ink of the two
+merges before they touch, so that such an arc has few ridge points of its own, and grows to a wrong
+circle or to none.  Each side of the passing line is a corner with the line that ends there.
+"""
+
+from collections.abc import Sequence, Set
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corners import Corner, End
+from gaussiancad_core.sheet.tracing.junctions import Placed
+
+Floats = npt.NDArray[np.float64]
+
+_LONGEST_TANGENT = 40.0
+"""px from the corner to where an arc begins, at most: larger ones are grown."""
+
+_BEYOND = 3.0
+"""px by which a stroke may seem to end beyond the line."""
+
+_GOES_ON = 3.0
+"""px that the line goes on beyond the corner at least: else both end there."""
+
+_STEEPEST = np.cos(np.radians(25.0))
+"""Cosine of the least angle between the two."""
+
+_OWN = 0.9
+"""Share of the stroke, up to the line, that an arc may take."""
+
+_JOINED = 2.5
+"""px from a stroke's end within which the end of a curve takes it."""
+
+_TOUCHES, _TANGENT = 2.0, 0.5
+"""px by which the end of an arc that touches the line may lie beside where it does, and by which
+its circle may miss the line."""
+
+
+def passing_corners(
+    ends: Sequence[End], placed: Sequence[Placed], linetypes: Set[Linetype]
+) -> list[Corner]:
+    """Both corners between each end and the first line that it comes to, which runs past; those of
+    the longest strokes first.
+
+    Args:
+        ends: of straight pieces.
+        placed: all pieces; px, pixel centres at integers.
+        linetypes: of lines that may run past.
+    """
+    lines = [
+        (index, geometry, piece.start, piece.end)
+        for index, (geometry, piece) in enumerate(placed)
+        if isinstance(geometry, Line) and piece.linetype in linetypes
+    ]
+    if not lines:
+        return []
+    indices = np.array([index for index, *_ in lines])
+    origins = np.array([line.point for _, line, _, _ in lines])
+    ways = np.array([line.direction for _, line, _, _ in lines])
+    spans = np.array([(start, end) for *_, start, end in lines])
+    found: list[Corner] = []
+    for end in ends:
+        u, gap = end.inward, end.place - origins
+        steep = (np.abs(ways @ u) <= _STEEPEST) & (indices != end.index)
+        cross = np.where(steep, u[0] * ways[:, 1] - u[1] * ways[:, 0], 1.0)
+        beyond = (gap[:, 0] * ways[:, 1] - gap[:, 1] * ways[:, 0]) / cross
+        at = (gap[:, 1] * u[0] - gap[:, 0] * u[1]) / cross
+        near = steep & (beyond >= -_BEYOND) & (beyond <= _LONGEST_TANGENT)
+        near &= (at > spans[:, 0] + _GOES_ON) & (at < spans[:, 1] - _GOES_ON)
+        if not near.any():
+            continue
+        k = int(np.flatnonzero(near)[np.argmin(beyond[near])])
+        place = end.place - beyond[k] * end.inward
+        for sign, room in ((1.0, spans[k, 1] - at[k]), (-1.0, at[k] - spans[k, 0])):
+            side = End(int(indices[k]), False, place, sign * ways[k], float(room))
+            longest = min(_LONGEST_TANGENT, _OWN * (end.length + beyond[k]), float(room))
+            corner = _open(Corner(end, side, place, longest, passes=True), placed)
+            if corner is not None:
+                found.append(corner)
+    return sorted(found, key=lambda corner: -corner.first.length)
+
+
+def _open(corner: Corner, placed: Sequence[Placed]) -> Corner | None:
+    """The corner with the arcs that begin where its stroke ends and miss the line; nothing where
+    an arc touches both, or another curve goes on."""
+    missing = []
+    for index, (curve, piece) in enumerate(placed):
+        if isinstance(curve, Line):
+            continue
+        places = curve.points_at(np.array([piece.start, piece.end]))
+        away = np.hypot(*(places - corner.first.place).T)
+        if away.min() >= _JOINED:
+            continue
+        if not isinstance(curve, Circle) or piece.end - piece.start > 2.0 * corner.longest:
+            return None
+        if _touches(curve, places[int(np.argmax(away))], corner):
+            return None
+        missing.append(index)
+    return replace(corner, instead=tuple(missing))
+
+
+def _touches(circle: Circle, end: Floats, corner: Corner) -> bool:
+    """Whether an arc ends where its circle touches the line that runs past."""
+    way = corner.second.inward
+    offset = np.array(circle.centre) - corner.place
+    off = abs(float(offset[0] * way[1] - offset[1] * way[0]))
+    foot = corner.place + float(offset @ way) * way
+    return abs(off - circle.radius) <= _TANGENT and np.hypot(*(end - foot)) <= _TOUCHES

@@ -1,0 +1,75 @@
+"""Hidden lines that end too early, at a line that they only cross: their corner is a dash farther.
+
+No edge ends in blank paper.  Where a hidden line ends and nothing else does, another hidden one
+whose course leads there was taken to end at a crossing on the way, in the gap of its dashes.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
+from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
+from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
+
+_MET = 1.5
+"""px around an end within which another stroke meets it."""
+
+_LEADS = 0.8
+"""px by which a line's course may miss the end that it leads to."""
+
+_FLATTEST = 0.2
+"""Sine of the angle at least between two lines that form a corner."""
+
+
+def with_corners_reached(pieces: Sequence[Placed], rhythm: Rhythm) -> list[Placed]:
+    """The pieces, hidden lines led on to the free ends of others, no farther than a dash and a gap.
+
+    Args:
+        pieces: with their ends at junctions; px.
+        rhythm: of the sheet's dashes.
+    """
+    led = list(pieces)
+    hidden = [
+        (number, geometry, piece)
+        for number, (geometry, piece) in enumerate(pieces)
+        if isinstance(geometry, Line) and piece.linetype is Linetype.HIDDEN
+    ]
+    for number, line, piece in hidden:
+        for at in (piece.start, piece.end):
+            place = np.array([line.at(at)])
+            if any(
+                k != number and distances_to(own, place)[0] <= _MET for k, own in enumerate(pieces)
+            ):
+                continue
+            found = [
+                (beyond, other)
+                for other, course, _ in hidden
+                if other != number and _sine(line, course) >= _FLATTEST
+                for beyond in [_beyond(course, led[other][1], place)]
+                if 0.0 < abs(beyond) <= rhythm.dash + rhythm.gap
+            ]
+            if found:
+                beyond, other = min(found, key=lambda own: abs(own[0]))
+                course, own = led[other]
+                low, high = min(beyond, 0.0), max(beyond, 0.0)
+                led[other] = course, replace(own, start=own.start + low, end=own.end + high)
+    return led
+
+
+def _sine(one: Line, other: Line) -> float:
+    (a, b), (c, d) = one.direction, other.direction
+    return abs(a * d - b * c)
+
+
+def _beyond(line: Line, piece: Piece, place: npt.NDArray[np.float64]) -> float:
+    """px by which a place lies beyond a piece's end, negative before its start; 0 if it is not on
+    the line or not beyond."""
+    along, across = (float(own[0]) for own in line.coordinates(place))
+    if abs(across) > _LEADS:
+        return 0.0
+    return along - min(max(along, piece.start), piece.end)

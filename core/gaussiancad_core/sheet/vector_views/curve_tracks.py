@@ -1,0 +1,166 @@
+"""Curves of a file that lie on one line, circle or ellipse, put together.
+
+Exports break what was one edge: lines at every vertex, dashes of a line into lines of their own.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.files.vectors import (
+    CircularArc,
+    EllipticArc,
+    Line,
+    StrokeRole,
+    VectorStroke,
+)
+from gaussiancad_core.geometry.ellipses import WholeEllipse
+from gaussiancad_core.geometry.infinite_curves import Circle, Geometry
+from gaussiancad_core.geometry.infinite_curves import Line as EndlessLine
+from gaussiancad_core.sheet.vector_views.curve_intervals import Span
+
+Floats = npt.NDArray[np.float64]
+
+EXACT = 5e-3
+"""px by which curves of one line or circle lie beside it."""
+
+PLOTTED = 0.15
+"""px, where dashes were plotted one by one: plotters round to 1/1200 inch."""
+
+_WIDEST_GAP = 60.0
+"""px between plotted dashes of one line."""
+
+
+@dataclass(frozen=True)
+class Track:
+    """A line, circle or ellipse, and what of it is drawn.
+
+    Attributes:
+        geometry: px of the sheet.
+        solid: stretches drawn solid, as the file has them.
+        hidden: stretches that the file calls hidden.
+        patterned: whether any of these is longer than a dash and a gap of its own pattern: the file
+            dashes them itself, and gaps between them are there.
+    """
+
+    geometry: Geometry
+    solid: tuple[Span, ...]
+    hidden: tuple[Span, ...]
+    patterned: bool = False
+
+
+def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
+    """All lines, circles and ellipses of some strokes; chains are passed over.
+
+    Args:
+        strokes: of a view.
+        tolerance: px, :data:`EXACT` or :data:`PLOTTED`.
+    """
+    lines = [stroke for stroke in strokes if isinstance(stroke.curve, Line)]
+    rounds = [stroke for stroke in strokes if isinstance(stroke.curve, CircularArc | EllipticArc)]
+    return _line_tracks(lines, tolerance) + _round_tracks(rounds, tolerance)
+
+
+def _line_tracks(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
+    ends = np.array([(s.curve.start, s.curve.end) for s in strokes]).reshape(-1, 2, 2)
+    lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
+    free = np.ones(len(strokes), bool)
+    found = []
+    for seed in np.argsort(-lengths, kind="stable"):
+        if free[seed]:
+            members, line = _collinear(int(seed), ends, free, tolerance)
+            free[members] = False
+            spans = np.sort(line.coordinates(ends[members].reshape(-1, 2))[0].reshape(-1, 2))
+            found.append(_track(line, [strokes[index] for index in members], spans))
+    return found
+
+
+def _collinear(
+    seed: int, ends: Floats, free: npt.NDArray[np.bool_], tolerance: float
+) -> tuple[list[int], EndlessLine]:
+    """The pieces on the line through a piece, which gets surer as it grows."""
+    members = [seed]
+    low, high = ends[seed]
+    reach = np.inf if tolerance <= EXACT else _WIDEST_GAP
+    while True:
+        line = _through(low, high)
+        along, across = line.coordinates(ends.reshape(-1, 2))
+        along, across = along.reshape(-1, 2), across.reshape(-1, 2)
+        alike = free & (np.abs(across).max(axis=1) <= tolerance)
+        alike[members] = False
+        first, last = line.coordinates(np.array([low, high]))[0]
+        gap = np.maximum(along.min(axis=1) - last, first - along.max(axis=1))
+        near = np.flatnonzero(alike & (gap <= reach))
+        if not len(near):
+            return members, line
+        # Pieces within what is known are as sure; of those beyond the nearest comes first.
+        inside = near[gap[near] <= 0.0]
+        taken = inside if len(inside) else near[[int(np.argmin(gap[near]))]]
+        members += taken.tolist()
+        points = ends[members].reshape(-1, 2)
+        positions = line.coordinates(points)[0]
+        low, high = points[int(np.argmin(positions))], points[int(np.argmax(positions))]
+
+
+def _through(low: Floats, high: Floats) -> EndlessLine:
+    way = (high - low) / max(float(np.hypot(*(high - low))), 1e-12)
+    return EndlessLine((float(low[0]), float(low[1])), (float(way[0]), float(way[1])))
+
+
+def _round_tracks(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
+    groups: list[tuple[Geometry, list[VectorStroke]]] = []
+    for stroke in sorted(strokes, key=lambda own: -own.curve.length):
+        geometry = _closed(stroke.curve)
+        same = next((held for own, held in groups if _same(own, geometry, tolerance)), None)
+        if same is None:
+            groups.append((geometry, [stroke]))
+        else:
+            same.append(stroke)
+    return [
+        _track(geometry, held, np.array([_round_span(geometry, s.curve) for s in held]))
+        for geometry, held in groups
+    ]
+
+
+def _closed(curve: CircularArc | EllipticArc) -> Circle | WholeEllipse:
+    if isinstance(curve, CircularArc):
+        return Circle(curve.centre, curve.radius)
+    major = float(np.hypot(*curve.major))
+    turn = float(np.arctan2(curve.major[1], curve.major[0]))
+    return WholeEllipse(curve.centre, major, curve.ratio * major, turn)
+
+
+def _same(first: Geometry, other: Geometry, tolerance: float) -> bool:
+    if type(first) is not type(other) or isinstance(first, EndlessLine):
+        return False
+    if np.hypot(*np.subtract(first.centre, other.centre)) > tolerance:
+        return False
+    if isinstance(first, Circle):
+        return abs(first.radius - other.radius) <= tolerance
+    points = other.at(np.arange(8) * (np.pi / 4))
+    return bool(first.distances(points).max() <= tolerance)
+
+
+def _round_span(geometry: Circle | WholeEllipse, curve: CircularArc | EllipticArc) -> Span:
+    """Where an arc lies on its circle or ellipse; whole turns start where it starts."""
+    start = float(geometry.positions(curve.sample(np.inf)[:1])[0])
+    if curve.is_full:
+        return start, start + geometry.around
+    if isinstance(geometry, Circle):
+        return start, start + geometry.radius * curve.sweep
+    end = float(geometry.positions(curve.sample(np.inf)[-1:])[0])
+    return start, start + float(np.mod(end - start, geometry.around))
+
+
+def _track(geometry: Geometry, strokes: Sequence[VectorStroke], spans: Floats) -> Track:
+    solid, hidden = [], []
+    for stroke, (start, end) in zip(strokes, spans, strict=True):
+        of = hidden if stroke.role is StrokeRole.HIDDEN else solid
+        of.append((float(start), float(end)))
+    patterned = any(
+        stroke.role is StrokeRole.HIDDEN and 0.0 < sum(stroke.dashes[:2]) < stroke.curve.length
+        for stroke in strokes
+    )
+    return Track(geometry, tuple(solid), tuple(hidden), patterned)

@@ -1,0 +1,1 @@
+"""Where the views of a sheet are, and in which roles."""

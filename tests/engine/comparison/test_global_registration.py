@@ -1,0 +1,58 @@
+"""Turns that are none of the 24 by quarters."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from gaussiancad_core.comparison.comparing import compare_models
+from gaussiancad_core.comparison.comparison_options import Alignment, CompareOptions, Protocol
+from gaussiancad_core.comparison.global_registration import find_turn, spread_rotations
+from gaussiancad_core.comparison.model_files import Model
+from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
+
+TURNS = Rotation.from_euler("xyz", [[25, 130, -70], [-160, 40, 77]], degrees=True).as_matrix()
+
+
+def _turned(mesh: TriangleMesh, turn: np.ndarray, scale: float = 1.0) -> TriangleMesh:
+    return make_mesh(scale * mesh.vertices @ turn.T + [500.0, -20.0, 3.0], mesh.triangles)
+
+
+def test_spread_rotations_leave_no_gap() -> None:
+    rotations = spread_rotations(6000)
+    assert np.linalg.det(rotations) == pytest.approx(np.ones(6000))
+    others = Rotation.random(200, rng=np.random.default_rng(0)).as_matrix()
+    cosines = (np.einsum("aij,bij->ab", others, rotations).max(axis=1) - 1.0) / 2.0
+    assert np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0))).max() < 16.0
+
+
+@pytest.mark.parametrize("turn", TURNS)
+def test_any_turn_is_undone_at_any_size(bracket: TriangleMesh, turn: np.ndarray) -> None:
+    found = find_turn(_turned(bracket, turn, 3.0), bracket, np.random.default_rng(0))
+    assert found.rotation @ turn == pytest.approx(np.eye(3), abs=1e-3)
+    assert not found.mirrored
+
+
+def test_a_symmetric_part_stays_where_it_is(box: Callable[..., TriangleMesh]) -> None:
+    found = find_turn(box(4, 3, 2), box(4, 3, 2), np.random.default_rng(0))
+    assert found.rotation == pytest.approx(np.eye(3), abs=1e-6)
+    assert not found.mirrored
+
+
+def test_a_mirror_image_in_any_pose_is_told(bracket: TriangleMesh) -> None:
+    image = make_mesh(bracket.vertices * [1, -1, 1], bracket.triangles).flipped()
+    found = find_turn(_turned(image, TURNS[0]), bracket, np.random.default_rng(0))
+    assert found.mirrored
+    assert np.linalg.det(found.rotation) == pytest.approx(1.0)
+
+
+def test_a_part_in_any_pose_is_compared_as_if_in_place(bracket: TriangleMesh) -> None:
+    asked = CompareOptions(1000, protocols=tuple(Protocol), alignment=Alignment.GLOBAL)
+    moved = _turned(bracket, TURNS[1])
+    found, deviation = compare_models(Model(moved), Model(bracket), asked)
+    assert found.point_to_surface < 1e-3
+    assert found.engineering.agreement > 0.98
+    placed = moved.vertices @ found.engineering.matrix[:3, :3].T + found.engineering.matrix[:3, 3]
+    assert placed == pytest.approx(bracket.vertices, abs=0.01)
+    assert np.abs(deviation.distances).max() < 0.02

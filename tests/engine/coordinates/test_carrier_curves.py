@@ -1,0 +1,188 @@
+"""Lines and circles, and the points that they share."""
+
+from math import cos, hypot, pi, sin
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.coordinates.carrier_curves import (
+    TURN,
+    CircleCurve,
+    LineCurve,
+    PlaneCurve,
+    Point,
+    axis_line,
+    line_through,
+    meetings,
+)
+
+_COORDINATE = st.floats(-100.0, 100.0)
+_POINT = st.tuples(_COORDINATE, _COORDINATE)
+_RADIUS = st.floats(0.05, 100.0)
+_CIRCLE = st.builds(CircleCurve, _POINT, _RADIUS)
+_ANGLE = st.floats(0.0, TURN, exclude_max=True)
+
+
+def _directed(point: Point, angle: float) -> LineCurve:
+    x, y = point
+    return line_through(point, (x + 10.0 * cos(angle), y + 10.0 * sin(angle)))
+
+
+_LINE = st.builds(_directed, _POINT, _ANGLE)
+_CURVE = st.one_of(_LINE, _CIRCLE)
+
+
+def _gap(one: Point, other: Point) -> float:
+    return hypot(one[0] - other[0], one[1] - other[1])
+
+
+@given(_CURVE, _CURVE)
+def test_meetings_lie_on_both_curves(one: PlaneCurve, other: PlaneCurve) -> None:
+    found = meetings(one, other)
+    lines = isinstance(one, LineCurve) + isinstance(other, LineCurve)
+    assert len(found) <= (1 if lines == 2 else 2)
+    # A touching counts as met from a micrometre of the part's hundredth, a chord from twice 1e-3.
+    for point in found:
+        far = max(1.0, *map(abs, point))
+        assert one.distance(point) <= 2e-6 + 1e-8 * far
+        assert other.distance(point) <= 2e-6 + 1e-8 * far
+
+
+@given(_CURVE, _CURVE)
+def test_order_does_not_matter(one: PlaneCurve, other: PlaneCurve) -> None:
+    found, again = meetings(one, other), meetings(other, one)
+    assert len(found) == len(again)
+    for point in found:
+        far = max(1.0, *map(abs, point))
+        assert min(_gap(point, twin) for twin in again) <= 1e-6 + 1e-8 * far
+
+
+@given(_POINT, _ANGLE, _ANGLE)
+def test_lines_through_a_point_meet_there(point: Point, one: float, other: float) -> None:
+    found = meetings(_directed(point, one), _directed(point, other))
+    if abs(sin(one - other)) > 1e-4:
+        assert len(found) == 1 and _gap(found[0], point) < 1e-6
+    if one == other:
+        assert found == []
+
+
+@given(_CIRCLE, _ANGLE, st.floats(-1.5, 1.5))
+def test_a_line_meets_a_circle_as_its_distance_says(
+    circle: CircleCurve, angle: float, share: float
+) -> None:
+    away = share * circle.radius
+    x, y = circle.centre
+    foot = x - away * sin(angle), y + away * cos(angle)
+    found = meetings(_directed(foot, angle), circle)
+    beyond = abs(away) - circle.radius
+    # Lines that are all but parallel to an axis are made so, which moves them a little.
+    if beyond > 1e-4:
+        assert found == []
+    elif beyond < -1e-4:
+        assert len(found) == 2
+        half = np.sqrt(circle.radius**2 - away**2)
+        assert _gap(*found) == pytest.approx(2.0 * half, rel=1e-3)
+
+
+@given(_CIRCLE, _ANGLE)
+def test_a_tangent_touches_once(circle: CircleCurve, angle: float) -> None:
+    at = circle.at(angle)
+    (found,) = meetings(LineCurve(at, (-sin(angle), cos(angle))), circle)
+    assert _gap(found, at) < 1e-6
+
+
+@given(_CIRCLE, _ANGLE, _RADIUS, st.booleans())
+def test_circles_touch_once_from_outside_and_inside(
+    circle: CircleCurve, angle: float, radius: float, inside: bool
+) -> None:
+    away = abs(circle.radius - radius) if inside else circle.radius + radius
+    if away < 0.1:
+        return
+    flip = pi if inside and radius > circle.radius else 0.0
+    x, y = circle.centre
+    other = CircleCurve((x + away * cos(angle + flip), y + away * sin(angle + flip)), radius)
+    (found,) = meetings(circle, other)
+    assert _gap(found, circle.at(angle)) < 2e-3
+
+
+@given(_CIRCLE, _CIRCLE)
+def test_circles_meet_as_their_distance_says(one: CircleCurve, other: CircleCurve) -> None:
+    away = _gap(one.centre, other.centre)
+    near, far = abs(one.radius - other.radius), one.radius + other.radius
+    found = meetings(one, other)
+    if near + 1e-4 < away < far - 1e-4:
+        assert len(found) == 2
+    elif away > far + 1e-4 or away < near - 1e-4:
+        assert found == []
+
+
+@given(_CIRCLE)
+def test_a_circle_does_not_meet_itself(circle: CircleCurve) -> None:
+    assert meetings(circle, circle) == []
+
+
+@given(_CURVE, st.floats(0.0, TURN, exclude_max=True))
+def test_a_point_of_a_curve_has_its_parameter(curve: PlaneCurve, parameter: float) -> None:
+    point = curve.at(parameter)
+    assert curve.distance(point) < 1e-9
+    found = curve.parameter(point)
+    if isinstance(curve, CircleCurve):
+        assert 0.0 <= found <= TURN
+        off = abs(found - parameter)
+        assert min(off, TURN - off) * curve.speed < 1e-9
+    else:
+        assert found == pytest.approx(parameter, abs=1e-9)
+
+
+@given(_CURVE, st.floats(0.0, 6.0))
+def test_normals_are_unit_and_square_to_the_curve(curve: PlaneCurve, parameter: float) -> None:
+    step = 1e-6 / curve.speed
+    (x0, y0), (x1, y1) = curve.at(parameter - step), curve.at(parameter + step)
+    nx, ny = curve.normal(parameter)
+    assert hypot(nx, ny) == pytest.approx(1.0)
+    assert abs((x1 - x0) * nx + (y1 - y0) * ny) < 1e-8
+    assert hypot(x1 - x0, y1 - y0) == pytest.approx(2.0 * step * curve.speed, rel=1e-2)
+
+
+@given(_CURVE, _POINT)
+def test_distance_is_that_of_the_nearest_sample(curve: PlaneCurve, point: Point) -> None:
+    at = curve.parameter(point)
+    assert _gap(curve.at(at), point) == pytest.approx(curve.distance(point), abs=1e-9)
+    around = at + np.linspace(-1.0, 1.0, 41)
+    assert min(_gap(curve.at(t), point) for t in around) >= curve.distance(point) - 1e-9
+
+
+@given(_POINT, _POINT)
+def test_a_line_runs_through_both_points_and_forwards(start: Point, end: Point) -> None:
+    if _gap(start, end) < 1e-3:
+        return
+    line = line_through(start, end)
+    dx, dy = line.direction
+    assert hypot(dx, dy) == pytest.approx(1.0)
+    assert dx > 0.0 or line.direction == (0.0, 1.0)
+    # Straightening turns by a millionth of the length at most.
+    assert line.distance(start) < 1e-9 and line.distance(end) <= 1.1e-6 * _gap(start, end)
+    assert (line.axis is None) == (min(abs(dx), abs(dy)) > 0.0)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+@given(_COORDINATE, _COORDINATE)
+def test_an_axis_line_keeps_its_coordinate(axis: int, value: float, parameter: float) -> None:
+    line = axis_line(axis, value)
+    assert line.axis == axis
+    assert line.at(parameter)[axis] == value and line.at(parameter)[1 - axis] == parameter
+
+
+def test_a_nearly_upright_line_becomes_upright() -> None:
+    assert line_through((3.0, 0.0), (3.0 + 1e-8, 50.0)).axis == 0
+    assert line_through((0.0, 3.0), (50.0, 3.0 - 1e-8)).axis == 1
+    assert line_through((3.0, 0.0), (3.01, 50.0)).axis is None
+    assert CircleCurve((1.0, 2.0), 3.0).axis is None
+
+
+def test_an_upright_line_runs_up_even_if_nothing_is_straightened() -> None:
+    assert line_through((3.0, 5.0), (3.0, 1.0), 0.0).direction == (0.0, 1.0)
+    assert line_through((3.0, 5.0), (-3.0, 5.0), 0.0).direction == (1.0, 0.0)
+    assert line_through((3.0, 5.0), (3.0 + 1e-8, 1.0), 0.0).axis is None

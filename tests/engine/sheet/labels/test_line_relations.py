@@ -1,0 +1,103 @@
+"""Labels by those of the lines that a line meets."""
+
+import numpy as np
+
+from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
+from gaussiancad_core.sheet.labels.ink_classes import Evidence, InkClass
+from gaussiancad_core.sheet.labels.line_decoding import LabelledRun
+from gaussiancad_core.sheet.labels.line_relations import related
+from gaussiancad_core.sheet.tracing.ink_runs import Run
+
+WIDTH = 3.0
+
+DOUBTFUL = InkClass.VISIBLE, 0.8
+
+
+def piece(
+    start: tuple[float, float], end: tuple[float, float], ink: InkClass, odds: float
+) -> tuple[InkedShape, list[LabelledRun]]:
+    """A straight line with a label, and log-odds against the rest."""
+    way = np.subtract(end, start)
+    length = float(np.hypot(*way))
+    run = InkedRun(Run(0.0, length), WIDTH)
+    log_p = np.full(len(InkClass), -9.0)
+    is_part = ink in (InkClass.VISIBLE, InkClass.HIDDEN)
+    log_p[ink] = -0.1
+    log_p[InkClass.OTHER if is_part else InkClass.VISIBLE] = -0.1 - odds
+    shape = InkedShape(Line(start, tuple(way / length)), (run,))
+    return shape, [LabelledRun(run, ink, odds if is_part else -odds, log_p)]
+
+
+def found(*pieces: tuple[InkedShape, list[LabelledRun]]) -> list[LabelledRun]:
+    shapes, labelled = zip(*pieces, strict=True)
+    return [own for each in related(shapes, list(labelled), WIDTH) for own in each]
+
+
+def inks(*pieces: tuple[InkedShape, list[LabelledRun]]) -> list[InkClass]:
+    return [own.ink for own in found(*pieces)]
+
+
+CORNERS = [(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (0.0, 80.0)]
+
+
+def square(last: InkClass, odds: float) -> list[tuple[InkedShape, list[LabelledRun]]]:
+    """Four lines around a square, the last one with another label."""
+    kinds = [InkClass.VISIBLE] * 3 + [last]
+    return [
+        piece(CORNERS[k], CORNERS[(k + 1) % 4], kind, 4.0 if k < 3 else odds)
+        for k, kind in enumerate(kinds)
+    ]
+
+
+def test_a_doubtful_line_that_closes_an_outline_is_an_edge() -> None:
+    assert inks(*square(InkClass.OTHER, 1.0)) == [InkClass.VISIBLE] * 4
+
+
+def test_who_turned_a_line_is_known_and_how_surely() -> None:
+    *sides, last = found(*square(InkClass.DIMENSION, 1.0))
+    assert {own.why for own in sides} == {Evidence.NETWORK}
+    assert last.why is Evidence.LOOSE_END
+    # Two loose ends less, against what its ink says.
+    assert last.support == 2 * 6.0 - abs(last.evidence)
+    *_, stray = found(*square(InkClass.VISIBLE, 4.0), piece((9.0, 9.0), (29.0, 9.0), *DOUBTFUL))
+    assert (stray.ink, stray.why) == (InkClass.OTHER, Evidence.LOOSE_END)
+    *_, last = found(*square(InkClass.PICTORIAL, 2.0))
+    assert last.why is Evidence.FIGURE
+
+
+def test_a_sure_one_is_not() -> None:
+    assert inks(*square(InkClass.DIMENSION, 4.0))[-1] is InkClass.DIMENSION
+
+
+def test_two_doubtful_lines_close_it_together() -> None:
+    pieces = square(InkClass.OTHER, 1.0)[:3]
+    pieces.append(piece((0.0, 80.0), (0.0, 40.0), InkClass.OTHER, 1.0))
+    pieces.append(piece((0.0, 40.0), (0.0, 0.0), InkClass.OTHER, 1.0))
+    assert inks(*pieces) == [InkClass.VISIBLE] * 5
+
+
+def test_a_doubtful_edge_with_loose_ends_is_none() -> None:
+    stray = piece((300.0, 300.0), (360.0, 330.0), InkClass.VISIBLE, 0.8)
+    assert inks(*square(InkClass.VISIBLE, 4.0), stray)[-1] is InkClass.OTHER
+
+
+def test_a_sure_edge_with_loose_ends_stays() -> None:
+    stray = piece((300.0, 300.0), (360.0, 330.0), InkClass.VISIBLE, 4.0)
+    assert inks(*square(InkClass.VISIBLE, 4.0), stray)[-1] is InkClass.VISIBLE
+
+
+def test_dashes_have_loose_ends() -> None:
+    dash = piece((20.0, 40.0), (32.0, 40.0), InkClass.HIDDEN, 1.5)
+    assert inks(*square(InkClass.VISIBLE, 4.0), dash)[-1] is InkClass.HIDDEN
+
+
+def test_a_figure_is_of_one_kind() -> None:
+    assert inks(*square(InkClass.PICTORIAL, 2.0)) == [InkClass.VISIBLE] * 4
+    mostly = [piece(CORNERS[k], CORNERS[k + 1], InkClass.PICTORIAL, 4.0) for k in range(3)]
+    mostly.append(piece(CORNERS[3], CORNERS[0], InkClass.VISIBLE, 1.0))
+    assert inks(*mostly) == [InkClass.PICTORIAL] * 4
+
+
+def test_nothing_is_related_to_nothing() -> None:
+    assert related([], [], WIDTH) == []

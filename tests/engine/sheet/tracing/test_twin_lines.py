@@ -1,0 +1,158 @@
+"""Dashes that are all too wide for one line are two lines'."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.tracing.ink_runs import Run
+from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
+from gaussiancad_core.sheet.tracing.twin_lines import with_twins
+from gaussiancad_core.sheet.tracing.uneven_twins import uneven_twins
+from gaussiancad_core.sheet.tracing.view_shapes import Shape, find_shapes, view_pens, view_rhythm
+
+Sketch = Any
+"""The class that the fixture gives."""
+
+RHYTHM = (12.0, 6.0)
+BOX = (20.0, 20.0, 300.0, 220.0)
+
+
+def _plate(sketch: Sketch) -> Sketch:
+    """An outline with two hidden lines, which tell the pen."""
+    drawn = sketch(320, 240).lines((20, 20), (300, 20), (300, 220), (20, 220), (20, 20))
+    return drawn.broken((22, 50), (298, 50), RHYTHM).broken((22, 190), (298, 190), RHYTHM)
+
+
+def _levels(drawn: Sketch) -> list[float]:
+    """y of the hidden lines of a sheet, px; centres of pixels at integers."""
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, BOX)
+    rhythm = view_rhythm([view], sheet.stroke_width)
+    (view,) = with_twins([view], rhythm)
+    strokes = classify_strokes(view, rhythm)
+    ends = [own.sample(1e9)[[0, -1]] for own in strokes if own.linetype is Linetype.HIDDEN]
+    return sorted(float(points[:, 1].mean()) - 0.5 for points in ends if np.ptp(points[:, 0]) > 200)
+
+
+@pytest.mark.parametrize("apart", [1.2, 1.6, 2.0])
+def test_two_lines_whose_dashes_melt(sketch: Sketch, apart: float) -> None:
+    drawn = _plate(sketch)
+    for y in (120.0 - apart / 2.0, 120.0 + apart / 2.0):
+        drawn.broken((22, y), (298, y), RHYTHM)
+    found = _levels(drawn)
+    true = [50.0, 120.0 - apart / 2.0, 120.0 + apart / 2.0, 190.0]
+    assert found == pytest.approx(true, abs=0.2)
+
+
+@pytest.mark.parametrize("pen", [1.4, 2.0, 2.6, 3.2])
+@pytest.mark.parametrize("share", [1.1, 1.3, 1.5, 1.7, 1.9, 2.1, 2.4])
+def test_two_lines_with_little_paper_between(sketch: Sketch, pen: float, share: float) -> None:
+    """Lines are grown along both, but not where they lie, or along one of them only."""
+    drawn = sketch(320, 240).lines((20, 20), (300, 20), (300, 220), (20, 220), (20, 20))
+    true = [50.0, 70.0, 90.0, 120.0 - share * pen / 2.0, 120.0 + share * pen / 2.0, 190.0]
+    for y in true:
+        drawn.broken((22, y), (298, y), RHYTHM, pen)
+    assert _levels(drawn) == pytest.approx(true, abs=0.25)
+
+
+@pytest.mark.parametrize("apart", [3.0, 3.2, 3.4])
+def test_two_lines_beside_an_edge(sketch: Sketch, apart: float) -> None:
+    """It is near one of them, so that only the other one's dashes are measured."""
+    drawn = _plate(sketch)
+    true = [50.0, 70.0, 90.0, 120.0 - apart / 2.0, 120.0 + apart / 2.0, 190.0]
+    for y in true[1:-1]:
+        drawn.broken((22, y), (298, y), RHYTHM)
+    drawn.line((20.0, true[4] + 8.0), (300.0, true[4] + 8.0))
+    assert _levels(drawn) == pytest.approx(true, abs=0.2)
+
+
+@pytest.mark.parametrize("apart", [2.6, 3.0, 3.4])
+def test_of_two_lines_the_longer_one_goes_on(sketch: Sketch, apart: float) -> None:
+    drawn = _plate(sketch).broken((22, 70), (298, 70), RHYTHM).broken((22, 90), (298, 90), RHYTHM)
+    drawn.broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((22, 120 + apart), (140, 120 + apart), RHYTHM)
+    assert _levels(drawn) == pytest.approx([50.0, 70.0, 90.0, 120.0, 190.0], abs=0.3)
+
+
+def test_one_line_with_a_wider_pen_dash_is_one(sketch: Sketch) -> None:
+    """Ink that ran, of some dashes: they are not wider by as much along all of the line."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    for x in (22.0, 94.0, 166.0):
+        drawn.line((x, 120.8), (x + 12.0, 120.8), 2.0)
+    assert len(_levels(drawn)) == 3
+
+
+def test_where_pens_differ_no_line_is_two(sketch: Sketch) -> None:
+    """Without a width that most dashes have, one wide line says nothing."""
+    drawn = sketch(320, 240).lines((20, 20), (300, 20), (300, 220), (20, 220), (20, 20))
+    for k, width in enumerate((1.4, 2.0, 2.8, 3.6)):
+        drawn.broken((22, 50 + 40 * k), (298, 50 + 40 * k), RHYTHM, width)
+    assert len(_levels(drawn)) == 4
+
+
+@pytest.mark.parametrize("apart", [1.0, 1.4, 1.8])
+@pytest.mark.parametrize("shift", [4.0, 5.0, 9.0, 12.0])
+def test_two_lines_whose_dashes_fill_each_others_gaps(
+    sketch: Sketch, apart: float, shift: float
+) -> None:
+    """The one ends before the other; together their ink has no gaps."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((22 + shift, 120 + apart), (260, 120 + apart), RHYTHM)
+    found = _levels(drawn)
+    assert found == pytest.approx([50.0, 120.0, 120.0 + apart, 190.0], abs=0.25)
+    assert _visible(drawn) == 4
+
+
+@pytest.mark.parametrize("apart", [1.2, 1.6, 2.0])
+@pytest.mark.parametrize("step", [0.0, 1.5])
+def test_two_lines_in_step_one_of_which_is_shorter(
+    sketch: Sketch, apart: float, step: float
+) -> None:
+    """Where both are, all dashes are wider, and those beyond lie at one edge of them."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((112 + step, 120 + apart), (300, 120 + apart), RHYTHM)
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, BOX)
+    (parted,) = with_twins([view], view_rhythm([view], sheet.stroke_width))
+    line, shorter = (own for own in parted.shapes if own.twin)
+    for own, y, start in ((line, 120.0, 22.0), (shorter, 120.0 + apart, 112.0)):
+        ends = np.array([own.runs[0].start, own.runs[-1].end])
+        points = own.geometry.points_at(ends) + np.array(view.offset)
+        assert points[:, 1] == pytest.approx(y, abs=0.4)
+        assert points[:, 0] == pytest.approx((start, 286.0), abs=3.5)
+
+
+def test_their_dashes_go_on_where_no_line_was_followed(sketch: Sketch) -> None:
+    """Of a line that was found along a part of both the twins reach to where the dashes end."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((27, 121.5), (298, 121.5), RHYTHM)
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, BOX)
+    rhythm = view_rhythm([view], sheet.stroke_width)
+    line = Line((22.0 - view.offset[0], 120.75 - view.offset[1]), (1.0, 0.0))
+    cut = Shape(line, (Run(0.0, 150.0),), 100.0)
+    one, other = uneven_twins(cut, view.sheet, 2.0, rhythm)
+    for twin, end in ((one, 286.0), (other, 291.0)):
+        last = twin.geometry.points_at(np.array([twin.runs[0].start, twin.runs[-1].end]))[:, 0]
+        assert float(last.max()) + view.offset[0] == pytest.approx(end, abs=2.0)
+
+
+def test_a_line_that_is_visible_in_its_middle_is_one(sketch: Sketch) -> None:
+    """A wide pen where it is visible, a narrow one where it is hidden."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.line((94, 120.4), (202, 120.4), 3.0)
+    assert _visible(drawn) == 5
+
+
+def _visible(drawn: Sketch) -> int:
+    """How many visible lines are read."""
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, BOX)
+    rhythm = view_rhythm([view], sheet.stroke_width)
+    views = with_twins([view], rhythm)
+    strokes = classify_strokes(views[0], rhythm, view_pens(views, rhythm))
+    return sum(own.linetype is Linetype.VISIBLE for own in strokes)

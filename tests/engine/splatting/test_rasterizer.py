@@ -1,0 +1,272 @@
+"""Both back ends: analytic images, agreement, gradients, determinism."""
+
+from dataclasses import replace
+
+import numba
+import numpy as np
+import pytest
+import torch
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.cameras import Camera, CameraModel, orthographic_camera, paper_camera
+from gaussiancad_core.splatting.gaussians import Gaussians
+from gaussiancad_core.splatting.projection import CameraBatch, batch_of
+from gaussiancad_core.splatting.rasterizer import (
+    Backend,
+    Optics,
+    Parameters,
+    Rendering,
+    parameters_of,
+    rasteriser,
+)
+from gaussiancad_core.splatting.reference import draw_reference
+from gaussiancad_core.splatting.tiles import (
+    PARTS,
+    TILE_WORK,
+    draw_tiles,
+    even_parts,
+    warm_up,
+)
+
+SIZE = (50.0, 30.0, 40.0)
+THREE = (Role.FRONT, Role.TOP, Role.RIGHT)
+BOTH = pytest.mark.parametrize("draw", [draw_tiles, draw_reference])
+MODELS = pytest.mark.parametrize("model", list(CameraModel))
+SMOOTH = Optics(smallest_alpha=0.0, largest_alpha=0.9999, smallest_transmittance=0.0)
+
+
+def cameras(
+    model: CameraModel, pixels: int, dtype: torch.dtype, roles: tuple[Role, ...] = THREE
+) -> CameraBatch:
+    def camera(role: Role) -> Camera:
+        if model is CameraModel.ORTHOGRAPHIC:
+            return orthographic_camera(role, SIZE, pixels)
+        return paper_camera(role, SIZE, pixels / 1920)
+
+    return batch_of(tuple(camera(role) for role in roles), unit=10.0, dtype=dtype)
+
+
+def parameters(count: int, sigma: float, dtype: torch.dtype, seed: int = 0) -> Parameters:
+    """Random Gaussians in the part's box, in units of 10 mm."""
+    generator = torch.Generator().manual_seed(seed)
+
+    def normal(*shape: int) -> torch.Tensor:
+        return torch.randn(*shape, generator=generator, dtype=dtype)
+
+    box = torch.tensor(SIZE, dtype=dtype) / 10.0
+    return Parameters(
+        *(
+            tensor.requires_grad_()
+            for tensor in (
+                torch.rand(count, 3, generator=generator, dtype=dtype) * box,
+                normal(count, 4),
+                0.3 * normal(count, 3) + np.log(sigma),
+                normal(count),
+                torch.rand(count, 3, generator=generator, dtype=dtype),
+            )
+        )
+    )
+
+
+def gradients(rendering: Rendering, of: Parameters) -> tuple[torch.Tensor, ...]:
+    """Gradients of a fixed random combination of all images."""
+    generator = torch.Generator().manual_seed(1)
+    total = torch.zeros((), dtype=rendering.colours.dtype)
+    for image in (rendering.colours, rendering.alphas, rendering.depths):
+        weights = torch.randn(image.shape, generator=generator, dtype=torch.float64)
+        total = total + (image * weights.to(image.dtype)).sum()
+    return torch.autograd.grad(total, of.tensors)
+
+
+def one_gaussian(dtype: torch.dtype = torch.float64) -> Parameters:
+    """An upright, axis-parallel Gaussian in the middle, opacity 0.8."""
+    rows = (
+        [[2.5, 1.5, 2.0]],
+        [[1.0, 0.0, 0.0, 0.0]],
+        [np.log([0.5, 0.2, 0.3]).tolist()],
+        [np.log(0.8 / 0.2)],
+        [[1.0, 0.5, 0.25]],
+    )
+    return Parameters(*(torch.tensor(row, dtype=dtype).requires_grad_() for row in rows))
+
+
+@BOTH
+def test_one_gaussian_under_parallel_projection_is_its_marginal(draw: object) -> None:
+    camera = orthographic_camera(Role.FRONT, SIZE, 40)
+    batch = batch_of((camera,), unit=10.0, dtype=torch.float64)
+    rendering = draw(one_gaussian(), batch, replace(SMOOTH, dilation=0.1))
+    y, x = np.mgrid[:40, :40] + 0.5
+    scale = camera.fx * 10.0
+    variance_x, variance_y = (0.5 * scale) ** 2 + 0.1, (0.3 * scale) ** 2 + 0.1
+    exact = 0.8 * np.exp(-((x - 20.0) ** 2 / variance_x + (y - 20.0) ** 2 / variance_y) / 2)
+    assert rendering.alphas[0].detach().numpy() == pytest.approx(exact, abs=1e-12)
+    expected = exact * np.array([1.0, 0.5, 0.25])[:, None, None]
+    assert rendering.colours[0].detach().numpy() == pytest.approx(expected, abs=1e-12)
+    depth = camera.reference_depth / 10.0
+    assert rendering.depths[0].detach().numpy() == pytest.approx(exact * depth, abs=1e-9)
+
+
+@BOTH
+def test_the_nearer_gaussian_covers_the_farther_one(draw: object) -> None:
+    single = one_gaussian()
+    pair = Parameters(
+        *(torch.cat([t.detach(), t.detach()]).requires_grad_() for t in single.tensors)
+    )
+    with torch.no_grad():
+        # The front view looks along +Y: the second stands nearer.
+        pair.means[1, 1] -= 1.0
+        pair.colours[0] = torch.tensor([1.0, 0.0, 0.0])
+        pair.colours[1] = torch.tensor([0.0, 1.0, 0.0])
+    batch = cameras(CameraModel.ORTHOGRAPHIC, 41, torch.float64, (Role.FRONT,))
+    rendering = draw(pair, batch, replace(SMOOTH, dilation=0.0))
+    middle = rendering.colours[0, :, 20, 20].detach().numpy()
+    assert middle == pytest.approx([0.2 * 0.8, 0.8, 0.0], abs=1e-12)
+    assert float(rendering.alphas[0, 20, 20].detach()) == pytest.approx(0.96)
+
+
+@MODELS
+@pytest.mark.parametrize(("dtype", "tolerance"), [(torch.float32, 2e-5), (torch.float64, 1e-12)])
+def test_tiles_draw_and_differentiate_as_the_reference_does(
+    model: CameraModel, dtype: torch.dtype, tolerance: float
+) -> None:
+    batch = cameras(model, 70, dtype)
+    some = parameters(60, 0.2, dtype)
+    fast, plain = (draw(some, batch, Optics()) for draw in (draw_tiles, draw_reference))
+    for name in ("colours", "alphas", "depths"):
+        one, other = getattr(fast, name), getattr(plain, name)
+        assert one.dtype == dtype
+        assert (one - other).abs().max() <= tolerance * other.abs().max(), name
+    for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
+        assert (one - other).abs().max() <= tolerance * other.abs().max()
+
+
+@MODELS
+def test_thin_slanting_gaussians_lose_no_pixel(model: CameraModel) -> None:
+    batch = cameras(model, 150, torch.float64)
+    some = parameters(80, 0.3, torch.float64, seed=5)
+    with torch.no_grad():
+        some.log_scales[:, 2] -= 4.0
+        some.log_scales[::2, 1] -= 3.0
+    optics = Optics(dilation=0.02)
+    fast, plain = (draw(some, batch, optics) for draw in (draw_tiles, draw_reference))
+    assert float(plain.alphas.detach().max()) > 0.5
+    for name in ("colours", "alphas", "depths"):
+        one, other = getattr(fast, name), getattr(plain, name)
+        assert (one - other).abs().max() <= 1e-12 * other.abs().max(), name
+    for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
+        assert (one - other).abs().max() <= 1e-11 * other.abs().max()
+
+
+@MODELS
+def test_gradients_of_the_tiles_are_those_of_finite_differences(model: CameraModel) -> None:
+    batch = cameras(model, 20, torch.float64, (Role.FRONT, Role.RIGHT))
+    some = parameters(4, 0.5, torch.float64, seed=2)
+    generator = torch.Generator().manual_seed(4)
+
+    def combinations(*tensors: torch.Tensor) -> torch.Tensor:
+        """A few random sums over all images: each depends on every pixel."""
+        rendering = draw_tiles(Parameters(*tensors), batch, SMOOTH)
+        images = (rendering.colours, rendering.alphas, rendering.depths)
+        pixels = torch.cat([image.flatten() for image in images])
+        return weights[:, : len(pixels)] @ pixels
+
+    weights = torch.randn(6, 10_000, generator=generator, dtype=torch.float64)
+    assert torch.autograd.gradcheck(combinations, some.tensors, eps=1e-6, atol=1e-6, rtol=1e-5)
+
+
+@MODELS
+def test_an_opaque_pile_ends_the_drawing_in_both_back_ends(model: CameraModel) -> None:
+    some = parameters(400, 0.6, torch.float64)
+    with torch.no_grad():
+        some.logit_opacities.fill_(6.0)
+    batch = cameras(model, 40, torch.float64)
+    fast, plain = (draw(some, batch, Optics()) for draw in (draw_tiles, draw_reference))
+    assert float((1.0 - plain.alphas).min().detach()) < 1e-4
+    assert torch.allclose(fast.colours, plain.colours, atol=1e-12)
+    for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
+        assert (one - other).abs().max() <= 1e-9 * other.abs().max()
+
+
+@BOTH
+@MODELS
+def test_what_lies_outside_or_behind_draws_nothing_and_gets_no_gradient(
+    draw: object, model: CameraModel
+) -> None:
+    some = parameters(5, 0.1, torch.float64)
+    far = 1e4
+    with torch.no_grad():
+        some.means[0] += torch.tensor([far, 0.0, 0.0])
+        some.means[1] += torch.tensor([0.0, 0.0, -far])
+        some.means[2] += torch.tensor([0.0, -far if model is CameraModel.PINHOLE else far, far])
+        some.logit_opacities[3] = -20.0
+    batch = cameras(model, 64, torch.float64, (Role.FRONT,))
+    rendering = draw(some, batch, Optics())
+    alone = Parameters(*(tensor.detach()[4:].requires_grad_() for tensor in some.tensors))
+    assert torch.allclose(rendering.alphas, draw(alone, batch, Optics()).alphas, atol=1e-12)
+    for gradient in gradients(rendering, some):
+        assert torch.isfinite(gradient).all()
+        assert (gradient[:4] == 0.0).all()
+
+
+@BOTH
+def test_no_gaussians_draw_blank_images(draw: object) -> None:
+    none = Parameters(*(tensor.detach()[:0].requires_grad_() for tensor in one_gaussian().tensors))
+    rendering = draw(none, cameras(CameraModel.ORTHOGRAPHIC, 20, torch.float64), Optics())
+    assert rendering.colours.shape == (3, 3, 20, 20)
+    assert (rendering.alphas == 0.0).all()
+    assert all(gradient.numel() == 0 for gradient in gradients(rendering, none))
+
+
+def test_the_number_of_threads_does_not_change_a_bit() -> None:
+    some = parameters(300, 0.2, torch.float32)
+    batch = cameras(CameraModel.ORTHOGRAPHIC, 96, torch.float32)
+    before = numba.get_num_threads()
+    found = []
+    try:
+        for threads in (1, before):
+            numba.set_num_threads(threads)
+            rendering = draw_tiles(some, batch, Optics())
+            found.append((rendering.colours.detach(), *gradients(rendering, some)))
+    finally:
+        numba.set_num_threads(before)
+    assert all(torch.equal(one, other) for one, other in zip(*found, strict=True))
+
+
+@given(st.lists(st.integers(0, 500), min_size=1, max_size=400))
+def test_threads_get_as_much_to_do(counts: list[int]) -> None:
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    parts = even_parts(starts)
+    assert len(parts) == PARTS + 1
+    assert (parts[0], parts[-1]) == (0, len(counts))
+    assert (np.diff(parts) >= 0).all()
+    work = np.diff((starts + TILE_WORK * np.arange(len(starts)))[parts])
+    assert work.max() <= work.sum() / PARTS + max(counts) + TILE_WORK
+
+
+def test_backends_are_found_by_name() -> None:
+    assert rasteriser(Backend.TILES) is draw_tiles
+    assert rasteriser(Backend.REFERENCE) is draw_reference
+
+
+def test_parameters_are_leaves_in_the_unit_of_the_scene() -> None:
+    ones = np.ones((2, 4), np.float32)
+    gaussians = Gaussians(ones[:, :3] * 20, ones, ones[:, :3], ones[:, 0], ones[:, :3], ones[:, :3])
+    found = parameters_of(gaussians, unit=10.0)
+    assert found.means.detach().numpy() == pytest.approx(np.full((2, 3), 2.0))
+    assert found.log_scales.detach().numpy() == pytest.approx(np.full((2, 3), 1.0 - np.log(10.0)))
+    assert all(tensor.is_leaf and tensor.requires_grad for tensor in found.tensors)
+
+
+def test_warming_up_compiles_what_a_run_calls() -> None:
+    from gaussiancad_core.splatting.tile_kernels import composite_backward, composite_forward
+
+    warm_up()
+    kernels = (composite_forward, composite_backward)
+    before = [len(kernel.signatures) for kernel in kernels]
+    some = parameters(10, 0.2, torch.float32)
+    for model in CameraModel:
+        rendering = draw_tiles(some, cameras(model, 32, torch.float32), Optics())
+        gradients(rendering, some)
+    assert [len(kernel.signatures) for kernel in kernels] == before
