@@ -31,7 +31,7 @@ from stage_cases import Case, Figures, kept_cases, total
 from textbook_work import FAMILIES
 
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, Finder
-from gaussiancad_core.sheet.tracing.leftover_tracing import ink_strokes
+from gaussiancad_core.sheet.tracing import ink_strokes
 
 Neutral = Callable[..., Any]
 """What a stage's arguments become without it."""

@@ -40,7 +40,8 @@ _COLUMNS = (
 
 def engine_module(name: str) -> ModuleType:
     """A module of the engine that needs nothing else of it."""
-    path = Path(__file__).resolve().parents[2] / "core" / "gaussiancad_core" / f"{name}.py"
+    core = Path(__file__).resolve().parents[2] / "core" / "gaussiancad_core"
+    path = core / "batches" / f"{name}.py"
     spec = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -49,7 +50,7 @@ def engine_module(name: str) -> ModuleType:
 
 def folder_names(sheets: list[Path]) -> list[str]:
     """The names that the engine gives."""
-    return engine_module("sheet_names").folder_names(sheets)
+    return engine_module("batch_folder_names").folder_names(sheets)
 
 
 class FakeBatch:

@@ -9,7 +9,7 @@ from freecad.gaussiancad.engine.explaining import MODELS, OUTCOMES, explanation_
 from freecad.gaussiancad.engine.report import parse_report
 from freecad.gaussiancad.paths import ADDON_ROOT
 
-TRACE = ADDON_ROOT / "core" / "gaussiancad_core" / "solid" / "trace.py"
+TRACE = ADDON_ROOT / "core" / "gaussiancad_core" / "solid" / "search_trace.py"
 
 
 def explained(status: str = "approximate", **values: object) -> list[str]:

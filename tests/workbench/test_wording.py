@@ -158,10 +158,10 @@ class Wording(unittest.TestCase):
         self.assertIn("{page}.pdf", told)
 
     def test_every_stage_and_kind_of_drawing_has_a_name(self) -> None:
-        pipeline = ast.parse((ENGINE / "pipeline.py").read_text(encoding="utf-8"))
+        pipeline = ast.parse((ENGINE / "run" / "pipeline.py").read_text(encoding="utf-8"))
         for name in _constant(pipeline, "STAGES"):
             self.assertIn(" ", stage_name(name), name)
-        kinds = ENGINE / "sheet" / "special_views" / "kinds.py"
+        kinds = ENGINE / "sheet" / "special_views" / "view_kinds.py"
         names = re.findall(r'^    [A-Z_]+ = "([a-z-]+)"', kinds.read_text("utf-8"), re.MULTILINE)
         for name in names:
             if name != "section":

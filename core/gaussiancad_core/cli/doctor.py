@@ -129,7 +129,7 @@ def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     from gaussiancad_core.cells import sight_lines
     from gaussiancad_core.lines import mesh_crossings, mesh_rays
     from gaussiancad_core.pictures import preview
-    from gaussiancad_core.sheet.tracing.leftover_tracing import shape_growth
+    from gaussiancad_core.sheet.tracing import shape_growth
     from gaussiancad_core.splatting import tiles
 
     sight_lines.warm_up()

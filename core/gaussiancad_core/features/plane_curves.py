@@ -1,6 +1,7 @@
 """The edges of a solid, seen along a direction: the straight lines and circles of a plane.
 
-Coordinates are units (see :mod:`..reasoning.planes`): a hundredth of the part's longest extent.
+Coordinates are in hundredths of the part's longest extent, the units of
+:mod:`gaussiancad_core.model.projection_planes`.
 """
 
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,8 @@
 """The outline of a part in a projection plane, along the lines that are drawn there.
 
 An outline runs along the drawn lines where they close around what the masks cover; where they do
-not, it is the masks' contour as a polygon.  Coordinates are units (see :mod:`..reasoning.planes`).
+not, it is the masks' contour as a polygon.  Coordinates are in the units of
+:mod:`gaussiancad_core.model.projection_planes`.
 """
 
 from collections.abc import Iterator, Sequence
