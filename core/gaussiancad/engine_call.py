@@ -1,0 +1,237 @@
+"""A command of the engine, run in a process of its own to its end.
+
+The geometry kernel may end the process that it runs in, and numerical libraries read their
+environment when they are loaded.  So nothing of the engine is loaded here: the process that is
+started sets up its own environment, and what it says comes back as events.
+"""
+
+import contextlib
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO, Any
+
+from gaussiancad_core.errors import (
+    CancelledError,
+    EngineError,
+    ExitCode,
+    GaussianCadError,
+    LimitError,
+    NoModelError,
+    UnreadableError,
+    UsageError,
+)
+from gaussiancad_core.messages import filled
+
+PYTHON_VARIABLE = "GAUSSIANCAD_PYTHON"
+"""Environment variable that names the engine's interpreter, as for the workbench."""
+
+_CORE = Path(__file__).resolve().parents[1]
+"""The folder of the engine's packages: that of this package, so that versions never differ."""
+
+_KERNEL = "OCP"
+"""A library that an engine's environment has, and other Pythons have not."""
+
+_SECONDS_TO_STOP = 30.0
+"""That a run has to end once it is told to: as the workbench waits before it ends a process."""
+
+_LAST_BYTES = 1 << 16
+"""Of what the process printed as errors that are looked at."""
+
+Progress = Callable[[str, float], None]
+"""Told the running stage and the fraction of it that is done, 0 to 1."""
+
+_ERRORS: dict[int, type[GaussianCadError]] = {
+    ExitCode.USAGE: UsageError,
+    ExitCode.UNREADABLE: UnreadableError,
+    ExitCode.NO_MODEL: NoModelError,
+    ExitCode.LIMIT: LimitError,
+    ExitCode.CANCELLED: CancelledError,
+}
+
+
+@dataclass(frozen=True)
+class EndedCommand:
+    """What a command ended with.
+
+    Attributes:
+        exit_code: of the process.
+        printed: on standard output, by a command without events.
+        errors: the last of what it printed on standard error.
+        told: the event ``error``, where one was sent.
+    """
+
+    exit_code: int
+    printed: str = ""
+    errors: str = ""
+    told: Mapping[str, Any] = field(default_factory=dict)
+
+    def error(self) -> GaussianCadError:
+        """The error that the command ended with."""
+        code, message = self.told.get("code"), self.told.get("message")
+        if not (isinstance(code, str) and isinstance(message, str)):
+            code, message = self._last_line()
+        args = self.told.get("args")
+        known = filled(message, args if isinstance(args, Mapping) else {})
+        return _ERRORS.get(self.exit_code, EngineError)(code, known)
+
+    def _last_line(self) -> tuple[str, str]:
+        """Code and message of the line by which a command tells its error."""
+        last = next(iter(reversed(self.errors.strip().splitlines())), "")
+        message, _, code = last.removeprefix("gaussiancad: ").rpartition(" [")
+        if message and code.endswith("]"):
+            return code[:-1], message
+        return "engine-broken", f"the engine ended with {self.exit_code} ({last or 'no message'})"
+
+
+def engine_python() -> str:
+    """The interpreter that has the engine's libraries.
+
+    Returns:
+        That of ``GAUSSIANCAD_PYTHON`` if set, else this one if it has the libraries, else that of
+        the environment ``.venv`` in a checkout.
+
+    Raises:
+        EngineError: ``engine-missing``.
+    """
+    named = os.environ.get(PYTHON_VARIABLE)
+    if named:
+        if not os.access(named, os.X_OK) or Path(named).is_dir():
+            raise EngineError(
+                "engine-missing",
+                "{variable} names {path}, which is no interpreter: correct or unset it",
+                variable=PYTHON_VARIABLE,
+                path=named,
+            )
+        return named
+    if importlib.util.find_spec(_KERNEL) is not None and sys.executable:
+        return sys.executable
+    beside = _CORE.parent / ".venv" / "bin" / "python"
+    if beside.is_file():
+        return str(beside)
+    raise EngineError(
+        "engine-missing",
+        "this Python ({python}) lacks the engine's libraries: pip install gaussiancad-core, or "
+        "name an interpreter that has them in {variable}",
+        python=sys.executable or "unknown",
+        variable=PYTHON_VARIABLE,
+    )
+
+
+def run_command(arguments: Sequence[str], progress: Progress | None = None) -> EndedCommand:
+    """Run a command of the engine that sends events, or one that prints.
+
+    Args:
+        arguments: of ``gaussiancad``; with ``--events`` its events are heard.
+        progress: told how far the run is; it may raise to stop it.
+
+    Raises:
+        EngineError: no engine was found, or none can be started.
+        KeyboardInterrupt: by Ctrl-C, once the run has ended.
+    """
+    command = [engine_python(), "-P", "-u", "-m", "gaussiancad_core", *arguments]
+    with tempfile.TemporaryFile() as errors:
+        try:
+            process = subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=errors,
+                env=_environment(),
+                # Ctrl-C is handed on below, as a wish to stop.
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise EngineError(
+                "engine-broken",
+                "the engine cannot be started ({reason}): run `gaussiancad doctor`",
+                reason=error.strerror or error,
+            ) from error
+        printed, told = _heard(process, progress, events="--events" in arguments)
+        return EndedCommand(process.wait(), printed, _last_of(errors), told)
+
+
+def _environment() -> dict[str, str]:
+    known = os.environ.get("PYTHONPATH")
+    path = os.pathsep.join([str(_CORE), known] if known else [str(_CORE)])
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONHOME"}
+    return {**kept, "PYTHONPATH": path}
+
+
+def _heard(
+    process: "subprocess.Popen[bytes]", progress: Progress | None, *, events: bool
+) -> tuple[str, Mapping[str, Any]]:
+    """What a process printed, or the error that it told, once it has ended."""
+    assert process.stdin is not None and process.stdout is not None
+    printed: list[str] = []
+    told: Mapping[str, Any] = {}
+    try:
+        for line in process.stdout:
+            text = line.decode("utf-8", "replace")
+            if not events:
+                printed.append(text)
+                continue
+            event = _event(text)
+            if event.get("event") == "error":
+                told = event
+            elif progress is not None:
+                _tell(event, progress)
+        process.wait()
+    except BaseException:
+        _stop(process)
+        raise
+    finally:
+        for stream in (process.stdin, process.stdout):
+            with contextlib.suppress(OSError):
+                stream.close()
+    return "".join(printed), told
+
+
+def _event(line: str) -> Mapping[str, Any]:
+    try:
+        values = json.loads(line)
+    except ValueError:
+        return {}
+    return values if isinstance(values, dict) else {}
+
+
+def _tell(event: Mapping[str, Any], progress: Progress) -> None:
+    if event.get("event") == "stage":
+        progress(str(event.get("name")), 0.0)
+    elif event.get("event") == "progress":
+        progress(str(event.get("stage")), float(event.get("fraction", 0.0)))
+
+
+def _stop(process: "subprocess.Popen[bytes]") -> None:
+    """End a run: by its own wish to stop, or after a while by force."""
+    assert process.stdin is not None and process.stdout is not None
+    with contextlib.suppress(OSError):
+        process.stdin.write(b"cancel\n")
+        process.stdin.close()
+    process.terminate()
+    # It must not wait for a reader of what it still prints.
+    threading.Thread(target=_drain, args=(process.stdout,), daemon=True).start()
+    try:
+        process.wait(_SECONDS_TO_STOP)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
+def _drain(stream: IO[bytes]) -> None:
+    with contextlib.suppress(OSError, ValueError):
+        while stream.read(1 << 16):
+            pass
+
+
+def _last_of(file: IO[bytes]) -> str:
+    size = file.seek(0, os.SEEK_END)
+    file.seek(max(size - _LAST_BYTES, 0))
+    return file.read().decode("utf-8", "replace")

@@ -1,0 +1,203 @@
+"""From a sheet to what it says, and to the part that it shows."""
+
+import json
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from gaussiancad.engine_call import Progress, run_command
+from gaussiancad.options import Box, PathLike, options, path_of, reading_options
+from gaussiancad.part_result import REPORT_FILE, Result
+from gaussiancad.sheet_reading import Reading
+from gaussiancad_core.errors import ExitCode
+
+_READING_FILE = "reading.json"
+_CORRECTIONS_SCHEMA = "gaussiancad-corrections/1"
+_PREFIX = "gaussiancad-"
+
+
+def read(
+    sheet: PathLike,
+    *,
+    projection: str | None = None,
+    views: Mapping[str, Box] | None = None,
+    page: int = 1,
+    length: Mapping[str, float] | None = None,
+    mm_per_pixel: float | None = None,
+    unit: str | None = None,
+    progress: Progress | None = None,
+) -> Reading:
+    """Read a sheet: its views, their strokes, its dimensions and notes.
+
+    What no part follows from is told in ``problems`` and raises nothing.
+
+    Args:
+        sheet: PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF.
+        projection: ``first`` or ``third`` angle; found on the sheet where None.
+        views: boxes around views by their roles, px of the sheet as stored (y down).
+        page: of a file that has several, from 1.
+        length: the part's extents in mm by axis, such as ``{"x": 80}``.
+        mm_per_pixel: the scale.
+        unit: of a file that does not say its own: ``mm``, ``cm``, ``m``, ``in`` or ``ft``.
+        progress: called with the running stage and the fraction of it that is done.
+
+    Raises:
+        UsageError: an option has no such value.
+        UnreadableError: the file is no sheet, or damaged.
+        LimitError: it is too large, or memory does not suffice.
+        EngineError: the engine is missing or incomplete.
+    """
+    told = reading_options(
+        projection=projection,
+        views=views,
+        page=page,
+        length=length,
+        mm_per_pixel=mm_per_pixel,
+        unit=unit,
+    )
+    return _read(Path(sheet), page, told, progress)
+
+
+def correct(
+    reading: Reading,
+    corrections: Sequence[Mapping[str, Any]],
+    *,
+    progress: Progress | None = None,
+) -> Reading:
+    """Apply corrections to what was read, as the canvas does.
+
+    Args:
+        reading: of a sheet.
+        corrections: operations of ``corrections.json``, one after another.
+        progress: as of :func:`read`.
+
+    Returns:
+        The corrected reading, with the problems that it still has.
+
+    Raises:
+        UnreadableError: ``corrections-not-read``: one has no such form; the message says which.
+    """
+    with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
+        folder = Path(name)
+        (folder / _READING_FILE).write_bytes(reading.as_json())
+        (folder / "corrections.json").write_text(
+            json.dumps(
+                {
+                    "schema": _CORRECTIONS_SCHEMA,
+                    "sheet_sha256": reading.data["sheet"]["sha256"],
+                    "ops": list(corrections),
+                }
+            ),
+            encoding="utf-8",
+        )
+        told = options(
+            page=reading.page,
+            reading=folder / _READING_FILE,
+            corrections=folder / "corrections.json",
+        )
+        return _read(reading.sheet, reading.page, told, progress)
+
+
+def reconstruct(
+    sheet: PathLike,
+    *,
+    result: str | None = None,
+    projection: str | None = None,
+    views: Mapping[str, Box] | None = None,
+    page: int = 1,
+    length: Mapping[str, float] | None = None,
+    mm_per_pixel: float | None = None,
+    unit: str | None = None,
+    recipe: str | None = None,
+    preset: str | None = None,
+    seed: int = 0,
+    device: str | None = None,
+    progress: Progress | None = None,
+) -> Result:
+    """Make a part from a sheet; nothing is written but into a temporary folder.
+
+    Args:
+        sheet, projection, views, page, length, mm_per_pixel, unit, progress: as of :func:`read`.
+        result: ``solid`` for the exact solid alone, ``surface`` for the Gaussians and their
+            surface alone, ``both``; what is installed where None.
+        recipe: ``orthographic``, or ``paper`` for the cameras of the paper.
+        preset: ``draft``, ``standard`` or ``fine``: how long Gaussians are trained.
+        seed: of all chance.
+        device: ``auto``, ``cpu`` or ``cuda``.
+
+    Returns:
+        The part; ``failed`` where the sheet was read but no part follows from it.
+
+    Raises:
+        GaussianCadError: as of :func:`read`.
+    """
+    told = reading_options(
+        projection=projection,
+        views=views,
+        page=page,
+        length=length,
+        mm_per_pixel=mm_per_pixel,
+        unit=unit,
+    )
+    told += options(result=result, recipe=recipe, preset=preset, seed=seed, device=device)
+    return _reconstructed(Path(sheet), told, progress)
+
+
+def solve(
+    reading: Reading,
+    *,
+    result: str | None = None,
+    recipe: str | None = None,
+    preset: str | None = None,
+    seed: int = 0,
+    device: str | None = None,
+    progress: Progress | None = None,
+) -> Result:
+    """Make a part from what was read of a sheet, corrected or not.
+
+    Args:
+        reading: of the sheet, whose file must still be there.
+        result, recipe, preset, seed, device, progress: as of :func:`reconstruct`.
+
+    Raises:
+        GaussianCadError: as of :func:`reconstruct`.
+    """
+    with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
+        path = Path(name, _READING_FILE)
+        path.write_bytes(reading.as_json())
+        told = options(
+            page=reading.page,
+            reading=path,
+            result=result,
+            recipe=recipe,
+            preset=preset,
+            seed=seed,
+            device=device,
+        )
+        return _reconstructed(reading.sheet, told, progress)
+
+
+def _read(sheet: Path, page: int, told: list[str], progress: Progress | None) -> Reading:
+    with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
+        arguments = ["read", path_of(sheet), f"--output={name}", *told, "--events"]
+        ended = run_command(arguments, progress)
+        if ended.exit_code != ExitCode.DONE:
+            raise ended.error()
+        data = json.loads(Path(name, _READING_FILE).read_bytes())
+    return Reading(Path(path_of(sheet)), MappingProxyType(data), page)
+
+
+def _reconstructed(sheet: Path, told: list[str], progress: Progress | None) -> Result:
+    kept = tempfile.TemporaryDirectory(prefix=_PREFIX)
+    try:
+        arguments = ["reconstruct", path_of(sheet), f"--output={kept.name}", *told, "--events"]
+        ended = run_command(arguments, progress)
+        reported = Path(kept.name, REPORT_FILE).is_file()
+        if ended.exit_code == ExitCode.DONE or (ended.exit_code == ExitCode.NO_MODEL and reported):
+            return Result(Path(kept.name), kept)
+        raise ended.error()
+    except BaseException:
+        kept.cleanup()
+        raise
