@@ -93,10 +93,10 @@ def rows(locks: Mapping[Lock, Iterable[Package]], record: Record) -> tuple[Row, 
         for package in packages:
             holders.setdefault((package.name, package.release), []).append(lock)
     found = []
-    for key, own in sorted(holders.items()):
+    for key, item in sorted(holders.items()):
         licence = record.get(key, Licence(UNKNOWN, "metadata"))
-        allowed = all(is_allowed(licence.text, lock) for lock in own)
-        found.append(Row(*key, licence, tuple(own), allowed))
+        allowed = all(is_allowed(licence.text, lock) for lock in item)
+        found.append(Row(*key, licence, tuple(item), allowed))
     return tuple(found)
 
 
@@ -151,11 +151,11 @@ def asked(packages: Iterable[Package]) -> dict[Key, Licence]:
             command += ["--quiet", "--target", folder, "--report", str(report)]
             subprocess.run([*command, "--requirement", str(names)], check=True)
             for item in json.loads(report.read_text(encoding="utf-8"))["install"]:
-                own = item["metadata"]
-                name = canonical(own["name"])
-                fields = own.get("license_expression"), own.get("license")
-                version = own["version"].partition("+")[0]
-                licence = stated_licence(name, *fields, own.get("classifier", ()))
+                entry = item["metadata"]
+                name = canonical(entry["name"])
+                fields = entry.get("license_expression"), entry.get("license")
+                version = entry["version"].partition("+")[0]
+                licence = stated_licence(name, *fields, entry.get("classifier", ()))
                 found[name, version] = licence
     return found
 
@@ -168,10 +168,10 @@ def main(arguments: list[str]) -> int:
     locks = {lock: read_lock(lock) for lock in Lock}
     record = read_record(RECORD.read_text(encoding="utf-8")) if RECORD.exists() else {}
     if record_first:
-        packages = [package for own in locks.values() for package in own]
+        packages = [package for lock in locks.values() for package in lock]
         keys = {(package.name, package.release) for package in packages}
         new = [p for p in packages if (p.name, p.release) not in record]
-        record = {key: own for key, own in {**record, **asked(new)}.items() if key in keys}
+        record = {key: item for key, item in {**record, **asked(new)}.items() if key in keys}
         RECORD.write_text(record_text(record), encoding="utf-8")
     listed = rows(locks, record)
     if record_first:

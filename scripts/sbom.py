@@ -45,7 +45,7 @@ def bill(lock: Lock, text: str, project: Mapping[str, object], record: Record) -
         ValueError: the lock is damaged.
     """
     packages = parse_lock(text)
-    own = f"pkg:pypi/{project['name']}@{project['version']}"
+    item = f"pkg:pypi/{project['name']}@{project['version']}"
     seed = f"{lock.value}\n{project['version']}\n{text}"
     return {
         "$schema": "http://cyclonedx.org/schema/bom-1.6.schema.json",
@@ -56,17 +56,17 @@ def bill(lock: Lock, text: str, project: Mapping[str, object], record: Record) -
         "metadata": {
             "component": {
                 "type": "application",
-                "bom-ref": own,
+                "bom-ref": item,
                 "name": project["name"],
                 "version": project["version"],
                 "licenses": [{"license": {"id": project["license"]}}],
-                "purl": own,
+                "purl": item,
             },
             "properties": [{"name": "gaussiancad:lock", "value": lock.value}],
         },
         "components": [_component(package, lock, record) for package in packages],
-        "dependencies": _dependencies(own, lock, packages, project),
-        "compositions": [{"aggregate": "incomplete_third_party_only", "assemblies": [own]}],
+        "dependencies": _dependencies(item, lock, packages, project),
+        "compositions": [{"aggregate": "incomplete_third_party_only", "assemblies": [item]}],
     }
 
 
@@ -99,14 +99,14 @@ def _licence(text: str) -> dict[str, object]:
 
 
 def _dependencies(
-    own: str, lock: Lock, packages: Sequence[Package], project: Mapping[str, object]
+    text: str, lock: Lock, packages: Sequence[Package], project: Mapping[str, object]
 ) -> list[dict[str, object]]:
     """What the engine itself asks for; what its packages ask for is not in a lock."""
     extras = project["optional-dependencies"]
     lines = extras["test"] if lock is Lock.TESTS else [*project["dependencies"], *extras["ocr"]]
     asked = {canonical(re.match(r"[\w.-]+", line)[0]) for line in lines}
     direct = [purl(package) for package in packages if package.name in asked]
-    return [{"ref": own, "dependsOn": direct}]
+    return [{"ref": text, "dependsOn": direct}]
 
 
 def main(arguments: list[str]) -> int:

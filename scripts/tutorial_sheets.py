@@ -46,12 +46,12 @@ def main() -> None:
     """Write the sheets into the folder that the argument names."""
     folder = Path(sys.argv[1])
     sheet = Image.open(SAMPLE).convert("L")
-    for name, own in (
+    for name, item in (
         ("1-whole", sheet),
         ("2-lines-missing", without_lines(sheet)),
         ("3-views-moved", with_moved_views(sheet)),
     ):
-        own.save(folder / f"{name}.png", optimize=True)
+        item.save(folder / f"{name}.png", optimize=True)
 
 
 if __name__ == "__main__":

@@ -94,7 +94,7 @@ def send_key(target: QtWidgets.QWidget, key: QtCore.Qt.Key, text: str = "") -> N
 def visible(kind: type) -> list:
     """Windows of a kind that are open."""
     tops = QtWidgets.QApplication.topLevelWidgets()
-    return [own for own in tops if isinstance(own, kind) and own.isVisible()]
+    return [top for top in tops if isinstance(top, kind) and top.isVisible()]
 
 
 class Hand:
@@ -134,16 +134,16 @@ class Hand:
 
     def click_frame(self, corner: Point) -> None:
         """Click on the upper edge of the frame around a place."""
-        views = [own.frame for own in self.dock.canvas.sheet.views]
-        x0, y0, x1, _ = next(own for own in views if _holds(own, corner))
+        views = [view.frame for view in self.dock.canvas.sheet.views]
+        x0, y0, x1, _ = next(view for view in views if _holds(view, corner))
         self.drag(((x0 + x1) / 2.0, y0), ((x0 + x1) / 2.0, y0))
 
     def tell_length(self, ends: tuple[Point, Point], length: float) -> None:
         """Click at two points and type how far they are apart."""
         self.press(_KEYS.Key_M)
         QtCore.QTimer.singleShot(500, lambda: _type_number(length))
-        for own in ends:
-            self.drag(own, own)
+        for end in ends:
+            self.drag(end, end)
         self.settle()
 
     def verdict(self) -> str:
@@ -153,8 +153,8 @@ class Hand:
     def rows(self) -> str:
         """All of the list."""
         return "\n".join(
-            f"   {own.text} {[text for text, _ in own.buttons]}"
-            for own in self.dock.canvas.problems.lines
+            f"   {line.text} {[text for text, _ in line.buttons]}"
+            for line in self.dock.canvas.problems.lines
         )
 
     def picture(self, name: str) -> None:
@@ -162,7 +162,7 @@ class Hand:
         self.show_views()
         spin(0.8)
         QtWidgets.QApplication.primaryScreen().grabWindow(0).save(str(PICTURES / f"{name}.png"))
-        told(f"{name}:\n{self.rows()}")
+        tell_terminal(f"{name}:\n{self.rows()}")
 
     def film(self, number: int) -> None:
         """Take a picture of the film strip: the canvas beside the part, as they are now."""
@@ -172,7 +172,7 @@ class Hand:
 
     def show_views(self) -> None:
         """The canvas shows all views, and the 3D view the part as large as it can."""
-        views = [own.box for own in self.dock.canvas.sheet.views if own.shown]
+        views = [this_view.box for this_view in self.dock.canvas.sheet.views if this_view.shown]
         if views:
             x0, y0, x1, y1 = zip(*views, strict=True)
             self.board.zoom_to((min(x0), min(y0), max(x1), max(y1)))
@@ -202,12 +202,12 @@ def _type_number(value: float) -> None:
     (box,) = visible(QtWidgets.QInputDialog)
     field = box.findChild(QtWidgets.QDoubleSpinBox)
     field.selectAll()
-    for own in f"{value:g}":
-        send_key(field, _KEYS(ord(own)), own)
+    for item in f"{value:g}":
+        send_key(field, _KEYS(ord(item)), item)
     send_key(field, _KEYS.Key_Return)
 
 
-def told(text: str) -> None:
+def tell_terminal(text: str) -> None:
     """Tell the terminal, past FreeCAD's own report."""
     with open(2, "w", encoding="utf-8", closefd=False) as stream:
         stream.write(text + "\n")
@@ -217,9 +217,9 @@ def arrange(dock: QtWidgets.QDockWidget) -> None:
     """Fill the screen; beside the canvas is the 3D view alone."""
     main = FreeCADGui.getMainWindow()
     main.setGeometry(QtWidgets.QApplication.primaryScreen().geometry())
-    for own in main.findChildren(QtWidgets.QDockWidget):
-        if own is not dock:
-            own.hide()
+    for item in main.findChildren(QtWidgets.QDockWidget):
+        if item is not dock:
+            item.hide()
     for view in main.findChildren(QtWidgets.QMdiSubWindow):
         view.showMaximized()
     main.resizeDocks([dock], [700], QtCore.Qt.Orientation.Horizontal)
@@ -272,11 +272,11 @@ def follow() -> None:
     try:
         PICTURES.mkdir(parents=True, exist_ok=True)
         FreeCADGui.activateWorkbench("GaussianCADWorkbench")
-        for own in (whole, lines_missing, views_moved):
-            own()
+        for item in (whole, lines_missing, views_moved):
+            item()
         status = 0
     except Exception:
-        told(traceback.format_exc())
+        tell_terminal(traceback.format_exc())
     finally:
         sys.stdout.flush()
         os._exit(status)

@@ -96,7 +96,7 @@ def _question(query: Query, page: str) -> dict[str, Any]:
 
 def _answers(answer: object, count: int) -> list[dict[str, Any]]:
     results = answer.get("results") if isinstance(answer, dict) else None
-    if not isinstance(results, list) or not all(isinstance(own, dict) for own in results):
+    if not isinstance(results, list) or not all(isinstance(result, dict) for result in results):
         raise NotCheckedError("the answer is of another form")
     if len(results) != count:
         raise NotCheckedError(f"{len(results)} answers to {count} questions")
@@ -104,9 +104,9 @@ def _answers(answer: object, count: int) -> list[dict[str, Any]]:
 
 
 def _identifiers(entries: object) -> list[str]:
-    if not isinstance(entries, list) or not all(isinstance(own, dict) for own in entries):
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         raise NotCheckedError("the answer is of another form")
-    found = [own.get("id") for own in entries]
+    found = [entry.get("id") for entry in entries]
     if not all(isinstance(identifier, str) for identifier in found):
         raise NotCheckedError("the answer is of another form")
     return found

@@ -65,20 +65,20 @@ class EndedCommand:
         exit_code: of the process.
         printed: on standard output, by a command without events.
         errors: the last of what it printed on standard error.
-        told: the event ``error``, where one was sent.
+        error_event: the event ``error``, where one was sent.
     """
 
     exit_code: int
     printed: str = ""
     errors: str = ""
-    told: Mapping[str, Any] = field(default_factory=dict)
+    error_event: Mapping[str, Any] = field(default_factory=dict)
 
     def error(self) -> GaussianCadError:
         """The error that the command ended with."""
-        code, message = self.told.get("code"), self.told.get("message")
+        code, message = self.error_event.get("code"), self.error_event.get("message")
         if not (isinstance(code, str) and isinstance(message, str)):
             code, message = self._last_line()
-        args = self.told.get("args")
+        args = self.error_event.get("args")
         known = filled(message, args if isinstance(args, Mapping) else {})
         return _ERRORS.get(self.exit_code, EngineError)(code, known)
 
@@ -113,9 +113,9 @@ def engine_python() -> str:
         return named
     if importlib.util.find_spec(_KERNEL) is not None and sys.executable:
         return sys.executable
-    beside = _CORE.parent / ".venv" / "bin" / "python"
-    if beside.is_file():
-        return str(beside)
+    path = _CORE.parent / ".venv" / "bin" / "python"
+    if path.is_file():
+        return str(path)
     raise EngineError(
         "engine-missing",
         "this Python ({python}) lacks the engine's libraries: pip install gaussiancad-core, or "
@@ -154,8 +154,8 @@ def run_command(arguments: Sequence[str], progress: Progress | None = None) -> E
                 "the engine cannot be started ({reason}): run `gaussiancad doctor`",
                 reason=error.strerror or error,
             ) from error
-        printed, told = _heard(process, progress, events="--events" in arguments)
-        return EndedCommand(process.wait(), printed, _last_of(errors), told)
+        printed, stated = _heard(process, progress, events="--events" in arguments)
+        return EndedCommand(process.wait(), printed, _last_of(errors), stated)
 
 
 def _environment() -> dict[str, str]:
@@ -171,7 +171,7 @@ def _heard(
     """What a process printed, or the error that it told, once it has ended."""
     assert process.stdin is not None and process.stdout is not None
     printed: list[str] = []
-    told: Mapping[str, Any] = {}
+    stated: Mapping[str, Any] = {}
     try:
         for line in process.stdout:
             text = line.decode("utf-8", "replace")
@@ -180,7 +180,7 @@ def _heard(
                 continue
             event = _event(text)
             if event.get("event") == "error":
-                told = event
+                stated = event
             elif progress is not None:
                 _tell(event, progress)
         process.wait()
@@ -191,7 +191,7 @@ def _heard(
         for stream in (process.stdin, process.stdout):
             with contextlib.suppress(OSError):
                 stream.close()
-    return "".join(printed), told
+    return "".join(printed), stated
 
 
 def _event(line: str) -> Mapping[str, Any]:

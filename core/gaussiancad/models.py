@@ -77,8 +77,10 @@ def compare(
         UnreadableError: a file is missing, or no model; a result without a model.
         EngineError: the extra ``compare`` is not installed.
     """
-    told = options(points=points, seed=seed, protocol=protocol, register=register, json=True)
-    ended = run_command(["compare", _model(result), _model(reference), *told])
+    stated_options = options(
+        points=points, seed=seed, protocol=protocol, register=register, json=True
+    )
+    ended = run_command(["compare", _model(result), _model(reference), *stated_options])
     if ended.exit_code != ExitCode.DONE:
         raise ended.error()
     return Comparison(json.loads(ended.printed))
@@ -110,8 +112,8 @@ def draw(
         UnreadableError: there is no such solid.
         UsageError: an option has no such value, or the sheet cannot be written.
     """
-    told = options(views=",".join(views), projection=projection, style=style, seed=seed)
-    ended = run_command(["draw", _model(solid), path_of(sheet), *told])
+    stated_options = options(views=",".join(views), projection=projection, style=style, seed=seed)
+    ended = run_command(["draw", _model(solid), path_of(sheet), *stated_options])
     if ended.exit_code != ExitCode.DONE:
         raise ended.error()
     return Path(sheet)

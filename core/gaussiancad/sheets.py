@@ -49,7 +49,7 @@ def read(
         LimitError: it is too large, or memory does not suffice.
         EngineError: the engine is missing or incomplete.
     """
-    told = reading_options(
+    stated_reading_options = reading_options(
         projection=projection,
         views=views,
         page=page,
@@ -57,7 +57,7 @@ def read(
         mm_per_pixel=mm_per_pixel,
         unit=unit,
     )
-    return _read(Path(sheet), page, told, progress)
+    return _read(Path(sheet), page, stated_reading_options, progress)
 
 
 def correct(
@@ -92,12 +92,12 @@ def correct(
             ),
             encoding="utf-8",
         )
-        told = options(
+        stated_options = options(
             page=reading.page,
             reading=folder / _READING_FILE,
             corrections=folder / "corrections.json",
         )
-        return _read(reading.sheet, reading.page, told, progress)
+        return _read(reading.sheet, reading.page, stated_options, progress)
 
 
 def reconstruct(
@@ -133,7 +133,7 @@ def reconstruct(
     Raises:
         GaussianCadError: as of :func:`read`.
     """
-    told = reading_options(
+    stated_reading_options = reading_options(
         projection=projection,
         views=views,
         page=page,
@@ -141,8 +141,10 @@ def reconstruct(
         mm_per_pixel=mm_per_pixel,
         unit=unit,
     )
-    told += options(result=result, recipe=recipe, preset=preset, seed=seed, device=device)
-    return _reconstructed(Path(sheet), told, progress)
+    stated_reading_options += options(
+        result=result, recipe=recipe, preset=preset, seed=seed, device=device
+    )
+    return _reconstructed(Path(sheet), stated_reading_options, progress)
 
 
 def solve(
@@ -167,7 +169,7 @@ def solve(
     with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
         path = Path(name, _READING_FILE)
         path.write_bytes(reading.as_json())
-        told = options(
+        stated_options = options(
             page=reading.page,
             reading=path,
             result=result,
@@ -176,12 +178,12 @@ def solve(
             seed=seed,
             device=device,
         )
-        return _reconstructed(reading.sheet, told, progress)
+        return _reconstructed(reading.sheet, stated_options, progress)
 
 
-def _read(sheet: Path, page: int, told: list[str], progress: Progress | None) -> Reading:
+def _read(sheet: Path, page: int, stated: list[str], progress: Progress | None) -> Reading:
     with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
-        arguments = ["read", path_of(sheet), f"--output={name}", *told, "--events"]
+        arguments = ["read", path_of(sheet), f"--output={name}", *stated, "--events"]
         ended = run_command(arguments, progress)
         if ended.exit_code != ExitCode.DONE:
             raise ended.error()
@@ -189,10 +191,10 @@ def _read(sheet: Path, page: int, told: list[str], progress: Progress | None) ->
     return Reading(Path(path_of(sheet)), MappingProxyType(data), page)
 
 
-def _reconstructed(sheet: Path, told: list[str], progress: Progress | None) -> Result:
+def _reconstructed(sheet: Path, stated: list[str], progress: Progress | None) -> Result:
     kept = tempfile.TemporaryDirectory(prefix=_PREFIX)
     try:
-        arguments = ["reconstruct", path_of(sheet), f"--output={kept.name}", *told, "--events"]
+        arguments = ["reconstruct", path_of(sheet), f"--output={kept.name}", *stated, "--events"]
         ended = run_command(arguments, progress)
         reported = Path(kept.name, REPORT_FILE).is_file()
         if ended.exit_code == ExitCode.DONE or (ended.exit_code == ExitCode.NO_MODEL and reported):

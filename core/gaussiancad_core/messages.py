@@ -72,7 +72,9 @@ def boxes_of(message: str) -> tuple[Box, ...]:
 
 def on_one_line(message: str) -> Message:
     """The same without line breaks, and with an escape for what else does not print."""
-    plain = "".join(own if own.isprintable() else _escape(own) for own in " ".join(message.split()))
+    plain = "".join(
+        text if text.isprintable() else _escape(text) for text in " ".join(message.split())
+    )
     return filled(plain, args_of(message), boxes_of(message))
 
 
@@ -80,7 +82,7 @@ def _escape(character: str) -> str:
     return character.encode("unicode_escape").decode("ascii")
 
 
-def told(code: str, message: str) -> dict[str, Any]:
+def event_fields(code: str, message: str) -> dict[str, Any]:
     """A message as JSON has it: ``code``, ``message`` and, where it has them, ``args`` and ``at``,
     boxes on the sheet."""
     args, boxes = args_of(message), boxes_of(message)

@@ -72,17 +72,17 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _convert_all(engine: Engine, options: BatchOptions) -> int:
-    told: deque[Event] = deque()
-    run = EngineRun(engine, options.job.arguments(), Watcher(told.append), _GRACE_S)
+    events: deque[Event] = deque()
+    run = EngineRun(engine, options.job.arguments(), Watcher(events.append), _GRACE_S)
     stop = StopOnSignals(run)
     bodies = BodyMaker(engine, stop, _GRACE_S) if options.body else None
     rows: list[SheetRow] = []
     is_whole = False
     stop.start()
     # Events wait here, so that documents are made between looks at the process, not within one.
-    while run.result is None or told:
-        run.advance(at_once=bool(told))
-        event = told.popleft() if told else None
+    while run.result is None or events:
+        run.advance(at_once=bool(events))
+        event = events.popleft() if events else None
         if event is None:
             continue
         if event.kind is EventKind.SHEET:
@@ -118,8 +118,8 @@ def _exit_code(result: RunResult, rows: Sequence[SheetRow], stopped: bool, is_wh
     if is_whole and result.exit_code in (ExitCode.DONE, ExitCode.SOME_FAILED):
         return ExitCode.SOME_FAILED if any(row.failed for row in rows) else ExitCode.DONE
     _say(result.message)
-    told = result.exit_code in (ExitCode.USAGE, ExitCode.LIMIT)
-    return result.exit_code if told else ExitCode.NO_ENGINE
+    stated = result.exit_code in (ExitCode.USAGE, ExitCode.LIMIT)
+    return result.exit_code if stated else ExitCode.NO_ENGINE
 
 
 def _convert_one(engine: Engine, options: BatchOptions) -> int:

@@ -72,7 +72,7 @@ def complete_sheet(row: SheetRow, kept: bool, bodies: BodyMaker | None = None) -
         report = read_report(folder / "report.json")
         lacking = _lacking(folder, report.text)
         if lacking:
-            job = ReconstructJob.told(row.sheet, row.folder, report.group("settings"))
+            job = ReconstructJob.from_report(row.sheet, row.folder, report.group("settings"))
             row = row.with_body(make_documents(job, folder, lacking, bodies).body)
         if bodies is not None and _DOCUMENT not in lacking:
             row = row.with_body(_kept_body(folder))

@@ -32,14 +32,14 @@ class BodyOutcome:
     @property
     def words(self) -> str:
         """The same for people; empty where there is nothing to say."""
-        told = [self.lacking] if self.lacking else []
+        stated = [self.lacking] if self.lacking else []
         if self.breaking:
-            told.append(
+            stated.append(
                 f"The body breaks when one of these is changed: {', '.join(self.breaking)}."
             )
         if self.untried:
-            told.append(f"Numbers of the body that were not tried: {self.untried}.")
-        return " ".join(told)
+            stated.append(f"Numbers of the body that were not tried: {self.untried}.")
+        return " ".join(stated)
 
 
 @dataclass(frozen=True)

@@ -42,7 +42,7 @@ class Installation(unittest.TestCase):
             document.saveAs(path)
             FreeCAD.closeDocument(document.Name)
             document = FreeCAD.openDocument(path)
-            (group,) = (own for own in document.Objects if hasattr(own, "SheetPath"))
+            (group,) = (found for found in document.Objects if hasattr(found, "SheetPath"))
             self.assertEqual(Path(group.Sheet).read_bytes(), b"a drawing")
             self.assertEqual(len(group.Group), 1)
             FreeCAD.closeDocument(document.Name)

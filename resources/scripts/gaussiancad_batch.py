@@ -40,9 +40,9 @@ def convert() -> int:
     """Inside FreeCAD: read the arguments and convert."""
     import freecad
 
-    own = str(Path(__file__).resolve().parents[2] / "freecad")
-    if own not in freecad.__path__:
-        freecad.__path__.append(own)
+    item = str(Path(__file__).resolve().parents[2] / "freecad")
+    if item not in freecad.__path__:
+        freecad.__path__.append(item)
     from freecad.gaussiancad import batch
 
     try:

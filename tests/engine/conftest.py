@@ -91,9 +91,11 @@ def pin_as_read(sample_views: "Callable[[str], DrawnViews]") -> "DrawnViews":
     high = replace(low, centre=(30.0, 61.54), start_angle=low.start_angle + pi)
     strokes = {
         role: tuple(
-            stroke for stroke in own if role is not Role.FRONT or not isinstance(stroke, Polyline)
+            stroke
+            for stroke in this_stroke
+            if role is not Role.FRONT or not isinstance(stroke, Polyline)
         )
-        for role, own in views.strokes.items()
+        for role, this_stroke in views.strokes.items()
     }
     strokes[Role.FRONT] += (low, high)
     return replace(views, strokes=strokes, tolerance=0.1, apart=0.03)

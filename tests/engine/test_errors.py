@@ -12,9 +12,9 @@ from gaussiancad_core.errors import UnreadableError, is_out_of_memory, out_of_fi
 
 
 def _raised(make: object) -> BaseException:
-    with pytest.raises(Exception) as told:
+    with pytest.raises(Exception) as stated:
         make()
-    return told.value
+    return stated.value
 
 
 def test_libraries_that_get_no_memory_are_known_by_what_they_raise() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.errors import LimitError, UnreadableError
-from gaussiancad_core.messages import Message, args_of, filled, on_one_line, told
+from gaussiancad_core.messages import Message, args_of, event_fields, filled, on_one_line
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.readings.views_to_reading import refusal
@@ -71,7 +71,7 @@ def test_values_are_what_json_has() -> None:
 def test_texts_without_values_stay_as_they_are() -> None:
     assert Message("braces {stay}") == "braces {stay}"
     assert (args_of("plain"), args_of(Message("plain"))) == ({}, {})
-    assert told("a-code", "plain") == {"code": "a-code", "message": "plain"}
+    assert event_fields("a-code", "plain") == {"code": "a-code", "message": "plain"}
     assert filled("{as} it was", {"as": "x"}) == "{as} it was"
 
 
@@ -83,7 +83,7 @@ def test_a_value_without_its_place_is_no_message() -> None:
 def test_errors_fill_their_messages() -> None:
     error = UnreadableError("page-missing", "{path} has no page {page}", path="a.pdf", page=2)
     assert str(error) == error.message == "a.pdf has no page 2"
-    assert told(error.code, error.message)["args"] == {"path": "a.pdf", "page": 2}
+    assert event_fields(error.code, error.message)["args"] == {"path": "a.pdf", "page": 2}
     known = LimitError("again", error.message)
     assert args_of(known.message) == {"path": "a.pdf", "page": 2}
 

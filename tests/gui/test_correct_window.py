@@ -98,7 +98,7 @@ class Canvas(WindowCase):
         self.canvas.say_length(_LENGTH, 50.0)
         self.settled()
         reading = json.loads(self.canvas.desk.reading_file.read_text(encoding="utf-8"))
-        doubtful = next(own for own in reading["strokes"] if own["kind"] == "visible")
+        doubtful = next(item for item in reading["strokes"] if item["kind"] == "visible")
         why = {"by": "network", "otherwise": "dimension", "margin": 0.1}
         doubtful.update(confidence=0.52, why=why)
         path = self.folder / "doubtful.json"
@@ -106,11 +106,13 @@ class Canvas(WindowCase):
         self.canvas.desk._was_read({"reading": str(path)}, [])
         self.settled()
         self.picture("canvas-doubt")
-        (line,) = (own for own in self.canvas.problems.lines if "In doubt" in own.text)
+        (line,) = (
+            this_line for this_line in self.canvas.problems.lines if "In doubt" in this_line.text
+        )
         self.assertIn("Otherwise: dimension", line.text)
         drawn = self.canvas.board._drawing._strokes[doubtful["id"]]
         self.assertEqual(drawn.pen().color().name(), DOUBTFUL)
-        codes = [own["code"] for own in self.canvas._report["reasons"]]
+        codes = [item["code"] for item in self.canvas._report["reasons"]]
         self.assertEqual(codes, ["labels-doubtful"])
         self.assertEqual(self.canvas._report["status"], "approximate")
         line.buttons[0][1]()
@@ -135,7 +137,7 @@ class Canvas(WindowCase):
             if text == "Choose among Solutions…"
         )
         button()
-        names = [own.Name for own in self.part.InList[0].Group]
+        names = [item.Name for item in self.part.InList[0].Group]
         self.assertIn("Alternative", names)
         self.assertTrue(FreeCADGui.Control.activeDialog())
         FreeCADGui.Control.closeDialog()
@@ -158,11 +160,11 @@ class Canvas(WindowCase):
         self.assertEqual(entries[0].state, JobState.DONE, entries[0].item.text(1))
         self.picture("canvas-job")
         group = self.part.InList[0]
-        names = {own.Name for own in group.Group}
+        names = {item.Name for item in group.Group}
         self.assertTrue({part, "Surface", "Gaussians"} <= names, names)
         self.assertEqual(self.document.UndoNames[0], "Reconstruct from Drawing")
         self.document.undo()
-        self.assertEqual([own.Name for own in group.Group], [part])
+        self.assertEqual([item.Name for item in group.Group], [part])
 
     def test_a_job_that_works_is_cancelled_within_two_seconds(self) -> None:
         self.dock.make_all()
@@ -180,7 +182,7 @@ class Canvas(WindowCase):
         stroke = self.canvas.sheet.drawn()[0]
         self.canvas.board.select({stroke.id})
         self.press(QtCore.Qt.Key.Key_Delete)
-        self.assertEqual([own["op"] for own in self.canvas.operations], ["erase"])
+        self.assertEqual([operation["op"] for operation in self.canvas.operations], ["erase"])
         for key in (QtCore.Qt.Key.Key_V, QtCore.Qt.Key.Key_F, QtCore.Qt.Key.Key_1):
             self.press(key)
         self.assertIsNotNone(self.document.getObject("Box"))
@@ -206,22 +208,24 @@ class Canvas(WindowCase):
         self.dock = correct.open_canvas([group])
         self.wait_for(lambda: self.canvas.sheet is not None, 120.0)
         self.assertEqual(len(self.canvas.operations), 1)
-        groups = [own for own in self.document.Objects if own.Name.startswith("Reconstruction")]
+        groups = [
+            found for found in self.document.Objects if found.Name.startswith("Reconstruction")
+        ]
         self.assertEqual(len(groups), 1)
 
     def test_corrections_of_another_version_are_left_out_and_kept(self) -> None:
         self.close_docks()
         path = corrections_path(self.copy)
-        told = [{"op": "scale", "points": [[0, 0], [100, 0]], "length_mm": 1.0}]
-        write_corrections(path, "0" * 64, told)
+        stated = [{"op": "scale", "points": [[0, 0], [100, 0]], "length_mm": 1.0}]
+        write_corrections(path, "0" * 64, stated)
         self.document = FreeCAD.newDocument("Changed")
         self.dock = self.opened()
         self.assertEqual(self.canvas.operations, [])
         self.assertFalse(path.exists())
         kept = json.loads(path.with_name(path.name + ".old").read_text(encoding="utf-8"))
-        self.assertEqual(kept["ops"], told)
-        texts = [own.text for own in self.canvas.problems.lines]
-        self.assertTrue(any("another version" in own for own in texts), texts)
+        self.assertEqual(kept["ops"], stated)
+        texts = [line.text for line in self.canvas.problems.lines]
+        self.assertTrue(any("another version" in text for text in texts), texts)
         self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, 100.0, delta=0.1)
 
     def test_two_documents_have_a_canvas_each(self) -> None:
@@ -257,8 +261,8 @@ class Canvas(WindowCase):
         before = self.part.Shape.BoundBox.XLength
         self.canvas.say_length(_LENGTH, 80.0)
         self.settled()
-        told = self.part.Shape.BoundBox.XLength
-        self.assertGreater(abs(told - before), 1.0)
+        stated = self.part.Shape.BoundBox.XLength
+        self.assertGreater(abs(stated - before), 1.0)
         corrections = corrections_path(self.copy)
         self.assertTrue(corrections.exists())
         for _ in self.document.UndoNames[:]:
@@ -273,7 +277,7 @@ class Canvas(WindowCase):
         self.assertTrue(self.dock.isVisible())
         self.assertEqual(len(self.canvas.operations), 1)
         self.assertTrue(corrections.exists())
-        self.wait_for(lambda: abs(self.part.Shape.BoundBox.XLength - told) < 1e-6, 120.0)
+        self.wait_for(lambda: abs(self.part.Shape.BoundBox.XLength - stated) < 1e-6, 120.0)
 
     def test_a_canvas_follows_its_document(self) -> None:
         FreeCAD.newDocument("Other")

@@ -39,7 +39,7 @@ class Source(WindowCase):
             self.wait_for(widget(QtWidgets.QPushButton, "start").isEnabled)
             FreeCADGui.Control.closeDialog()
             spin(200)
-        groups = [own for own in self.document.Objects if hasattr(own, "SheetPath")]
+        groups = [found for found in self.document.Objects if hasattr(found, "SheetPath")]
         self.assertEqual(len(groups), 1)
 
     def test_the_menu_offers_pages_and_images(self) -> None:

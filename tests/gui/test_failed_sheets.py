@@ -24,8 +24,8 @@ class FailedSheets(WindowCase):
         self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
         self.sheets = [Path(shutil.copy(SAMPLE, self.folder / name)) for name in ("a.png", "b.png")]
         rows = [
-            {"name": own.stem, "sheet": str(own), "status": "approximate", "folder": ""}
-            for own in self.sheets
+            {"name": sheet.stem, "sheet": str(sheet), "status": "approximate", "folder": ""}
+            for sheet in self.sheets
         ]
         self.report = self.folder / "report.json"
         self.report.write_text(json.dumps({"sheets": rows}), encoding="utf-8")
@@ -51,11 +51,11 @@ class FailedSheets(WindowCase):
 
     def test_what_is_no_report_is_told(self) -> None:
         self.report.write_text("{", encoding="utf-8")
-        told = []
+        stated = []
         original = QtWidgets.QMessageBox.warning
-        QtWidgets.QMessageBox.warning = lambda _parent, _title, text: told.append(text)
+        QtWidgets.QMessageBox.warning = lambda _parent, _title, text: stated.append(text)
         try:
             self.assertIsNone(open_report(self.report))
         finally:
             QtWidgets.QMessageBox.warning = original
-        self.assertIn("no report of a batch", told[0])
+        self.assertIn("no report of a batch", stated[0])

@@ -127,8 +127,8 @@ class Dialog(WindowCase):
 
     def test_removing_asks_first_and_takes_the_environment_alone(self) -> None:
         dialog, headline = self.installed()
-        beside = self.root.parent / "mine.txt"
-        beside.write_text("kept")
+        neighbour = self.root.parent / "mine.txt"
+        neighbour.write_text("kept")
         self.button(dialog, "remove").click()
         spin(200)
         self.picture("remove-engine")

@@ -50,8 +50,8 @@ class Languages(WindowCase):
     def test_what_the_engine_refuses_is_told_in_the_users_language(self) -> None:
         self.speak("de")
         values = {"view": "top", "case": "gap"}
-        told = worded("open-outline", "the outline of the top view is not closed", values)
-        self.assertTrue(told.startswith("Der Umriss der Ansicht „oben“ ist nicht geschlossen."))
+        stated = worded("open-outline", "the outline of the top view is not closed", values)
+        self.assertTrue(stated.startswith("Der Umriss der Ansicht „oben“ ist nicht geschlossen."))
         self.behave("refuse")
         FreeCAD.newDocument("Refused")
         self.open_panel("GaussianCAD_Reconstruct")

@@ -37,7 +37,7 @@ class Sketches(WindowCase):
         document = FreeCAD.ActiveDocument
         self.assertEqual(document.Label, "bracket")
         group = document.getObject("Drawing")
-        self.assertEqual([own.TypeId for own in group.Group], ["Sketcher::SketchObject"] * 3)
+        self.assertEqual([item.TypeId for item in group.Group], ["Sketcher::SketchObject"] * 3)
         headline = widget(QtWidgets.QLabel, "stage").text()
         self.assertIn("Sketches: 3, of 17 lines.", headline)
         log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()
@@ -73,7 +73,9 @@ class Sketches(WindowCase):
         self.finish()
         (box,) = self.boxes()
         self.assertIn("No view of a part was found.", box.text())
-        (correct,) = (own for own in box.buttons() if own.text().startswith("Correct Sheet"))
+        (correct,) = (
+            button for button in box.buttons() if button.text().startswith("Correct Sheet")
+        )
         correct.click()
         spin(200)
         (dock,) = open_docks()
@@ -96,7 +98,7 @@ class Sketches(WindowCase):
         self.assertEqual(self.boxes(), [])
         group = FreeCAD.ActiveDocument.getObject("Drawing")
         self.assertEqual(
-            [own.Label for own in group.Group], ["Lines front", "Lines top", "Lines right"]
+            [item.Label for item in group.Group], ["Lines front", "Lines top", "Lines right"]
         )
         self.picture("sketches-finished")
         log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()

@@ -283,7 +283,11 @@ class Panel(WindowCase):
         button = self.start()
         self.wait_for(button.isEnabled)
         (box,) = self.boxes()
-        (correct,) = (own for own in box.buttons() if own.text().startswith("Correct Sheet"))
+        (correct,) = (
+            this_button
+            for this_button in box.buttons()
+            if this_button.text().startswith("Correct Sheet")
+        )
         correct.click()
         (dock,) = open_docks()
         self.addCleanup(dock.close)

@@ -28,9 +28,9 @@ class SecondRun(WindowCase):
         button = self.start()
         self.wait_for(button.isEnabled)
 
-    def select(self, own: FreeCAD.DocumentObject) -> None:
+    def select(self, document_object: FreeCAD.DocumentObject) -> None:
         FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(own)
+        FreeCADGui.Selection.addSelection(document_object)
         spin(100)
 
     def report(self) -> QtWidgets.QDialog:
@@ -139,15 +139,15 @@ class SecondRun(WindowCase):
     def test_the_context_menu_offers_it_for_group_and_part_alone(self) -> None:
         box = self.document.addObject("Part::Box", "Box")
         self.document.recompute()
-        for own, offered in ((self.group, True), (self.part, True), (box, False)):
-            self.select(own)
-            told: list[str] = []
+        for item, offered in ((self.group, True), (self.part, True), (box, False)):
+            self.select(item)
+            stated: list[str] = []
             menu = GaussianCADWorkbench()
-            menu.appendContextMenu = lambda _, names, told=told: told.extend(names)
+            menu.appendContextMenu = lambda _, names, given=stated: given.extend(names)
             menu.ContextMenu("Tree")
-            self.assertEqual("GaussianCAD_RunAgain" in told, offered)
-            self.assertEqual("GaussianCAD_Report" in told, offered)
-            self.assertIn("GaussianCAD_Compare", told)
+            self.assertEqual("GaussianCAD_RunAgain" in stated, offered)
+            self.assertEqual("GaussianCAD_Report" in stated, offered)
+            self.assertIn("GaussianCAD_Compare", stated)
 
 
 class KeptSettings(WindowCase):

@@ -134,7 +134,7 @@ class Settings(WindowCase):
         self.choose_sheet(self.sheet)
         button = self.start()
         self.wait_for(button.isEnabled)
-        kinds = {own.TypeId for own in FreeCAD.ActiveDocument.Objects}
+        kinds = {found.TypeId for found in FreeCAD.ActiveDocument.Objects}
         self.assertIn("Part::Feature", kinds)
         self.assertNotIn("Image::ImagePlane", kinds)
 

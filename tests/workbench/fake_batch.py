@@ -113,7 +113,7 @@ class FakeBatch:
     def _row(self, sheet: Path, name: str) -> dict[str, Any]:
         folder = self._output / name
         code, said = self._reconstruct(sheet, folder)
-        told = _TOLD.search(said)
+        stated = _TOLD.search(said)
         report = _report(folder) if code == 0 else {}
         values = {
             "name": name,
@@ -122,8 +122,8 @@ class FakeBatch:
             "status": report.get("status", "verified" if code == 0 else "failed"),
             "measures_mm": "",
             "exit_code": code if code >= 0 else 6,
-            "code": told[2] if told else "",
-            "message": told[1] if told else "",
+            "code": stated[2] if stated else "",
+            "message": stated[1] if stated else "",
             "seconds": 0.5,
         }
         if code < 0:
@@ -169,22 +169,22 @@ class FakeBatch:
 
 def settings_of(arguments: list[str]) -> Mapping[str, Any]:
     """The settings of a report, as far as the options tell them."""
-    told = dict(itertools.pairwise(arguments))
+    stated = dict(itertools.pairwise(arguments))
     names = ("projection", "preset", "result", "recipe", "colour")
     numbers = ("page", "seed", "scale-down")
-    axis, _, length = told.get("--length", "").partition("=")
+    axis, _, length = stated.get("--length", "").partition("=")
     return {
-        **{name: told[f"--{name}"] for name in names if f"--{name}" in told},
-        **{n.replace("-", "_"): int(told[f"--{n}"]) for n in numbers if f"--{n}" in told},
+        **{name: stated[f"--{name}"] for name in names if f"--{name}" in stated},
+        **{n.replace("-", "_"): int(stated[f"--{n}"]) for n in numbers if f"--{n}" in stated},
         "lengths": {axis: float(length)} if length else {},
-        "mm_per_pixel": float(told["--mm-per-pixel"]) if "--mm-per-pixel" in told else None,
+        "mm_per_pixel": float(stated["--mm-per-pixel"]) if "--mm-per-pixel" in stated else None,
     }
 
 
 def _sheets(path: Path) -> list[Path]:
     if not path.is_dir():
         return [path]
-    return sorted(own for own in path.rglob("*") if own.suffix in _SUFFIXES)
+    return sorted(this_path for this_path in path.rglob("*") if this_path.suffix in _SUFFIXES)
 
 
 def _report(folder: Path) -> dict[str, Any]:

@@ -201,7 +201,7 @@ def reconstruct(arguments: list[str]) -> int:
         reason = {"code": "one-view", "message": "only one view was found: draw at least two"}
         (output / "report.json").write_text(json.dumps(report(str(sheet), "failed", [reason])))
         return refuse(reason["code"], reason["message"], 4)
-    if behaviour == "plate" and not any(own.startswith("y=") for own in arguments):
+    if behaviour == "plate" and not any(argument.startswith("y=") for argument in arguments):
         return refuse("one-view", "one view, and no thickness", 4, {"axis": "y"})
     if behaviour != "liar":
         write_models(output, behaviour)

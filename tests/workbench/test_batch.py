@@ -80,11 +80,11 @@ class BatchCase(FolderCase):
 
     def check_files(self, stem: Path) -> None:
         self.assertAlmostEqual(
-            Part.read(str(beside(stem, ".step"))).Volume, fake_part.VOLUME, places=6
+            Part.read(str(file_of(stem, ".step"))).Volume, fake_part.VOLUME, places=6
         )
-        mesh = Mesh.Mesh(str(beside(stem, ".stl")))
+        mesh = Mesh.Mesh(str(file_of(stem, ".stl")))
         self.assertAlmostEqual(mesh.Volume, fake_part.VOLUME, places=2)
-        document = FreeCAD.openDocument(str(beside(stem, ".FCStd")))
+        document = FreeCAD.openDocument(str(file_of(stem, ".FCStd")))
         self.addCleanup(FreeCAD.closeDocument, document.Name)
         self.assertEqual(document.getObject("Reconstruction").Status, "verified")
         volume = document.getObject("Part").Shape.Volume
@@ -128,8 +128,8 @@ class Batches(BatchCase):
         document = FreeCAD.openDocument(str(self.output / "a.FCStd"))
         self.addCleanup(FreeCAD.closeDocument, document.Name)
         settings = texts_of(document.getObject("Reconstruction"), "Settings")
-        told = [settings[key] for key in ("scale", "preset", "seed", "projection", "page")]
-        self.assertEqual(told, ["x = 60", "draft", "9", "third", "1"])
+        stated = [settings[key] for key in ("scale", "preset", "seed", "projection", "page")]
+        self.assertEqual(stated, ["x = 60", "draft", "9", "third", "1"])
         self.assertEqual(document.getObject("Reconstruction").SheetPath, str(sheet))
 
     def test_all_well_is_zero_and_flat_puts_one_sheets_files_together(self) -> None:
@@ -183,22 +183,22 @@ class Batches(BatchCase):
             [sheet, "--output", str(blocked)],
         ]
         for arguments in wrong:
-            with redirect_stderr(io.StringIO()) as told:
+            with redirect_stderr(io.StringIO()) as stated:
                 self.assertEqual(main(arguments), 2, arguments)
-            self.assertIn("error: ", told.getvalue())
-        with redirect_stdout(io.StringIO()) as told:
+            self.assertIn("error: ", stated.getvalue())
+        with redirect_stdout(io.StringIO()) as stated:
             self.assertEqual(main(["--help"]), 0)
-        self.assertIn("--mm-per-pixel", told.getvalue())
+        self.assertIn("--mm-per-pixel", stated.getvalue())
 
     def test_what_the_engine_refuses_is_told_with_its_exit_code(self) -> None:
         empty = self.folder / "empty"
         empty.mkdir()
-        with redirect_stdout(io.StringIO()) as told:
+        with redirect_stdout(io.StringIO()) as stated:
             self.assertEqual(self.convert(empty), 2)
             self.behave("running")
             self.assertEqual(self.convert(draw_sheet(self.sheets / "a.png")), 2)
-        self.assertIn("no drawing was found", told.getvalue())
-        self.assertIn("another batch writes", told.getvalue())
+        self.assertIn("no drawing was found", stated.getvalue())
+        self.assertIn("another batch writes", stated.getvalue())
         # The report of the other batch is not touched.
         self.assertEqual(list(self.output.iterdir()), [])
 
@@ -386,7 +386,7 @@ class Safety(BatchCase):
         mine = outside / "mine.FCStd"
         mine.write_text("mine")
         for suffix in (".FCStd", ".step", ".stl"):
-            beside(self.output / "=1+1", suffix).symlink_to(mine)
+            file_of(self.output / "=1+1", suffix).symlink_to(mine)
         before = tree(self.folder, self.output)
         self.assertEqual(self.convert(*sheets, sheets[0], linked), 1)
         self.assertEqual(tree(self.folder, self.output), before)
@@ -484,7 +484,7 @@ class Exports(FolderCase):
         self.assertAlmostEqual(abs(shape.Volume), fake_part.VOLUME, places=2)
 
 
-def beside(stem: Path, suffix: str) -> Path:
+def file_of(stem: Path, suffix: str) -> Path:
     """A file that is made of a sheet; names of sheets may hold dots of their own."""
     return stem.with_name(stem.name + suffix)
 

@@ -65,9 +65,9 @@ class Bodies(BatchCase):
         self.assertEqual(self.words("--body"), "")
         row = self.documents()["a"]
         self.assertEqual((row["body_breaking"], row["body_untried"]), ([], 0))
-        told = BodyOutcome("", ("Pad1.Width = 60 mm",), 2).words
+        stated = BodyOutcome("", ("Pad1.Width = 60 mm",), 2).words
         self.assertEqual(
-            told,
+            stated,
             "The body breaks when one of these is changed: Pad1.Width = 60 mm. "
             "Numbers of the body that were not tried: 2.",
         )

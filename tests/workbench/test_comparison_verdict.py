@@ -27,9 +27,9 @@ class Verdict(unittest.TestCase):
         self.assertIn("80 mm", small)
 
     def test_another_shape_is_no_question_of_size(self) -> None:
-        told = comparison_verdict(_values(0.8, 1.25))
-        self.assertIn("80.0 %", told)
-        self.assertNotIn("mm", told)
+        stated = comparison_verdict(_values(0.8, 1.25))
+        self.assertIn("80.0 %", stated)
+        self.assertNotIn("mm", stated)
 
     def test_models_without_a_volume_have_no_verdict(self) -> None:
         for values in ({}, _values(None), {**_values(1.0), "reference": None}):

@@ -132,8 +132,8 @@ class Pages(DocumentCase):
 
     def test_a_page_tells_its_scale_and_unit_in_the_file(self) -> None:
         exported = export_sheet(self.add_page(), self.folder)
-        told = [text.text for text in self.texts(exported.path)]
-        self.assertEqual(told, ["DIMENSIONS IN MM", "SCALE 1.5 : 1"])
+        stated = [text.text for text in self.texts(exported.path)]
+        self.assertEqual(stated, ["DIMENSIONS IN MM", "SCALE 1.5 : 1"])
         # Views that stand by themselves may be placed anyhow.
         self.assertIsNone(exported.projection)
 
@@ -164,15 +164,15 @@ class Pages(DocumentCase):
             exported = export_sheet(page, self.folder)
             self.assertIs(exported.projection, projection)
             self.assertAlmostEqual(exported.mm_per_pixel, 25.4 / 200 * 2)
-            told = [text.text for text in self.texts(exported.path)]
-            self.assertIn("SCALE 1 : 2", told)
-            self.assertIn(f"{projection.value.upper()} ANGLE PROJECTION", told)
+            stated = [text.text for text in self.texts(exported.path)]
+            self.assertIn("SCALE 1 : 2", stated)
+            self.assertIn(f"{projection.value.upper()} ANGLE PROJECTION", stated)
 
     def test_dimensions_have_their_number_lines_and_a_pen_of_their_own(self) -> None:
         page = self.add_page()
         front = self.document.Front
         edges = [front.getEdgeByIndex(index) for index in range(4)]
-        level = next(i for i, own in enumerate(edges) if abs(own.BoundBox.YLength) < 1e-6)
+        level = next(i for i, edge in enumerate(edges) if abs(edge.BoundBox.YLength) < 1e-6)
         dimension = self.document.addObject("TechDraw::DrawViewDimension", "Width")
         dimension.Type = "DistanceX"
         dimension.References2D = [(front, f"Edge{level}")]
@@ -181,16 +181,16 @@ class Pages(DocumentCase):
         self.document.recompute()
         exported = export_sheet(page, self.folder)
         box = edges[level].BoundBox
-        (text,) = (own for own in self.texts(exported.path) if own.text.isdigit())
+        (text,) = (this_text for this_text in self.texts(exported.path) if this_text.text.isdigit())
         self.assertEqual(float(text.text), round(box.XLength, 4))
         self.assertEqual(float(text.get("x")), 90.0)
         root = ElementTree.parse(exported.path).getroot()
-        pieces = [own for own in root.iter(SVG + "path") if own.get("class") == "dimension"]
-        lines = [numbers(own.get("d")) for own in pieces if own.get("stroke") != "none"]
+        pieces = [item for item in root.iter(SVG + "path") if item.get("class") == "dimension"]
+        lines = [numbers(piece.get("d")) for piece in pieces if piece.get("stroke") != "none"]
         # Edges by their index are those of the part; the page's are 1.5 times as long.
         # The dimension line stands 40 mm above the view's centre at (90, 210 - 70).
-        (told,) = (own for own in lines if own[1] == own[3])
-        self.assertEqual(told, [90 + 1.5 * box.XMin, 100.0, 90 + 1.5 * box.XMax, 100.0])
+        (stated,) = (line for line in lines if line[1] == line[3])
+        self.assertEqual(stated, [90 + 1.5 * box.XMin, 100.0, 90 + 1.5 * box.XMax, 100.0])
         self.assertEqual(len(lines), 3)
         self.assertEqual(len(pieces), 5)
 

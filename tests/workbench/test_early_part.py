@@ -132,7 +132,7 @@ class EarlyParts(FolderCase):
     def test_the_engine_tells_its_solid_while_it_works(self) -> None:
         self.behave("dies-late")
         result, events, _ = run_fake(self.job.arguments())
-        told = [event for event in events if event.kind is EventKind.SOLID]
-        self.assertEqual([event.text("status") for event in told], ["verified"])
-        self.assertTrue(Path(told[0].text("path")).is_file())
+        stated_events = [event for event in events if event.kind is EventKind.SOLID]
+        self.assertEqual([event.text("status") for event in stated_events], ["verified"])
+        self.assertTrue(Path(stated_events[0].text("path")).is_file())
         self.assertEqual(result.code, "engine-killed")

@@ -26,14 +26,14 @@ class Explaining(unittest.TestCase):
         self.assertIn("only two directions of view", explained()[1])
 
     def test_what_was_assumed_has_an_alternative(self) -> None:
-        own = {
+        entry = {
             "code": "hole-through",
             "message": "no",
             "args": {"view": "top", "diameter_mm": 8.0},
             "alternative": "no",
             "at": None,
         }
-        line = explained("verified", assumptions=[own])[1]
+        line = explained("verified", assumptions=[entry])[1]
         self.assertIn("hole of 8 mm in the view “top”", line)
         self.assertIn("Otherwise: It ends inside", line)
 

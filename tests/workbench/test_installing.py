@@ -170,8 +170,10 @@ class Installations(FolderCase):
             (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
             (packages / f"{name}.py").write_text("x = 1\n")
             digest = hashlib.sha256(b"x = 1\n").digest()
-            told = base64.urlsafe_b64encode(digest).rstrip(b"=").decode()
-            (info / "RECORD").write_text(f"{name}.py,sha256={told},6\n{name}.pyc,sha256=other,7\n")
+            stated = base64.urlsafe_b64encode(digest).rstrip(b"=").decode()
+            (info / "RECORD").write_text(
+                f"{name}.py,sha256={stated},6\n{name}.pyc,sha256=other,7\n"
+            )
         (packages / "changed.py").write_text("x = 2\n")
         (packages / "lacking.py").unlink()
         ended = subprocess.run(

@@ -43,14 +43,14 @@ class Arguments(unittest.TestCase):
 
     def test_a_thickness_is_a_length_beside_the_scale(self) -> None:
         thick = Scale(ScaleKind.LENGTH_Y, 5.0)
-        for scale, told in (
+        for scale, stated in (
             (Scale(), "--length y=5"),
             (Scale(ScaleKind.LENGTH_Y, 8.0), "--length y=5"),
             (Scale(ScaleKind.LENGTH_X, 80.0), "--length x=80 --length y=5"),
             (Scale(ScaleKind.MM_PER_PIXEL, 0.1), "--mm-per-pixel 0.1 --length y=5"),
         ):
             job = ReconstructJob("a", "b", scale=scale, thickness=thick)
-            self.assertTrue(" ".join(job.options()).endswith(f"--scale-down 1 {told}"))
+            self.assertTrue(" ".join(job.options()).endswith(f"--scale-down 1 {stated}"))
             again = ReconstructJob.kept("a", "b", job.settings())
             self.assertEqual(again.options(), job.options())
         self.assertNotIn("thickness", ReconstructJob("a", "b").settings())
@@ -101,10 +101,10 @@ class Told(unittest.TestCase):
             seed=7,
             scale_down=4,
         )
-        self.assertEqual(ReconstructJob.told("a.png", "out", settings), expected)
+        self.assertEqual(ReconstructJob.from_report("a.png", "out", settings), expected)
         pixels = {**settings, "lengths": {}, "mm_per_pixel": 0.25}
-        scale = ReconstructJob.told("a.png", "out", pixels).scale
+        scale = ReconstructJob.from_report("a.png", "out", pixels).scale
         self.assertEqual(scale, Scale(ScaleKind.MM_PER_PIXEL, 0.25))
-        self.assertEqual(ReconstructJob.told("a", "b", {}), ReconstructJob("a", "b"))
+        self.assertEqual(ReconstructJob.from_report("a", "b", {}), ReconstructJob("a", "b"))
         with self.assertRaises(ValueError):
-            ReconstructJob.told("a", "b", {"preset": "huge"})
+            ReconstructJob.from_report("a", "b", {"preset": "huge"})

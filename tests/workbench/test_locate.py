@@ -13,8 +13,8 @@ class Order(FolderCase):
     def setUp(self) -> None:
         super().setUp()
         self.managed = self.folder / "managed"
-        self.beside = self.folder / ".venv"
-        self.own = self.program(self.folder / "own python")
+        self.checkout = self.folder / ".venv"
+        self.preferred = self.program(self.folder / "own python")
 
     def program(self, path: Path) -> Path:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -23,24 +23,26 @@ class Order(FolderCase):
         return path
 
     def places(self, variable: str = "", preference: str = "") -> SearchPlaces:
-        return SearchPlaces(variable, preference, self.managed, self.beside)
+        return SearchPlaces(variable, preference, self.managed, self.checkout)
 
     def test_each_place_hides_those_after_it(self) -> None:
-        beside = self.program(self.beside / "bin" / "python")
-        self.assertEqual(find_engine(self.places()).python, str(beside))
+        neighbour = self.program(self.checkout / "bin" / "python")
+        self.assertEqual(find_engine(self.places()).python, str(neighbour))
         managed = self.program(self.managed / "bin" / "python3")
-        self.assertEqual(find_engine(self.places()).python, str(beside))
+        self.assertEqual(find_engine(self.places()).python, str(neighbour))
         (self.managed / MARKER).write_text("{}")
         engine = find_engine(self.places())
         self.assertEqual((engine.python, engine.source), (str(managed), EngineSource.MANAGED))
-        engine = find_engine(self.places(preference=str(self.own)))
-        self.assertEqual((engine.python, engine.source), (str(self.own), EngineSource.PREFERENCE))
+        engine = find_engine(self.places(preference=str(self.preferred)))
+        self.assertEqual(
+            (engine.python, engine.source), (str(self.preferred), EngineSource.PREFERENCE)
+        )
         other = self.program(self.folder / "other")
-        engine = find_engine(self.places(variable=str(other), preference=str(self.own)))
+        engine = find_engine(self.places(variable=str(other), preference=str(self.preferred)))
         self.assertEqual((engine.python, engine.source), (str(other), EngineSource.VARIABLE))
 
     def test_a_named_engine_that_is_not_there_is_an_error_though_others_are(self) -> None:
-        self.program(self.beside / "bin" / "python")
+        self.program(self.checkout / "bin" / "python")
         not_executable = self.folder / "text"
         not_executable.write_text("x")
         for wrong in (self.folder / "nothing", not_executable, self.folder):
@@ -59,5 +61,5 @@ class Order(FolderCase):
     def test_this_machines_places(self) -> None:
         places = SearchPlaces.of_this_machine(" /a ", {"GAUSSIANCAD_PYTHON": "/b"})
         self.assertEqual((places.variable, places.preference), ("/b", "/a"))
-        self.assertEqual(places.beside, ADDON_ROOT / ".venv")
+        self.assertEqual(places.checkout, ADDON_ROOT / ".venv")
         self.assertEqual(places.managed.name, "engine")

@@ -37,7 +37,7 @@ class Opening(FolderCase):
         document = FreeCAD.ActiveDocument
         self.assertTrue(document.getObject("Part").Shape.isValid())
         opening.insert(str(SAMPLE), document.Name)
-        groups = [own for own in document.Objects if hasattr(own, "SheetPath")]
+        groups = [found for found in document.Objects if hasattr(found, "SheetPath")]
         self.assertEqual(len(groups), 2)
 
     @unittest.skipIf(engine() is None, "the engine is not installed")

@@ -36,7 +36,7 @@ class Repeated(FolderCase):
             FreeCAD.closeDocument(name)
 
     def all_names(self) -> list[str]:
-        return sorted(own.Name for own in self.document.Objects)
+        return sorted(found.Name for found in self.document.Objects)
 
     def finished(self, behaviour: str, sheet: Path | None = None, page: int = 1) -> LoadedRun:
         self.behave(behaviour)

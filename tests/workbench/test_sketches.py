@@ -33,8 +33,8 @@ def rectangle(view: str, box: list[float]) -> list[Values]:
     corners = [(x0, y1), (x1, y1), (x1, y0), (x0, y0), (x0, y1)]
     lines = [*pairwise(corners), ((x0, y1), (x1, (y0 + y1) / 2))]
     return [
-        {"id": f"{view}-{n}", "view": view, "kind": "visible", "line": own}
-        for n, own in enumerate(lines)
+        {"id": f"{view}-{n}", "view": view, "kind": "visible", "line": line}
+        for n, line in enumerate(lines)
     ]
 
 
@@ -54,13 +54,13 @@ class Sketches(FolderCase):
         """The sketches of the values, by label."""
         group = add_sketches(self.document, self.written(), "part 图")
         self.assertEqual((group.TypeId, group.Label), ("App::DocumentObjectGroup", "part 图"))
-        return {own.Label: own for own in group.Group}
+        return {item.Label: item for item in group.Group}
 
     def shows(self, *views: Values) -> None:
         """Let the sheet have these views, each a rectangle with a slanted line."""
         self.values["views"] = [*views]
         self.values["strokes"] = [
-            stroke for own in views for stroke in rectangle(own["id"], own["box"])
+            stroke for view in views for stroke in rectangle(view["id"], view["box"])
         ]
 
     def assert_near(self, found: FreeCAD.Vector, expected: tuple[float, ...]) -> None:
@@ -79,9 +79,11 @@ class Sketches(FolderCase):
             box = made[name].Shape.BoundBox
             self.assert_near(FreeCAD.Vector(box.XMin, box.YMin, box.ZMin), (x0, y0, z0))
             self.assert_near(FreeCAD.Vector(box.XMax, box.YMax, box.ZMax), (x1, y1, z1))
-        step = next(own for own in made["Lines front"].Shape.Edges if abs(own.Length - 45.0) < 1e-6)
-        self.assertEqual({round(own.Z, 6) for own in step.Vertexes}, {10.0})
-        self.assertEqual({round(own.X, 6) for own in step.Vertexes}, {15.0, 60.0})
+        step = next(
+            edge for edge in made["Lines front"].Shape.Edges if abs(edge.Length - 45.0) < 1e-6
+        )
+        self.assertEqual({round(vertex.Z, 6) for vertex in step.Vertexes}, {10.0})
+        self.assertEqual({round(vertex.X, 6) for vertex in step.Vertexes}, {15.0, 60.0})
 
     def test_each_role_has_its_plane_and_its_right_and_up(self) -> None:
         """The slanted line runs from the corner that is lower left to the eye."""
@@ -99,7 +101,7 @@ class Sketches(FolderCase):
             with self.subTest(role):
                 self.shows({"id": "v", "role": role, "box": BOX})
                 (sketch,) = self.made().values()
-                line = max(sketch.Geometry, key=lambda own: own.length())
+                line = max(sketch.Geometry, key=lambda item: item.length())
                 place = sketch.Placement
                 self.assert_near(place.multVec(line.StartPoint), start)
                 self.assert_near(place.multVec(line.EndPoint), end)
@@ -109,8 +111,8 @@ class Sketches(FolderCase):
     def test_of_opposite_views_one_stands_at_the_far_end(self) -> None:
         self.values["scale"] = {"source": "given", "mm_per_px": 0.5}
         roles = ("front", "top", "right", "left", "bottom", "rear")
-        self.shows(*({"id": own, "role": own, "box": [0, 0, 200, 200]} for own in roles))
-        bases = {name: tuple(own.Placement.Base) for name, own in self.made().items()}
+        self.shows(*({"id": role, "role": role, "box": [0, 0, 200, 200]} for role in roles))
+        bases = {name: tuple(item.Placement.Base) for name, item in self.made().items()}
         self.assertEqual(bases["Lines front"], (0, 0, 0))
         self.assertEqual(bases["Lines left"], (0, 0, 0))
         self.assertEqual(bases["Lines bottom"], (0, 0, 0))
@@ -128,7 +130,7 @@ class Sketches(FolderCase):
             {"id": "top", "role": "top", "box": BOX, "used": False},
             {"id": "detail", "role": "detail", "box": BOX},
         )
-        self.values["strokes"] = [own for own in self.values["strokes"] if own["view"] != "s3"]
+        self.values["strokes"] = [item for item in self.values["strokes"] if item["view"] != "s3"]
         self.values["sections"] = [{"label": "A", "box": [590, 90, 810, 230]}]
         made = self.made()
         self.assertEqual([*made], ["Lines front", "Lines section A", "Lines section"])
@@ -137,30 +139,30 @@ class Sketches(FolderCase):
         box = made["Lines section"].Shape.BoundBox
         self.assertGreater(box.XMin, 120.0)
         self.assertEqual([round(v, 6) for v in (box.XLength, box.YLength, box.ZMin)], [50, 0, 0])
-        self.assertTrue(any("section" in own for own in read_cleaned(self.written()).doubts))
+        self.assertTrue(any("section" in doubt for doubt in read_cleaned(self.written()).doubts))
 
     def test_arcs_run_the_same_way_to_the_eye(self) -> None:
         geometry = self.made()["Lines top"].Geometry
-        (arc,) = (own for own in geometry if own.TypeId == "Part::GeomArcOfCircle")
+        (arc,) = (item for item in geometry if item.TypeId == "Part::GeomArcOfCircle")
         self.assert_near(arc.Center, (50, 30, 0))
         self.assertAlmostEqual(arc.Radius, 10.0)
         # From above the centre to the right of it, which is against the clock from right to up.
         self.assert_near(arc.StartPoint, (60, 30, 0))
         self.assert_near(arc.EndPoint, (50, 40, 0))
         self.assertAlmostEqual(arc.length(), 5.0 * pi, places=5)
-        (circle,) = (own for own in geometry if own.TypeId == "Part::GeomCircle")
+        (circle,) = (item for item in geometry if item.TypeId == "Part::GeomCircle")
         self.assert_near(circle.Center, (35, 20, 0))
         self.assertAlmostEqual(circle.Radius, 5.0)
 
     def test_ellipses_stay_ellipses_and_turn_with_the_flip(self) -> None:
         geometry = self.made()["Lines top"].Geometry
-        (whole,) = (own for own in geometry if own.TypeId == "Part::GeomEllipse")
+        (whole,) = (item for item in geometry if item.TypeId == "Part::GeomEllipse")
         self.assert_near(whole.Center, (10, 20, 0))
         self.assertAlmostEqual(whole.MajorRadius, 7.5)
         self.assertAlmostEqual(whole.MinorRadius, 2.5)
         far = FreeCAD.Vector(10 + 7.5 * cos(-0.5), 20 + 7.5 * sin(-0.5), 0)
         self.assert_near(whole.value(whole.parameter(far)), tuple(far))
-        (part,) = (own for own in geometry if own.TypeId == "Part::GeomArcOfEllipse")
+        (part,) = (item for item in geometry if item.TypeId == "Part::GeomArcOfEllipse")
         for point, angle in ((part.EndPoint, 0.2), (part.StartPoint, 1.2)):
             a, b = 7.5 * cos(angle), 2.5 * sin(angle)
             x, y = a * cos(0.5) - b * sin(0.5), a * sin(0.5) + b * cos(0.5)
@@ -180,7 +182,7 @@ class Sketches(FolderCase):
 
     def test_ends_that_meet_are_joined(self) -> None:
         front = self.made()["Lines front"]
-        self.assertEqual({own.Type for own in front.Constraints}, {"Coincident"})
+        self.assertEqual({Constraint.Type for Constraint in front.Constraints}, {"Coincident"})
         self.assertEqual(len(front.Constraints), 6)
         self.assertTrue(front.Shape.Wires[0].isClosed())
         apart = [("line", ((0.0, 0.0), (1.0, 0.0))), ("line", ((1.01, 0.0), (2.0, 0.0)))]
@@ -219,19 +221,21 @@ class Sketches(FolderCase):
             return [x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)]
 
         self.values["sheet"]["turn"] = angle
-        for own in self.values["strokes"]:
-            if "line" in own:
-                own["line"] = [turned(point) for point in own["line"]]
-            if "arc" in own:
-                x, y, radius, first, sweep = own["arc"]
-                own["arc"] = [*turned([x, y]), radius, first + angle, sweep]
-        self.values["strokes"] = [own for own in self.values["strokes"] if "ellipse" not in own]
+        for item in self.values["strokes"]:
+            if "line" in item:
+                item["line"] = [turned(point) for point in item["line"]]
+            if "arc" in item:
+                x, y, radius, first, sweep = item["arc"]
+                item["arc"] = [*turned([x, y]), radius, first + angle, sweep]
+        self.values["strokes"] = [
+            entry for entry in self.values["strokes"] if "ellipse" not in entry
+        ]
         made = self.made()
         box = made["Lines front"].Shape.BoundBox
         self.assertAlmostEqual(box.XLength, 60.0)
         self.assertAlmostEqual(box.ZLength, 30.0)
         (arc,) = (
-            own for own in made["Lines top"].Geometry if own.TypeId == "Part::GeomArcOfCircle"
+            entry for entry in made["Lines top"].Geometry if entry.TypeId == "Part::GeomArcOfCircle"
         )
         self.assert_near(arc.StartPoint, (60, 30, 0))
 
@@ -283,9 +287,9 @@ class Kept(FolderCase):
         self.assertIsNone(kept_corrections(group, copy, self.folder))
         group.Corrections = json.dumps([{"op": "unit", "to": "in"}])
         self.assertIsNone(kept_corrections(group, sheet, self.folder))
-        told = json.loads(kept_corrections(group, copy, self.folder).read_text(encoding="utf-8"))
-        self.assertEqual(told["ops"], [{"op": "unit", "to": "in"}])
-        self.assertEqual(told["sheet_sha256"], hashlib.sha256(sheet.read_bytes()).hexdigest())
+        stated = json.loads(kept_corrections(group, copy, self.folder).read_text(encoding="utf-8"))
+        self.assertEqual(stated["ops"], [{"op": "unit", "to": "in"}])
+        self.assertEqual(stated["sheet_sha256"], hashlib.sha256(sheet.read_bytes()).hexdigest())
 
 
 class Script(FolderCase):
@@ -304,8 +308,8 @@ class Script(FolderCase):
     def test_the_engines_arguments(self) -> None:
         plain = ["read", "--output", "o", "--page", "1", "--events", "--", "-s.png"]
         self.assertEqual(ReadJob("-s.png", "o").arguments(), plain)
-        told = ReadJob("s.pdf", "o", 2, "c.json").arguments()
-        self.assertEqual(told[3:7], ["--page", "2", "--corrections", "c.json"])
+        stated = ReadJob("s.pdf", "o", 2, "c.json").arguments()
+        self.assertEqual(stated[3:7], ["--page", "2", "--corrections", "c.json"])
 
 
 def is_helper(sketch: FreeCAD.DocumentObject, number: int) -> bool:

@@ -20,12 +20,12 @@ class Staging(FolderCase):
         outside.mkdir()
         link = self.folder / ".gaussiancad-link"
         link.symlink_to(outside)
-        own = self.folder / ".gaussiancad-own"
-        own.mkdir()
+        item = self.folder / ".gaussiancad-own"
+        item.mkdir()
         with staging(self.folder) as alive:
             sweep(self.folder)
             self.assertFalse(left.exists())
-            self.assertEqual(set(self.folder.iterdir()), {outside, link, own, alive})
+            self.assertEqual(set(self.folder.iterdir()), {outside, link, item, alive})
         self.assertFalse(alive.exists())
 
     def test_a_link_is_replaced_and_not_followed(self) -> None:

@@ -22,7 +22,7 @@ def texts_in_code() -> set[tuple[str, str]]:
             if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
                 continue
             # A text that a variable holds was marked where it was written.
-            texts = [own.value for own in node.args if isinstance(own, ast.Constant)]
+            texts = [argument.value for argument in node.args if isinstance(argument, ast.Constant)]
             if node.func.id in ("translate", "QT_TRANSLATE_NOOP") and len(texts) == 2:
                 found.add((texts[0], texts[1]))
     return found

@@ -48,14 +48,14 @@ def sent_values() -> dict[str, set[str]]:
     found: dict[str, set[str]] = {}
     for path in ENGINE.rglob("*.py"):
         tree = ast.parse(path.read_text(encoding="utf-8"))
-        functions = [own for own in ast.walk(tree) if isinstance(own, ast.FunctionDef)]
-        within = {id(node) for own in functions for node in ast.walk(own)}
+        functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+        within = {id(node) for function in functions for node in ast.walk(function)}
         outside = _codes(node for node in ast.walk(tree) if id(node) not in within)
         for code in outside:
             found.setdefault(code, set()).update(_names(ast.walk(tree)))
-        for own in functions:
-            for code in _codes(ast.walk(own)):
-                found.setdefault(code, set()).update(_names(ast.walk(own)))
+        for this_function in functions:
+            for code in _codes(ast.walk(this_function)):
+                found.setdefault(code, set()).update(_names(ast.walk(this_function)))
     return found
 
 
@@ -73,9 +73,9 @@ def _names(nodes: object) -> set[str]:
     found = set()
     for node in nodes:
         if isinstance(node, ast.Call):
-            found.update(own.arg for own in node.keywords if own.arg)
+            found.update(keyword.arg for keyword in node.keywords if keyword.arg)
         elif isinstance(node, ast.Dict):
-            found.update(own.value for own in node.keys if isinstance(own, ast.Constant))
+            found.update(key.value for key in node.keys if isinstance(key, ast.Constant))
     return found
 
 
@@ -96,7 +96,7 @@ class Sentences(unittest.TestCase):
         # Values of these are put together in functions that know no code.
         sent["nothing-hidden"] |= sent["assumed"]
         numbers = {"bodies", "holes", "cavities"}
-        pairs = {f"{model}_{own}" for model in ("result", "reference") for own in numbers}
+        pairs = {f"{model}_{number}" for model in ("result", "reference") for number in numbers}
         sent["topology-differs"] |= pairs
         for key, sentence in SENTENCES.items():
             code = key.partition(":")[0]
@@ -154,8 +154,8 @@ class Wording(unittest.TestCase):
         self.assertEqual(named, {"window-missing"})
 
     def test_a_value_with_braces_fills_nothing(self) -> None:
-        told = worded("file-missing", "no", {"path": "{page}.pdf"})
-        self.assertIn("{page}.pdf", told)
+        stated = worded("file-missing", "no", {"path": "{page}.pdf"})
+        self.assertIn("{page}.pdf", stated)
 
     def test_every_stage_and_kind_of_drawing_has_a_name(self) -> None:
         pipeline = ast.parse((ENGINE / "run" / "pipeline.py").read_text(encoding="utf-8"))

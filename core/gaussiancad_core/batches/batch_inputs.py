@@ -60,8 +60,10 @@ def collect_sheets(named: Iterable[str], job: Job, job_of: JobOf) -> list[BatchS
     found: dict[str, BatchSheet] = {}
     for name in named:
         for sheet in _sheets(name, job, job_of):
-            own = replace(sheet.job, corrections=corrections_beside(sheet.path, sheet.job.page))
-            found.setdefault(os.path.abspath(sheet.path), replace(sheet, job=own))
+            this_job = replace(
+                sheet.job, corrections=corrections_beside(sheet.path, sheet.job.page)
+            )
+            found.setdefault(os.path.abspath(sheet.path), replace(sheet, job=this_job))
     if not found:
         raise UsageError("no-sheets", "no drawing was found: name files, folders, or a table")
     return list(found.values())
@@ -75,11 +77,11 @@ def _sheets(name: str, job: Job, job_of: JobOf) -> Iterator[BatchSheet]:
         yield from _in_table(path, job_of)
         return
     elif not path.exists() and glob.has_magic(name):
-        paths = [Path(own) for own in sorted(glob.glob(name, recursive=True))]
+        paths = [Path(this_path) for this_path in sorted(glob.glob(name, recursive=True))]
     else:
         paths = [path]
-    for own in paths:
-        yield BatchSheet(own, replace(job, sheet=own))
+    for item in paths:
+        yield BatchSheet(item, replace(job, sheet=item))
 
 
 def _in_folder(folder: Path, output: Path) -> list[Path]:
@@ -87,12 +89,12 @@ def _in_folder(folder: Path, output: Path) -> list[Path]:
     written = output.resolve()
     found: list[Path] = []
     for root, folders, files in os.walk(folder):
-        kept = (own for own in folders if not own.startswith("."))
-        folders[:] = sorted(own for own in kept if (Path(root) / own).resolve() != written)
+        kept = (this_folder for this_folder in folders if not this_folder.startswith("."))
+        folders[:] = sorted(text for text in kept if (Path(root) / text).resolve() != written)
         found += [
-            Path(root) / own
-            for own in sorted(files)
-            if not own.startswith(".") and Path(own).suffix.lower() in SUFFIXES
+            Path(root) / file
+            for file in sorted(files)
+            if not file.startswith(".") and Path(file).suffix.lower() in SUFFIXES
         ]
     return found
 

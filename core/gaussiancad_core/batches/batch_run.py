@@ -125,8 +125,8 @@ class _Place:
     key: Key
 
     def row(self, status: str, bound: str, ended: Ended) -> BatchRow:
-        told = _TOLD.match(ended.message)
-        code, message = (told["code"], told["message"]) if told else ("", ended.message)
+        match = _TOLD.match(ended.message)
+        code, message = (match["code"], match["message"]) if match else ("", ended.message)
         return BatchRow(
             self.name,
             str(self.key.path),

@@ -81,8 +81,8 @@ class Cluster(Generic[Task]):
                 self._running[future] = task[0]
             done = [future for future in self._running if future.done()]
             for future in done:
-                own = self._running.pop(future)
-                yield own, _ended(future)
+                item = self._running.pop(future)
+                yield item, _ended(future)
             if self._running and not done:
                 time.sleep(_LOOKS_EVERY_S)
 
@@ -172,7 +172,7 @@ def _connected(address: str) -> "Client":
 
 def _check(client: "Client", address: str, folder: Path) -> None:
     """Whether all workers have this engine and see the folder."""
-    own = engine_here()
+    this_engine_here = engine_here()
     others = client.run(engine_here)
     if not others:
         raise UsageError(
@@ -180,7 +180,7 @@ def _check(client: "Client", address: str, folder: Path) -> None:
             f"the scheduler at {address} has no workers: start some, with this engine installed",
         )
     for worker, found in others.items():
-        if (found[0], list(found[1])) != own:
+        if (found[0], list(found[1])) != this_engine_here:
             raise UsageError(
                 "scheduler-differs",
                 f"the worker at {worker} has another engine, or other packages for it: results "

@@ -99,8 +99,8 @@ class Manifest:
             return None
         size, mtime, digest, files, done = row[3:]
         try:
-            own = {"sheet": str(key.path), "folder": str(folder)}
-            found = BatchRow(**{**json.loads(done), **own})
+            entry = {"sheet": str(key.path), "folder": str(folder)}
+            found = BatchRow(**{**json.loads(done), **entry})
         except TypeError:  # another version noted other things
             return None
         if found.exit_code not in _FINAL or not _is_same(key.path, (size, mtime), digest):
@@ -138,7 +138,7 @@ def files_under(folder: Path) -> Files:
     """Size and time of change of all files under a folder, but of hidden ones in it."""
     found: dict[str, tuple[int, int]] = {}
     for root, folders, files in os.walk(folder):
-        folders[:] = [own for own in folders if not own.startswith(".")]
+        folders[:] = [this_folder for this_folder in folders if not this_folder.startswith(".")]
         for name in files:
             if not name.startswith("."):
                 path = Path(root) / name

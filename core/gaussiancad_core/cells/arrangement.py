@@ -158,7 +158,7 @@ class Arrangement:
         self.stretches = tuple(
             (index, low, high)
             for index, support in enumerate(supports)
-            for low, high in _bounding(support, [own[1:] for own in lost if own[0] == index])
+            for low, high in _bounding(support, [pair[1:] for pair in lost if pair[0] == index])
         )
         self.corners = self._corners()
         self._pieces, self._uprights = self._monotone()
@@ -179,16 +179,16 @@ class Arrangement:
         boxes = []
         for index, low, high in self.stretches:
             curve = self.supports[index].curve
-            own = [curve.at(low), curve.at(high)]
+            items = [curve.at(low), curve.at(high)]
             if isinstance(curve, CircleCurve):
                 quarters = [k * pi / 2.0 for k in range(5)]
-                own += [curve.at(t) for t in quarters if low - 1e-7 <= t <= high + 1e-7]
+                items += [curve.at(t) for t in quarters if low - 1e-7 <= t <= high + 1e-7]
                 (x, y), r = curve.centre, curve.radius
                 boxes.append((x - r, y - r, x + r, y + r))
             else:
-                (x0, y0), (x1, y1) = own
+                (x0, y0), (x1, y1) = items
                 boxes.append((min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1)))
-            points += own
+            points += items
         for i, (first, *one) in enumerate(self.stretches):
             for j in range(i):
                 second, *other = self.stretches[j]
@@ -252,23 +252,23 @@ class Arrangement:
                 self._uprights.append((borders[first], ends[0], ends[1], piece.support))
             for slab in range(first, last):
                 slabs[slab].append(piece)
-        for slab, own in enumerate(slabs):
+        for slab, this_slabs in enumerate(slabs):
             middle = (borders[slab] + borders[slab + 1]) / 2.0
-            own.sort(key=lambda piece: piece.value(middle))
+            this_slabs.sort(key=lambda piece: piece.value(middle))
         return slabs
 
     def _join(self) -> None:
         """Number the regions: trapezoids that are open to each other are one."""
         borders, slabs = self._borders, self._slabs
         offsets, total = [], 0
-        for own in slabs:
+        for this_slabs in slabs:
             offsets.append(total)
-            total += len(own) + 1
+            total += len(this_slabs) + 1
         outside = total
         sets = _Sets(total + 1)
-        for slab, own in enumerate(slabs):
+        for slab, items in enumerate(slabs):
             sets.join(offsets[slab], outside)
-            sets.join(offsets[slab] + len(own), outside)
+            sets.join(offsets[slab] + len(items), outside)
         standing: dict[int, list[tuple[float, float, float, int]]] = defaultdict(list)
         for upright in self._uprights:
             standing[_index(borders, upright[0])].append(upright)
@@ -308,8 +308,8 @@ class Arrangement:
         """Pairs of trapezoids on both sides of a chain's link, neither of them outside."""
         pairs = [
             (offsets[slab] + place, offsets[slab] + place + 1)
-            for slab, own in enumerate(self._slabs)
-            for place, piece in enumerate(own)
+            for slab, slabs in enumerate(self._slabs)
+            for place, piece in enumerate(slabs)
             if piece.support == CHAIN
         ]
         void = sets.root(outside)
@@ -319,13 +319,13 @@ class Arrangement:
     def table(self) -> Table:
         """The regions as arrays, for the kernels."""
         number = {id(piece): index for index, piece in enumerate(self._pieces)}
-        counts = [len(own) for own in self._slabs]
+        counts = [len(slab) for slab in self._slabs]
         pieces = np.array([_row(piece) for piece in self._pieces]).reshape(-1, 7)
         uprights = np.array([upright[:3] for upright in self._uprights]).reshape(-1, 3)
         return Table(
             np.array(self._borders),
             np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]),
-            np.array([number[id(one)] for own in self._slabs for one in own], dtype=np.int64),
+            np.array([number[id(one)] for slab in self._slabs for one in slab], dtype=np.int64),
             pieces,
             np.array([piece.support for piece in self._pieces], dtype=np.int64),
             uprights,
@@ -356,10 +356,10 @@ class Arrangement:
         Args:
             share: of its width and height at which the point lies; the middle by default.
         """
-        for slab, own in enumerate(self._slabs):
+        for slab, slabs in enumerate(self._slabs):
             start, end = self._borders[slab : slab + 2]
             middle = start + share * (end - start)
-            for place, (below, above) in enumerate(pairwise(own), 1):
+            for place, (below, above) in enumerate(pairwise(slabs), 1):
                 region = self._region[self._offsets[slab] + place]
                 if region != OUTSIDE:
                     low, high = below.value(middle), above.value(middle)
@@ -369,14 +369,16 @@ class Arrangement:
         """Pairs of regions with a line between them, each both ways."""
         found: set[tuple[int, int]] = set()
         stacks = [
-            self._region[offset : offset + len(own) + 1]
-            for own, offset in zip(self._slabs, self._offsets, strict=False)
+            self._region[offset : offset + len(slabs) + 1]
+            for slabs, offset in zip(self._slabs, self._offsets, strict=False)
         ]
         for stack in stacks:
             found.update(pairwise(stack))
         for index, (left, right) in enumerate(pairwise(self._slabs)):
             border = self._borders[index + 1]
-            sides = [[-inf, *(piece.value(border) for piece in own), inf] for own in (left, right)]
+            sides = [
+                [-inf, *(piece.value(border) for piece in items), inf] for items in (left, right)
+            ]
             for one, (low, high) in zip(stacks[index], pairwise(sides[0]), strict=True):
                 for other, (start, end) in zip(stacks[index + 1], pairwise(sides[1]), strict=True):
                     if one != other and min(high, end) - max(low, start) > _OPENING:
@@ -399,12 +401,12 @@ class Arrangement:
         slab = bisect_right(self._borders, a) - 1
         if slab < 0 or slab >= len(self._slabs):
             return Trace((), (), (), (OUTSIDE,))
-        own, offset = self._slabs[slab], self._offsets[slab]
+        items, offset = self._slabs[slab], self._offsets[slab]
         return Trace(
-            tuple(piece.value(a) for piece in own),
-            tuple(piece.normal(a) for piece in own),
-            tuple(piece.support for piece in own),
-            tuple(self._region[offset : offset + len(own) + 1]),
+            tuple(piece.value(a) for piece in items),
+            tuple(piece.normal(a) for piece in items),
+            tuple(piece.support for piece in items),
+            tuple(self._region[offset : offset + len(items) + 1]),
         )
 
     def _flat(self, b: float) -> Trace:

@@ -70,7 +70,7 @@ _Step = tuple[float, Vector, Surface, int]
 """(depth, normal, surface, the region of the surface's plane behind it; any for a body)."""
 
 
-def beside(normal: Axis) -> tuple[tuple[Axis, int], tuple[Axis, int]]:
+def side_views(normal: Axis) -> tuple[tuple[Axis, int], tuple[Axis, int]]:
     """For each coordinate of a plane the other plane that shows it, and its place there.
 
     Depth runs along that plane's other coordinate.
@@ -82,7 +82,7 @@ def beside(normal: Axis) -> tuple[tuple[Axis, int], tuple[Axis, int]]:
     return found[0], found[1]
 
 
-_BESIDE = {normal: beside(normal) for normal in Axis}
+_BESIDE = {normal: side_views(normal) for normal in Axis}
 
 
 class SeenColumns(Protocol):
@@ -173,14 +173,14 @@ class Space:
         longest: dict[Cell, dict[Axis, float]] = {}
         for seen in self._seen:
             for cell, depth in seen.longest():
-                own = longest.setdefault(cell, {})
-                own[seen.normal] = max(own.get(seen.normal, 0.0), depth)
+                entry = longest.setdefault(cell, {})
+                entry[seen.normal] = max(entry.get(seen.normal, 0.0), depth)
         for (normal, _, _), column in self._columns.items():
             for one, other in pairwise(column):
                 if one.after is not None:
-                    own = longest.setdefault(one.after, {})
-                    own[normal] = max(own.get(normal, 0.0), other.depth - one.depth)
-        return {cell: min(own.values()) for cell, own in longest.items()}
+                    entry = longest.setdefault(one.after, {})
+                    entry[normal] = max(entry.get(normal, 0.0), other.depth - one.depth)
+        return {cell: min(mapping.values()) for cell, mapping in longest.items()}
 
     def crossed(self) -> Iterator[tuple[Cell | None, Cell | None, Surface]]:
         """From which cells columns that were looked at pass into which, and through what."""
@@ -199,11 +199,11 @@ class Space:
         return found
 
     def _column(self, normal: Axis, a: float, b: float) -> tuple[Crossing, ...]:
-        own = self.planes[normal].locate(a, b)
-        if own == OUTSIDE:
+        locate = self.planes[normal].locate(a, b)
+        if locate == OUTSIDE:
             return ()
         regions = [OUTSIDE, OUTSIDE, OUTSIDE]
-        regions[normal.value] = own
+        regions[normal.value] = locate
         steps: list[_Step] = []
         chained = False
         for (plane, place), coordinate in zip(_BESIDE[normal], (a, b), strict=True):
@@ -212,7 +212,7 @@ class Space:
             steps += own_steps
             chained |= has_chain
         bits = 0
-        counting = self.counting[normal.value][own]
+        counting = self.counting[normal.value][locate]
         for number, body in enumerate(self.bodies):
             if not counting >> number & 1:
                 continue

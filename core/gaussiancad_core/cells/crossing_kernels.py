@@ -44,16 +44,16 @@ class Frame(NamedTuple):
 
     Attributes:
         normal: they run along.
-        beside: (2,) normals of the planes that show the first and the second coordinate.
-        own: the plane's arrangement.
+        views: (2,) normals of the planes that show the first and the second coordinate.
+        table: the plane's arrangement.
         bodies: (n, 16) rows.
         counting: (3, most regions) bits of the bodies that count in a region of each plane.
         sizes: (3,) regions of the planes.
     """
 
     normal: int
-    beside: Integers
-    own: Table
+    views: Integers
+    table: Table
     bodies: Floats
     counting: Integers
     sizes: Integers
@@ -137,16 +137,16 @@ def _within_chains(count, depths, surfaces, regions):  # noqa: ANN001, ANN202
 @njit(cache=True)
 def _steps(frame, sides, which, steps):  # noqa: ANN001, ANN202
     """Fills the steps of a column in ascending depth: how many, and the regions it starts in."""
-    piece, side, own = which
+    piece, side, item = which
     depths, normals, surfaces, behind = steps
     at = _beside(sides, piece, side)
     regions = np.zeros(3, np.int64)
-    regions[frame.normal] = own
+    regions[frame.normal] = item
     count = 0
     chained = False
     for coordinate in range(2):
         traces = sides.firsts if coordinate == 0 else sides.seconds
-        plane = frame.beside[coordinate]
+        plane = frame.views[coordinate]
         trace = sides.traced[piece, side, coordinate]
         regions[plane] = traces.first[trace]
         chained |= traces.chained[trace]
@@ -159,7 +159,7 @@ def _steps(frame, sides, which, steps):  # noqa: ANN001, ANN202
             surfaces[count] = plane * SURFACES + traces.supports[k] + 1
             behind[count] = traces.regions[k]
             count += 1
-    counting = frame.counting[frame.normal, own]
+    counting = frame.counting[frame.normal, item]
     for body in range(frame.bodies.shape[0]):
         if counting >> body & 1:
             out = (depths[count:], normals[count:])
@@ -336,13 +336,13 @@ def _groups(both, counts, looks, scratch, out):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _is_clear(own, point, across):  # noqa: ANN001, ANN202
+def _is_clear(item, point, across):  # noqa: ANN001, ANN202
     """Whether nothing else runs near a piece's point."""
     (a, b), (da, db) = (point[0], point[1]), (across[0], across[1])
     for way in (-CLEAR, CLEAR):
-        here = locate(own, a + 0.01 * way * da, b + 0.01 * way * db)
+        here = locate(item, a + 0.01 * way * da, b + 0.01 * way * db)
         for along in (-CLEAR, 0.0, CLEAR):
-            if locate(own, a + way * da - along * db, b + way * db + along * da) != here:
+            if locate(item, a + way * da - along * db, b + way * db + along * da) != here:
                 return False
     return True
 
@@ -378,13 +378,13 @@ def _empty_column(room):  # noqa: ANN001, ANN202
 def _own_regions(frame, sides, piece):  # noqa: ANN001, ANN202
     """Regions of the plane on both sides of a piece, and whether columns there tell anything."""
     one, other = _beside(sides, piece, 0), _beside(sides, piece, 1)
-    regions = (locate(frame.own, one[0], one[1]), locate(frame.own, other[0], other[1]))
+    regions = (locate(frame.table, one[0], one[1]), locate(frame.table, other[0], other[1]))
     tells = sides.drawn[piece] or regions[0] != 0 or regions[1] != 0
-    return regions, tells and _is_clear(frame.own, sides.points[piece], sides.across[piece])
+    return regions, tells and _is_clear(frame.table, sides.points[piece], sides.across[piece])
 
 
 @njit(cache=True)
-def told(frame, sides):  # noqa: ANN001, ANN201
+def statements(frame, sides):  # noqa: ANN001, ANN201
     """What pieces of one plane say."""
     pieces = sides.points.shape[0]
     room = _most_steps(sides.firsts) + _most_steps(sides.seconds)
@@ -403,7 +403,7 @@ def told(frame, sides):  # noqa: ANN001, ANN201
     seen = met = used = 0
     for piece in range(pieces):
         starts[piece + 1] = used
-        own, tells = _own_regions(frame, sides, piece)
+        item, tells = _own_regions(frame, sides, piece)
         if not tells:
             continue
         if met + 2 * room > depths.size:
@@ -413,7 +413,7 @@ def told(frame, sides):  # noqa: ANN001, ANN201
         counts = (0, 0)
         for side in range(2):
             column = both[side]
-            count = _column(frame, sides, (piece, side, own[side]), steps, column)
+            count = _column(frame, sides, (piece, side, item[side]), steps, column)
             counts = (counts[0], count) if side else (count, 0)
             depths[met : met + count] = column[0][:count]
             surfaces[met : met + count] = column[2][:count]

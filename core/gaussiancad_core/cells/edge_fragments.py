@@ -97,8 +97,8 @@ def find_pieces(
         rows: of the planes' grids, where they are known.
     """
     for normal, plane in planes.items():
-        own = find_rows(space, normal) if rows is None else rows[normal]
-        for point, across, support, length in _lines(space, normal, own):
+        this_rows = find_rows(space, normal) if rows is None else rows[normal]
+        for point, across, support, length in _lines(space, normal, this_rows):
             for role in plane.roles:
                 if support is not None and _may_be_drawn(support, role, point, length, tolerance):
                     continue
@@ -209,8 +209,8 @@ def _runs(
     low, high = ends
     parameters = [low + (k + SHARE) / _SAMPLES * (high - low) for k in range(_SAMPLES)]
     for _, run in groupby(parameters, key=lambda t: plane.locate(*at(t))):
-        own = list(run)
-        yield own[len(own) // 2], len(own) / _SAMPLES
+        items = list(run)
+        yield items[len(items) // 2], len(items) / _SAMPLES
 
 
 def _rims(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
@@ -311,16 +311,16 @@ def _meeting_lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, f
     """
     axes = IN_PLANE[normal]
     for coordinate, axis in enumerate(axes):
-        facing, beside = Axis(axis), Axis(axes[1 - coordinate])
-        branches = _branches(space, beside)
-        place = IN_PLANE[beside].index(normal.value)
+        facing, adjacent_axis = Axis(axis), Axis(axes[1 - coordinate])
+        branches = _branches(space, adjacent_axis)
+        place = IN_PLANE[adjacent_axis].index(normal.value)
         across = (1.0, 0.0) if coordinate == 0 else (0.0, 1.0)
         for depth, drawn in _planes_across(space.planes[facing], facing, normal):
             found = {at for branch in branches for at, _ in branch.over(depth, place)}
             for value in found:
                 if any(abs(value - known) < NEAR for known in space.values[facing]):
                     continue
-                for low, high in pairwise(space.values[beside]):
+                for low, high in pairwise(space.values[adjacent_axis]):
                     at = low + SHARE * (high - low)
                     if any(start < at < end for start, end in drawn):
                         point = (value, at) if coordinate == 0 else (at, value)
@@ -354,7 +354,7 @@ class _DrawnNear:
         another surface.
         """
         found: set[Linetype | None] = set()
-        beside: set[Linetype | None] = set()
+        linetypes: set[Linetype | None] = set()
         for support in self._plane.supports:
             away = support.curve.distance(point)
             if away < self._near:
@@ -362,16 +362,16 @@ class _DrawnNear:
                 a, b = support.curve.normal(at)
                 if abs(a * across[0] + b * across[1]) > _ALONG:
                     known = away < _ON and not support.is_unsure_at(role, at)
-                    (found if known else beside).add(support.linetype_at(role, at))
+                    (found if known else linetypes).add(support.linetype_at(role, at))
                     if support.is_open_at(role, at):
-                        beside.add(Linetype.HIDDEN)
+                        linetypes.add(Linetype.HIDDEN)
         for other, drawn, linetype in self._chains:
             if other is role and self._is_near(drawn, point):
                 found.add(linetype)
         for linetype in (Linetype.VISIBLE, Linetype.HIDDEN):
             if linetype in found:
                 return True, linetype
-        return not beside & set(Linetype), None
+        return not linetypes & set(Linetype), None
 
     def _is_near(self, chain: np.ndarray, point: Point) -> bool:
         low, high = chain.min(0) - self._near, chain.max(0) + self._near

@@ -92,16 +92,16 @@ def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float
     if any(body.outlines(normal) is None for body in space.bodies):
         return [True] * len(values)
     axis = Axis(IN_PLANE[normal][coordinate])
-    beside = next(plane for plane in Axis if plane not in (normal, axis))
-    place = IN_PLANE[beside].index(axis.value)
+    adjacent_plane = next(plane for plane in Axis if plane not in (normal, axis))
+    place = IN_PLANE[adjacent_plane].index(axis.value)
     sides = np.array(values)[:, None] + np.array([-SIDE, SIDE])
-    found = traces(space.planes[beside].table, place, sides.ravel())
-    own = [slice(low, high) for low, high in pairwise(found.starts.tolist())]
+    found = traces(space.planes[adjacent_plane].table, place, sides.ravel())
+    slices = [slice(low, high) for low, high in pairwise(found.starts.tolist())]
     return [
         found.first[k] != found.first[k + 1]
-        or not np.array_equal(found.supports[own[k]], found.supports[own[k + 1]])
-        or not np.array_equal(found.regions[own[k]], found.regions[own[k + 1]])
-        for k in range(0, len(own), 2)
+        or not np.array_equal(found.supports[slices[k]], found.supports[slices[k + 1]])
+        or not np.array_equal(found.regions[slices[k]], found.regions[slices[k + 1]])
+        for k in range(0, len(slices), 2)
     ]
 
 

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.arrangement_kernels import Integers, Traces, traces
-from gaussiancad_core.cells.cell_complex import Body, Cell, Space, Surface, beside
+from gaussiancad_core.cells.cell_complex import Body, Cell, Space, Surface, side_views
 from gaussiancad_core.cells.crossing_kernels import (
     BESIDE,
     SURFACES,
@@ -21,7 +21,7 @@ from gaussiancad_core.cells.crossing_kernels import (
     Frame,
     Sides,
     Told,
-    told,
+    statements,
 )
 from gaussiancad_core.cells.edge_fragments import Piece
 from gaussiancad_core.cells.half_spaces import HalfSpace
@@ -80,17 +80,17 @@ class Seen:
 
     Attributes:
         normal: the axis.
-        told: the crossings.
+        crossings: those that the kernels found.
         keys: of the cells.
     """
 
     normal: Axis
-    told: Told
+    crossings: Told
     keys: Keys
 
     def longest(self) -> Iterator[tuple[Cell, float]]:
         """Cells, each with its longest stretch along the axis."""
-        found = self.told
+        found = self.crossings
         inside = found.after != VOID
         # Behind the last crossing of a column there is nothing.
         ends = found.columns[1:][np.diff(found.columns) > 0] - 1
@@ -104,7 +104,7 @@ class Seen:
 
     def crossed(self) -> Iterator[tuple[Cell | None, Cell | None, Surface]]:
         """Pairs of cells that follow each other, and the surfaces between them; each once."""
-        found = self.told
+        found = self.crossings
         rows = np.stack([found.before, found.after, found.surfaces], axis=1)
         _, first = np.unique(rows, axis=0, return_index=True)
         for one, other, surface in rows[np.sort(first)].tolist():
@@ -130,8 +130,8 @@ class SightLines:
         self.fit = self.keys.fit and bodies is not None
         self._bodies = np.zeros((0, PLACES)) if bodies is None else bodies
         counting = np.zeros((3, int(self.keys.sizes.max())), dtype=np.int64)
-        for row, own in zip(counting, space.counting, strict=True) if self.fit else ():
-            row[: len(own)] = own
+        for row, items in zip(counting, space.counting, strict=True) if self.fit else ():
+            row[: len(items)] = items
         self._counting = counting
 
     def said(self, pieces: Sequence[Piece]) -> Iterator[tuple[Piece, bytes]]:
@@ -141,15 +141,15 @@ class SightLines:
         the keys of their cells.  Equal bytes are equal groups.
         """
         for normal, run in groupby(pieces, key=lambda piece: role_plane(piece.role).normal):
-            own = list(run)
-            found = told(self._frame(normal), self._sides(normal, own))
+            this_pieces = list(run)
+            found = statements(self._frame(normal), self._sides(normal, this_pieces))
             self._space.look_at(Seen(normal, found, self.keys))
             stream, starts = found.stream.tobytes(), (8 * found.starts).tolist()
             for number in np.flatnonzero(found.says).tolist():
-                yield own[number], stream[starts[number] : starts[number + 1]]
+                yield this_pieces[number], stream[starts[number] : starts[number + 1]]
 
     def _frame(self, normal: Axis) -> Frame:
-        planes = [plane.value for plane, _ in beside(normal)]
+        planes = [plane.value for plane, _ in side_views(normal)]
         return Frame(
             normal.value,
             np.array(planes, dtype=np.int64),
@@ -166,7 +166,7 @@ class SightLines:
         at = points[:, None, :] + ways[None, :, None] * across[:, None, :]
         traced = np.empty(at.shape, dtype=np.int64)
         found: list[Traces] = []
-        for coordinate, (plane, place) in enumerate(beside(normal)):
+        for coordinate, (plane, place) in enumerate(side_views(normal)):
             numbers, lines = self._traces(plane, place, at[:, :, coordinate])
             traced[:, :, coordinate] = numbers
             found.append(lines)

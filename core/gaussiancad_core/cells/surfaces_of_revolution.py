@@ -185,9 +185,9 @@ class RevolvedBody:
         z = point[self.axis.value]
         if not self.profile.low < z < self.profile.high:
             return []
-        own = IN_PLANE[self.axis]
-        place = own.index(normal.value)
-        off = point[own[1 - place]] - self.centre[1 - place]
+        pair = IN_PLANE[self.axis]
+        place = pair.index(normal.value)
+        off = point[pair[1 - place]] - self.centre[1 - place]
         r = self.profile.radius(z)
         half = sqrt(r * r - off * off) if r > abs(off) else 0.0
         along_r, along_z = self.profile.normal(z)

@@ -23,7 +23,7 @@ from gaussiancad_core.errors import (
     is_out_of_memory,
     out_of_files,
 )
-from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.messages import event_fields, on_one_line
 from gaussiancad_core.processes.events import (
     Both,
     Cancellation,
@@ -80,7 +80,7 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
         found = _meaning(error, cancellation, options.arguments)
         line = on_one_line(found.message)
         # A line of progress ends first.
-        listener.send("error", **told(found.code, line), exit_code=int(found.exit_code))
+        listener.send("error", **event_fields(found.code, line), exit_code=int(found.exit_code))
         say(f"gaussiancad: {line} [{found.code}]")
         return int(found.exit_code)
     finally:
@@ -115,7 +115,7 @@ def _meaning(
         return known
     from gaussiancad_core.storage.crash_reports import unforeseen
 
-    return unforeseen(error, [Path(own) for own in arguments if _is_file(own)])
+    return unforeseen(error, [Path(argument) for argument in arguments if _is_file(argument)])
 
 
 def _of_system(error: OSError) -> GaussianCadError | None:

@@ -87,7 +87,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     if not options.overwrite and not made_before:
         check_no_foreign(options.output, (REPORT_FILE, PAGE_FILE))
     job = job_of(options, Path(), options.output)
-    sheets = collect_sheets(options.sheets, job, lambda own: _job_with(options, own))
+    sheets = collect_sheets(options.sheets, job, lambda items: _job_with(options, items))
     limits = ProcessLimits(int(options.memory * 2**30), options.seconds)
     workers = min(options.workers or _usual_workers(), len(sheets))
     settings = BatchSettings(options.output, workers, limits, options.resume, options.scheduler)
@@ -140,20 +140,20 @@ def _usual_workers() -> int:
     return max(1, min(os.cpu_count() or 1, most))
 
 
-def _job_with(options: argparse.Namespace, own: Sequence[str]) -> Job:
+def _job_with(options: argparse.Namespace, items: Sequence[str]) -> Job:
     """The job that options of a line of a table describe, beside those of the batch."""
     parser = _LineParser(prog="gaussiancad batch", add_help=False)
     parser.add_argument("--page", type=values.count, default=1, metavar="N")
     add_job_options(parser)
     # What the line says replaces what was said for all: of a length and a scale one counts.
-    told = {name for name in ("length", "mm_per_pixel") if _names(own, name)}
-    base = {**vars(options), **({"length": None, "mm_per_pixel": None} if told else {})}
-    found = parser.parse_args(list(own), argparse.Namespace(**base))
+    names = {name for name in ("length", "mm_per_pixel") if _names(items, name)}
+    base = {**vars(options), **({"length": None, "mm_per_pixel": None} if names else {})}
+    found = parser.parse_args(list(items), argparse.Namespace(**base))
     return job_of(found, Path(), options.output)
 
 
-def _names(own: Sequence[str], name: str) -> bool:
-    return any(each.startswith(f"--{name.replace('_', '-')}=") for each in own)
+def _names(items: Sequence[str], name: str) -> bool:
+    return any(each.startswith(f"--{name.replace('_', '-')}=") for each in items)
 
 
 class _LineParser(argparse.ArgumentParser):

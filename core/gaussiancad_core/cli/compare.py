@@ -99,9 +99,9 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
 
 def _failure(exit_code: int, line: str) -> GaussianCadError:
     """The error that the last line of a process tells of."""
-    told = _TOLD.fullmatch(line)
-    if told is not None:
-        error = GaussianCadError(told["code"], told["message"])
+    fullmatch = _TOLD.fullmatch(line)
+    if fullmatch is not None:
+        error = GaussianCadError(fullmatch["code"], fullmatch["message"])
         error.exit_code = ExitCode(exit_code)
         return error
     return UnreadableError(

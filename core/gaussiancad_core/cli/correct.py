@@ -45,9 +45,9 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     of_batch = options.sheet.suffix.lower() in _REPORTS
     if not of_batch:
         head_of(options.sheet)
-        beside = corrections_beside(options.sheet, options.page)
-        if beside is not None:
-            open_corrections(beside)
+        path = corrections_beside(options.sheet, options.page)
+        if path is not None:
+            open_corrections(path)
     root = Path(__file__).resolve().parents[3]
     if find_spec("PySide6") is None or not (root / "freecad" / "gaussiancad").is_dir():
         raise UsageError(

@@ -14,7 +14,7 @@ from gaussiancad_core.errors import (
     UnreadableError,
     UsageError,
 )
-from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.messages import event_fields, on_one_line
 from gaussiancad_core.processes.events import Listener
 
 ALL_PAGES = "all"
@@ -66,16 +66,16 @@ def run_pages(
     count = read_sheet(options.sheet).pages
     failed: list[GaussianCadError] = []
     for number in range(1, count + 1):
-        own: dict[str, Any] = {**vars(options), "page": number}
-        own["output"] = options.output / f"page-{number}"
+        entry: dict[str, Any] = {**vars(options), "page": number}
+        entry["output"] = options.output / f"page-{number}"
         listener.send("page", number=number, of=count)
         try:
-            run(argparse.Namespace(**own), listener)
+            run(argparse.Namespace(**entry), listener)
         except OfOnePage as error:
             failed.append(error)
             line = on_one_line(error.message)
             say(f"gaussiancad: page {number}: {line} [{error.code}]")
-            listener.send("warning", **told(error.code, line), page=number)
+            listener.send("warning", **event_fields(error.code, line), page=number)
     if len(failed) == count:
         raise failed[0]
     return ExitCode.SOME_SHEETS_FAILED if failed else ExitCode.DONE

@@ -16,7 +16,7 @@ from gaussiancad_core.errors import (
     is_out_of_memory,
     out_of_files,
 )
-from gaussiancad_core.messages import Message, on_one_line, told
+from gaussiancad_core.messages import Message, event_fields, on_one_line
 from gaussiancad_core.processes.events import Listener, stop_main_thread
 
 _END = ""
@@ -95,7 +95,7 @@ def _failed(error: Exception, sheet: Path) -> dict[str, Any]:
 
 
 def _refusal(code: str, message: str) -> dict[str, Any]:
-    return {"error": told(code, on_one_line(message))}
+    return {"error": event_fields(code, on_one_line(message))}
 
 
 def _listen(lines: "SimpleQueue[str]", busy: threading.Event) -> None:

@@ -22,7 +22,7 @@ from gaussiancad_core.errors import (
     LimitError,
     UnreadableError,
 )
-from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.messages import event_fields, on_one_line
 from gaussiancad_core.modes import ResultKind, SolidWay
 from gaussiancad_core.processes.events import Listener, Silence, open_event_stream
 from gaussiancad_core.processes.watched import Watched, watch
@@ -96,7 +96,7 @@ def _told(ended: Watched, arguments: list[str]) -> int:
             _report(job_of(options, options.sheet, options.output), error, ended.stage)
     line = on_one_line(error.message)
     say(f"gaussiancad: {line} [{error.code}]")
-    listener.send("error", **told(error.code, line), exit_code=int(error.exit_code))
+    listener.send("error", **event_fields(error.code, line), exit_code=int(error.exit_code))
     return int(error.exit_code)
 
 

@@ -104,12 +104,12 @@ def summary(report: "Report", path: Path, sheet: Path) -> list[str]:
         sides = " x ".join(f"{side:.4g}" for side in report.solid.bounding_box_mm)
         size = f"{sides} mm" if report.size_known else f"{sides}, in units of unknown length"
         lines.append(f"solid.step: {report.solid.faces} faces, {size}")
-    reasons = [on_one_line(own.message) for own in report.reasons]
+    reasons = [on_one_line(reason.message) for reason in report.reasons]
     lines += reasons[:_MOST_REASONS]
     more = len(reasons) - _MOST_REASONS
     if reasons:
         others = f"{more} more, and why: " if more > 0 else "why: "
-        folder, name = (on_one_line(str(own)) for own in (path.parent, sheet))
+        folder, name = (on_one_line(str(this_path)) for this_path in (path.parent, sheet))
         lines.append(
             f"{others}gaussiancad explain {folder}; to correct: gaussiancad correct {name}"
         )

@@ -64,14 +64,14 @@ class _Laid:
     Attributes:
         result, reference: in their boxes; the result not yet moved.
         registration: how the result has to be moved.
-        own: (4, 4) result file -> its box, with the turn found beforehand.
+        normalised: (4, 4) result file -> its box, with the turn found beforehand.
         box: (4, 4) reference file -> its box.
     """
 
     result: Side
     reference: Side
     registration: Registration
-    own: Matrix
+    normalised: Matrix
     box: Matrix
 
 
@@ -89,7 +89,7 @@ def compare_models(
     streams = random_streams(options.seed, _STREAMS)
     laid = _lay(result.mesh, reference.mesh, options, streams)
     pose = laid.registration.pose
-    matrix = inverse(laid.box) @ pose @ laid.own
+    matrix = inverse(laid.box) @ pose @ laid.normalised
     again = sample_surface(laid.reference.surface.mesh, options.points, streams[2])
     moved = Side(
         SurfaceQueries(moved_mesh(laid.result.surface.mesh, pose)),
@@ -150,15 +150,22 @@ def _lay(
         before[:3, :3], mirrored = turn.rotation, turn.mirrored
     turned = moved_mesh(result, before)
     box = normalising_matrix(reference)
-    own = normalising_matrix(turned)
+    this_normalising_matrix = normalising_matrix(turned)
     if options.scale is ScaleRule.FIXED:
-        own = np.diag([*np.full(3, scale_of(box) / scale_of(own)), 1.0]) @ own
-    first = _boxed(moved_mesh(turned, own), options.points, streams[0])
+        this_normalising_matrix = (
+            np.diag([*np.full(3, scale_of(box) / scale_of(this_normalising_matrix)), 1.0])
+            @ this_normalising_matrix
+        )
+    first = _boxed(moved_mesh(turned, this_normalising_matrix), options.points, streams[0])
     second = _boxed(moved_mesh(reference, box), options.points, streams[1])
     alignment = options.alignment or Alignment.ICP
     found = register(_thinned(first), _thinned(second), alignment)
     return _Laid(
-        first, second, replace(found, mirrored=found.mirrored or mirrored), own @ before, box
+        first,
+        second,
+        replace(found, mirrored=found.mirrored or mirrored),
+        this_normalising_matrix @ before,
+        box,
     )
 
 
@@ -187,12 +194,12 @@ def _placement(laid: _Laid, options: CompareOptions) -> Matrix:
         return laid.box
     rule = options.scale or ScaleRule.FIXED
     pose = laid.registration.pose
-    unscaled = scale_of(laid.box) / scale_of(laid.own)
-    own = laid.result.scaled(unscaled) if rule is ScaleRule.FIXED else laid.result
+    unscaled = scale_of(laid.box) / scale_of(laid.normalised)
+    side = laid.result.scaled(unscaled) if rule is ScaleRule.FIXED else laid.result
     if options.alignment is not Alignment.AXES:
-        sides, scaling = (_thinned(own), _thinned(laid.reference)), rule is ScaleRule.FREE
+        sides, scaling = (_thinned(side), _thinned(laid.reference)), rule is ScaleRule.FREE
         # Most files that are compared have one origin already, whatever their bounding boxes.
-        unmoved = laid.box @ inverse(laid.own)
+        unmoved = laid.box @ inverse(laid.normalised)
         if rule is ScaleRule.FIXED:
             unmoved = unmoved @ np.diag([*np.full(3, 1.0 / unscaled), 1.0])
         (pose, far), (other, near) = (
@@ -202,7 +209,7 @@ def _placement(laid: _Laid, options: CompareOptions) -> Matrix:
             pose = other
     if rule is ScaleRule.FIXED:
         pose = pose @ np.diag([unscaled, unscaled, unscaled, 1.0])
-    return pose @ laid.own
+    return pose @ laid.normalised
 
 
 def _shown(laid: _Laid, placement: Matrix, options: CompareOptions) -> tuple[Matrix, float]:
@@ -211,17 +218,17 @@ def _shown(laid: _Laid, placement: Matrix, options: CompareOptions) -> tuple[Mat
     The picture shows the result in its own size, unless that is so far off that nothing could be
     seen and nobody asked for it.
     """
-    ratio = scale_of(laid.own) / scale_of(laid.box)
+    ratio = scale_of(laid.normalised) / scale_of(laid.box)
     if options.scale is not None or abs(ratio - 1.0) <= _SAME_SIZE:
         scale = scale_of(placement) / scale_of(laid.box)
         return placement, 1.0 if abs(scale - 1.0) < 1e-12 else scale
-    return laid.registration.pose @ laid.own, ratio
+    return laid.registration.pose @ laid.normalised, ratio
 
 
 def _deviation(laid: _Laid, shown: tuple[Matrix, float], reference: TriangleMesh) -> Deviation:
     """The result's deviation as it is shown, in the reference's coordinates, mm."""
     matrix, scale = shown
-    pose = matrix @ np.linalg.inv(laid.own)
+    pose = matrix @ np.linalg.inv(laid.normalised)
     placed = moved_mesh(laid.result.surface.mesh, pose)
     found = measure_deviation(placed, laid.reference.surface, _unit(reference))
     mesh = make_mesh(found.mesh.vertices + reference.bounds.mean(axis=0), found.mesh.triangles)

@@ -81,8 +81,8 @@ def _counted(count: int, name: str) -> str:
 
 def _difference(value: float, share: float, unit: str) -> str:
     """A difference and its share; none where only rounding is left."""
-    told = value if abs(share) >= _ROUNDING else 0.0
-    return f"{told:+.6g} {unit} ({round(100.0 * share, 4) + 0.0:+.4f} %)"
+    stated = value if abs(share) >= _ROUNDING else 0.0
+    return f"{stated:+.6g} {unit} ({round(100.0 * share, 4) + 0.0:+.4f} %)"
 
 
 def _deepcad_lines(found: DeepCadResult) -> list[str]:

@@ -190,17 +190,17 @@ def _statistics(
     random: RandomState,
 ) -> DistanceStatistics:
     """Of points on the first surface, from the second."""
-    own, other = surfaces
+    queries, other = surfaces
     unit, tolerance = unit_and_tolerance
-    sample = sample_triangles(own.mesh, points, random)
+    sample = sample_triangles(queries.mesh, points, random)
     nearest = other.nearest(sample.points)
     sizes = nearest.distances * unit
     signed = other.closed
     distances = _with_signs(other, sample.points, nearest.distances) * unit
-    corners = signed_distances(other, own.mesh.vertices) * unit
-    normals = surface_normals(own, sample.triangles) * surface_normals(other, nearest.triangles)
+    corners = signed_distances(other, queries.mesh.vertices) * unit
+    normals = surface_normals(queries, sample.triangles) * surface_normals(other, nearest.triangles)
     cosines = normals.sum(axis=1)
-    if not (own.closed and other.closed):
+    if not (queries.closed and other.closed):
         # What is open has no outside: which way its triangles face says nothing.
         cosines = np.abs(cosines)
     along = cosines >= np.cos(np.radians(NORMAL_ANGLE))

@@ -87,12 +87,12 @@ class SurfaceQueries:
         """Put slivers that lie nearer into what was found for a chunk of the points."""
         import trimesh
 
-        picked, own, reach = nearest.triangles[chunk], points[chunk], nearest.distances[chunk]
-        which, slivers = self._slivers.beside(picked, own, reach)
+        picked, values, reach = nearest.triangles[chunk], points[chunk], nearest.distances[chunk]
+        which, slivers = self._slivers.nearby(picked, values, reach)
         if not len(which):
             return
-        places = trimesh.triangles.closest_point(self.mesh.corners[slivers], own[which])
-        sizes = np.linalg.norm(own[which] - places, axis=1)
+        places = trimesh.triangles.closest_point(self.mesh.corners[slivers], values[which])
+        sizes = np.linalg.norm(values[which] - places, axis=1)
         # The nearest sliver of each point comes first.
         order = np.lexsort((sizes, which))
         _, first = np.unique(which[order], return_index=True)
@@ -147,7 +147,7 @@ class _Slivers:
         self._starts = np.searchsorted(vertices[order], np.arange(len(mesh.vertices) + 1))
         self._low, self._high = corners.min(axis=1), corners.max(axis=1)
 
-    def beside(
+    def nearby(
         self,
         triangles: npt.NDArray[np.int64],
         points: Points,

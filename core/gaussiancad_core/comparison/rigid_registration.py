@@ -139,28 +139,28 @@ def register(result: Side, reference: Side, alignment: Alignment = Alignment.ICP
 
 def _mirror_fits(result: Side, reference: Side, pose: Matrix) -> bool:
     """Whether some mirror image of the result lies clearly nearer than the result in a pose."""
-    own = fit_under(result, reference, pose)
-    if own.distance <= _MIRROR_UNITS:
+    this_fit = fit_under(result, reference, pose)
+    if this_fit.distance <= _MIRROR_UNITS:
         return False
     fits = [fit_under(result, reference, _pose(turn)) for turn in axis_mirrors()]
     best = int(np.argmin([fit.distance for fit in fits]))
-    if is_clearly_nearer(fits[best], own):
+    if is_clearly_nearer(fits[best], this_fit):
         return True
     image = result.mirrored()
     image_pose, _ = refine(image, reference, _pose(axis_mirrors()[best] * _IMAGE))
     fit = fit_under(image, reference, image_pose)
-    if not is_clearly_nearer(fit, own):
+    if not is_clearly_nearer(fit, this_fit):
         return False
     # The image was moved by ICP, and the result perhaps not yet.
     refined, _ = refine(result, reference, pose)
     return is_clearly_nearer(fit, fit_under(result, reference, refined))
 
 
-def is_clearly_nearer(mirrored: Fit, own: Fit) -> bool:
+def is_clearly_nearer(mirrored: Fit, fit: Fit) -> bool:
     """Whether a mirror image's fit says that it is the one that is meant."""
-    gain = own.distance - mirrored.distance
-    certain = gain > _MIRROR_ERRORS * float(np.hypot(own.error, mirrored.error))
-    return certain and gain > _MIRROR_UNITS and mirrored.distance < _MIRROR_SHARE * own.distance
+    gain = fit.distance - mirrored.distance
+    certain = gain > _MIRROR_ERRORS * float(np.hypot(fit.error, mirrored.error))
+    return certain and gain > _MIRROR_UNITS and mirrored.distance < _MIRROR_SHARE * fit.distance
 
 
 def refine(
@@ -225,7 +225,7 @@ def fit_under(result: Side, reference: Side, pose: Matrix) -> Fit:
     there = reference.surface.distances(moved_points(result.points, pose))
     back = result.surface.distances(moved_points(reference.points, inverse(pose)))
     back *= scale_of(pose)
-    errors = [own.std() / np.sqrt(len(own)) for own in (there, back)]
+    errors = [values.std() / np.sqrt(len(values)) for values in (there, back)]
     return Fit(float(there.mean() + back.mean()) / 2.0, float(np.hypot(*errors)) / 2.0)
 
 

@@ -48,9 +48,9 @@ def with_unsure_kinds(views: DrawnViews) -> DrawnViews | None:
         return None
     strokes = {}
     found = False
-    for role, own in views.strokes.items():
-        points = [stroke.sample(_STEP * views.tolerance) for stroke in own]
-        parts = [_parts(own, number, points, views) for number in range(len(own))]
+    for role, curves in views.strokes.items():
+        points = [stroke.sample(_STEP * views.tolerance) for stroke in curves]
+        parts = [_parts(curves, number, points, views) for number in range(len(curves))]
         strokes[role] = tuple(part for stroke in parts for part in stroke)
         found |= any(is_unsure(part) for part in strokes[role])
     return replace(views, strokes=strokes) if found else None
@@ -76,9 +76,9 @@ def as_drawn(strokes: Sequence[Curve], drawn: Lines, tolerance: float) -> tuple[
 
 def _retold(stroke: Curve, drawn: Lines, tolerance: float) -> Curve:
     points = lines_of_strokes([stroke], tolerance / 4.0)
-    own = points.visible if stroke.linetype is Linetype.VISIBLE else points.hidden
+    line_points = points.visible if stroke.linetype is Linetype.VISIBLE else points.hidden
     shares = {
-        kind: own.share(own.near(lines, tolerance))
+        kind: line_points.share(line_points.near(lines, tolerance))
         for kind, lines in ((Linetype.VISIBLE, drawn.visible), (Linetype.HIDDEN, drawn.hidden))
     }
     other = _other(stroke.linetype)
@@ -158,19 +158,19 @@ def _met(stroke: Segment, others: Sequence[tuple[Curve, Points]], tolerance: flo
     found: list[float] = []
     for other, points in others:
         offset = points - np.array(stroke.start)
-        position, beside = offset @ along, offset @ across
-        ends = np.abs(beside[[0, -1]]) <= reach
+        position, neighbour = offset @ along, offset @ across
+        ends = np.abs(neighbour[[0, -1]]) <= reach
         if ends.all() and isinstance(other, Segment):
             # What runs along the stroke ends there.
             found += [float(at) for at in position[[0, -1]]]
             continue
-        crossed = np.flatnonzero(beside[:-1] * beside[1:] <= 0.0)
+        crossed = np.flatnonzero(neighbour[:-1] * neighbour[1:] <= 0.0)
         if len(crossed):
             found += position[crossed].tolist()
             continue
         found += position[[0, -1]][ends].tolist()
-        if isinstance(other, Arc) and not ends.any() and np.abs(beside).min() <= tolerance:
+        if isinstance(other, Arc) and not ends.any() and np.abs(neighbour).min() <= tolerance:
             # It touches.
-            found.append(float(position[np.abs(beside).argmin()]))
+            found.append(float(position[np.abs(neighbour).argmin()]))
     inside = sorted(at for at in found if reach < at < stroke.length - reach)
     return [at for k, at in enumerate(inside) if not k or at - inside[k - 1] > tolerance]

@@ -179,10 +179,10 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     size = tuple(extent * scale for extent in views.size)
     apart = None if views.apart is None else views.apart * scale
     noise = views.noise * scale if views.likely else 0.0
-    told = None if views.told is None else views.told.scaled(scale)
-    scaled = views.known is not None or told is not None
+    stated = None if views.dimensions is None else views.dimensions.scaled(scale)
+    scaled = views.known is not None or stated is not None
     limits = tolerance, apart
-    snap = _snap(planes, size, scale, limits, noise=noise, told=told, scaled=scaled)
+    snap = _snap(planes, size, scale, limits, noise=noise, stated=stated, scaled=scaled)
     shown = [
         _plane_reading(plane, tolerance).moved(
             *(-snap.begins.get(Axis(index), 0.0) for index in IN_PLANE[plane.normal])
@@ -197,22 +197,22 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
         )
         for axis, plane in planes.items()
     }
-    own = known.snap
+    snapped = known.snap
     if views.known is not None:
-        told = size[views.known.value], views.size[views.known.value]
-        scale = designed_scale(own.step, told, scale)
+        stated = size[views.known.value], views.size[views.known.value]
+        scale = designed_scale(snapped.step, stated, scale)
     return PartSupports(
         found,
-        own.values,
+        snapped.values,
         size,
         scale,
         tolerance,
-        own.nominal,
-        own.step,
-        own.odd_numbers,
-        own.moved,
-        own.unread,
-        own.places,
+        snapped.nominal,
+        snapped.step,
+        snapped.odd_numbers,
+        snapped.moved,
+        snapped.unread,
+        snapped.places,
     )
 
 
@@ -252,7 +252,7 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
 
 def _take_arcs(plane: _Plane, near: float) -> None:
     """Make arcs of chains that run along a drawn circle."""
-    drawn, chains = [own.circle for own in plane.circles], plane.chains
+    drawn, chains = [this_circle.circle for this_circle in plane.circles], plane.chains
     plane.chains = []
     for role, chain, linetype in chains:
         found = ((circle, arc_along(chain, circle, near)) for circle in drawn)
@@ -298,7 +298,7 @@ def _snap(
     limits: tuple[float, float | None],
     *,
     noise: float,
-    told: ToldNumbers | None,
+    stated: ToldNumbers | None,
     scaled: bool,
 ) -> Snapped:
     """Values and circles, with what lies together made equal."""
@@ -317,7 +317,7 @@ def _snap(
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
     return snapped(
-        readings, circles, tolerance, apart, scale, noise=noise, told=told, scaled=scaled
+        readings, circles, tolerance, apart, scale, noise=noise, stated=stated, scaled=scaled
     )
 
 
@@ -409,13 +409,13 @@ def _collinear(lines: list[_Line], tolerance: float) -> list[list[_Line]]:
     """Slanted strokes in groups that lie on one line."""
     groups: list[tuple[LineCurve, list[_Line]]] = []
     for line in sorted(lines, key=lambda stroke: -stroke.length):
-        own, length = line_through(line.start, line.end), line.length
+        line_curve, length = line_through(line.start, line.end), line.length
         for curve, group in groups:
             off = max(curve.distance(line.start), curve.distance(line.end))
-            (dx, dy), (ex, ey) = curve.direction, own.direction
+            (dx, dy), (ex, ey) = curve.direction, line_curve.direction
             if off <= 1.5 * tolerance and abs(dx * ey - dy * ex) * length <= 1.5 * tolerance:
                 group.append(line)
                 break
         else:
-            groups.append((own, [line]))
+            groups.append((line_curve, [line]))
     return [group for _, group in groups]

@@ -55,11 +55,11 @@ def find_chords(strokes: Mapping[Role, Sequence[Curve]], tolerance: float) -> li
         strokes: of each view, mm; chords of a curve lie one behind the other.
         tolerance: mm by which strokes may miss where they belong.
     """
-    levels = {role: _levels(own, role) for role, own in strokes.items()}
+    levels = {role: _levels(curves, role) for role, curves in strokes.items()}
     found = []
-    for role, own in strokes.items():
+    for role, this_curves in strokes.items():
         seen = [levels[other] for other in strokes if other is not role]
-        for run in _runs(role, own):
+        for run in _runs(role, this_curves):
             if not _is_drawn(run, seen, tolerance):
                 found.append(run)
     return found

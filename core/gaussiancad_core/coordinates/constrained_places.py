@@ -26,21 +26,21 @@ class ToldPlaces:
         values: coordinates along each axis, of planes and of circles' centres, in the unit of
             whoever holds them.
         radii: of circles.
-        beside: by how much what numbers say was drawn otherwise, at most.
+        offset: by how much what numbers say was drawn otherwise, at most.
         digit: the last one that numbers have.
     """
 
     values: Mapping[Axis, tuple[float, ...]]
     radii: tuple[float, ...]
-    beside: float
+    offset: float
     digit: float
 
     def scaled(self, factor: float) -> "ToldPlaces":
         """The same in another unit."""
         return ToldPlaces(
-            {axis: tuple(factor * at for at in own) for axis, own in self.values.items()},
+            {axis: tuple(factor * at for at in values) for axis, values in self.values.items()},
             tuple(factor * radius for radius in self.radii),
-            factor * self.beside,
+            factor * self.offset,
             factor * self.digit,
         )
 
@@ -61,14 +61,14 @@ def told_places(
         digit: the last one that the sheet's numbers have, units.
     """
     (taken, drawn), (values, circles) = numbers, of
-    relations, said = ([own for own in group if own.holds(taken)] for group in equations)
-    beside = max((abs(own.at(drawn)[0]) for own in said), default=0.0)
+    relations, said = ([linear for linear in group if linear.holds(taken)] for group in equations)
+    offset = max((abs(linear.at(drawn)[0]) for linear in said), default=0.0)
     rows = np.zeros((len(relations) + len(said), len(taken)))
-    for row, own in enumerate((*relations, *said)):
-        for column, factor in own.terms:
+    for row, relation in enumerate((*relations, *said)):
+        for column, factor in relation.terms:
             rows[row, column] += factor
     left_open = null_space(rows) if len(rows) else np.eye(len(taken))
-    radii = {float(taken[own]) for *_, own in circles if _is_still(left_open[own])}
+    radii = {float(taken[number]) for *_, number in circles if _is_still(left_open[number])}
     found = {}
     for axis in Axis:
         columns = [*values.get(axis, ()), *_centres(circles, axis)]
@@ -82,7 +82,7 @@ def told_places(
                 }
             )
         )
-    return ToldPlaces(found, tuple(sorted(radii)), beside, digit)
+    return ToldPlaces(found, tuple(sorted(radii)), offset, digit)
 
 
 def _is_still(component: Numbers) -> bool:

@@ -122,11 +122,11 @@ class Snapped:
         """How many values, centres and radii are no multiples of the step, nor follow from such."""
         if self.step is None:
             return 0
-        groups = {axis.value: list(own) for axis, own in self.values.items()}
+        groups = {axis.value: list(value) for axis, value in self.values.items()}
         for normal, circle in self.circles:
             for index, place in zip(IN_PLANE[normal], circle.centre, strict=True):
                 groups[index].append(place)
-        extents = [max(own, default=0.0) for own in groups.values()]
+        extents = [max(group, default=0.0) for group in groups.values()]
         groups[len(extents)] = [circle.radius for _, circle in self.circles]
         return sum(map(self.step.odd, groups.values(), (*extents, 0.0)))
 
@@ -148,7 +148,7 @@ def snapped(
     millimetre: float = 0.0,
     *,
     noise: float = 0.0,
-    told: ToldNumbers | None = None,
+    stated: ToldNumbers | None = None,
     scaled: bool = False,
 ) -> Snapped:
     """Make readings that belong together equal.
@@ -160,7 +160,7 @@ def snapped(
         apart: units from which values are different ones; the tolerance if it is None.
         millimetre: units, as far as the scale is known; 0 where it is not.
         noise: units by which readings are off; 0 where only sure measures become round.
-        told: lengths that the sheet has in numbers, units.
+        stated: lengths that the sheet has in numbers, units.
         scaled: whether the scale is known for certain.
     """
     apart = tolerance if apart is None else apart
@@ -173,17 +173,17 @@ def snapped(
         for axis in Axis
     }
     merged = _merged_circles(circles, 2.0 * tolerance)
-    own: list[tuple[Axis, int, int, int]] = []
+    items: list[tuple[Axis, int, int, int]] = []
     for reading in merged:
         (x, y), radius = reading.circle.centre, reading.circle.radius
         weight = reading.weight
         columns = (variables.add(number, weight) for number in (x, y, radius))
-        own.append((reading.normal, *columns))
-    relations = circle_relations(variables.observed, clusters, own, tolerance)
+        items.append((reading.normal, *columns))
+    relations = circle_relations(variables.observed, clusters, items, tolerance)
     read, known = variables.weights, None
-    if told is not None:
-        said = told_relations(variables.observed, clusters, own, told, tolerance)
-        known = as_told(variables.observed, (clusters, own), (relations, said), _FAR * tolerance)
+    if stated is not None:
+        said = told_relations(variables.observed, clusters, items, stated, tolerance)
+        known = as_told(variables.observed, (clusters, items), (relations, said), _FAR * tolerance)
         variables.observed, relations = known.numbers, [*relations, *known.kept]
         variables.weights = (known.factors * variables.weights).tolist()
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
@@ -197,9 +197,9 @@ def snapped(
         )
     elif noise:
         rough = Roughness(tolerance, noise, millimetre)
-        likely = likely_numbers(numbers, clusters, own, rough)
+        likely = likely_numbers(numbers, clusters, items, rough)
         if likely is None and scaled:
-            likely = round_numbers(numbers, clusters, own, rough)
+            likely = round_numbers(numbers, clusters, items, rough)
         if likely is not None:
             variables.observed, moved = likely.numbers, likely.moved
             variables.weights = (likely.factors * variables.weights).tolist()
@@ -214,17 +214,17 @@ def snapped(
             weights[key] = weights.get(key, 0.0) + variables.weights[column]
     circles_out = tuple(
         (normal, CircleCurve((float(numbers[x]), float(numbers[y])), float(numbers[radius])))
-        for normal, x, y, radius in own
+        for normal, x, y, radius in items
     )
-    circle_weights = tuple(variables.weights[radius] for *_, radius in own)
+    circle_weights = tuple(variables.weights[radius] for *_, radius in items)
     snap = Snapped(
         values, weights, circles_out, circle_weights, 2.0 * tolerance, step, nominal, moved
     )
-    if told is None or known is None:
+    if stated is None or known is None:
         return snap
     unread = step is not None and _is_unread(step, numbers, known.drawn)
     places = told_places(
-        (numbers, known.drawn), (clusters, own), (relations, known.kept), told.digit
+        (numbers, known.drawn), (clusters, items), (relations, known.kept), stated.digit
     )
     return replace(snap, begins=known.begins, unread=unread, places=places)
 
@@ -235,7 +235,7 @@ def _is_unread(step: NominalStep, numbers: Numbers, drawn: Numbers) -> bool:
         (step.multiple(float(a)), step.multiple(float(b)))
         for a, b in zip(numbers, drawn, strict=True)
     ]
-    return any(own is not None and own != other for own, other in pairs)
+    return any(value is not None and value != other for value, other in pairs)
 
 
 def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
@@ -247,11 +247,13 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
     values, weights, nominal, step = dict(snap.values), dict(snap.weights), snap.nominal, snap.step
     for axis in Axis:
         round_ones = _circle_values(snap, axis)
-        own = [reading for reading in readings if reading.axis is axis]
-        lone = [reading for reading in own if _is_lone(snap, reading, round_ones)]
+        this_readings = [reading for reading in readings if reading.axis is axis]
+        lone = [reading for reading in this_readings if _is_lone(snap, reading, round_ones)]
         means = [_mean(cluster) for cluster in _clusters(lone, snap.reach)]
         means += [
-            _mean(cluster) for cluster in _agreeing(snap, axis, own) if cluster[0] not in lone
+            _mean(cluster)
+            for cluster in _agreeing(snap, axis, this_readings)
+            if cluster[0] not in lone
         ]
         means = [(nearest_value(round_ones, at, _AT_CIRCLE * snap.reach), w) for at, w in means]
         if step is not None:
@@ -386,9 +388,9 @@ def _rounded(
     """
     nominal = _Variables()
     multiples = [step.multiple(float(number)) for number in numbers]
-    for number, multiple, told, read in zip(numbers, multiples, *weights, strict=True):
+    for number, multiple, stated, read in zip(numbers, multiples, *weights, strict=True):
         if multiple is None:
-            nominal.add(float(number), told)
+            nominal.add(float(number), stated)
         else:
             nominal.add(multiple, read * CERTAIN)
     rounded = solved(nominal.observed, nominal.weights, relations, far)

@@ -66,9 +66,9 @@ def _ended(stroke: Segment, moved: Sequence[tuple[Curve, Polyline]], tolerance: 
         read = drawn.sample(drawn.length)[[0, -1]]
         led = np.array([curve.points[0], curve.points[-1]])
         for place, end in enumerate(ends):
-            own = read[_nearest(read, end)]
-            if hypot(*(own - end)) <= tolerance:
-                target = led[_nearest(led, own)]
+            item = read[_nearest(read, end)]
+            if hypot(*(item - end)) <= tolerance:
+                target = led[_nearest(led, item)]
                 ends[place] = _led(ends[1 - place], end, target, tolerance) or end
     return replace(stroke, start=ends[0], end=ends[1])
 

@@ -71,12 +71,12 @@ class NominalStep:
 
     def moving(self, numbers: Iterable[float]) -> "NominalStep":
         """The step, knowing by how much further numbers moved to become its multiples."""
-        told = [(float(number), self.multiple(float(number))) for number in numbers]
-        moved = [abs(number - own) for number, own in told if own is not None]
+        stated = [(float(number), self.multiple(float(number))) for number in numbers]
+        moved = [abs(number - value) for number, value in stated if value is not None]
         return replace(self, moved=max([*moved, self.moved]))
 
 
-def designed_scale(step: NominalStep | None, told: tuple[float, float], scale: float) -> float:
+def designed_scale(step: NominalStep | None, stated: tuple[float, float], scale: float) -> float:
     """Units per mm at which an extent that was told is what it was told, in steps.
 
     The step divides the longest extent, by which units are counted.  Where another one was told,
@@ -84,10 +84,10 @@ def designed_scale(step: NominalStep | None, told: tuple[float, float], scale: f
 
     Args:
         step: of the design; None where none is told.
-        told: the extent in units as it was read, and in mm.
+        stated: the extent in units as it was read, and in mm.
         scale: units per mm, by the longest extent.
     """
-    units, length = told
+    units, length = stated
     meant = step.multiple(units) if step is not None else None
     return scale if meant is None else meant / length
 
@@ -103,8 +103,8 @@ def nominal_step(
         millimetre: units, as far as the scale is known: a round step needs fewer numbers to tell. 0
             where it is not.
     """
-    told = np.array([number for number in numbers if _is_told(number, tolerance)])
-    if not len(told):
+    stated = np.array([number for number in numbers if _is_told(number, tolerance)])
+    if not len(stated):
         return None
     any_step = [UNITS / count for count in range(_FEWEST_STEPS, _MOST_STEPS + 1)]
     round_steps = [length * millimetre for length in ROUND_MM] if millimetre else []
@@ -115,11 +115,11 @@ def nominal_step(
         ):
             for length in lengths:
                 reach = min(_NEAR * length, precise * tolerance)
-                off = np.abs(told - length * np.round(told / length))
+                off = np.abs(stated - length * np.round(stated / length))
                 fits = int((off <= reach).sum())
                 share = 2.0 * reach / length
-                if fits >= _SHARE * len(told) and (
-                    _by_chance(fits, len(told), share) * len(lengths) < chance
+                if fits >= _SHARE * len(stated) and (
+                    _by_chance(fits, len(stated), share) * len(lengths) < chance
                 ):
                     return NominalStep(length, reach)
     return None

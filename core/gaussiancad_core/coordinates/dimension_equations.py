@@ -29,7 +29,7 @@ def told_relations(
     observed: Sequence[float],
     values: Mapping[Axis, Sequence[int]],
     circles: Sequence[tuple[Axis, int, int, int]],
-    told: ToldNumbers,
+    stated: ToldNumbers,
     tolerance: float,
 ) -> list[Linear]:
     """Equations between values, centres and radii that numbers tell.
@@ -38,26 +38,26 @@ def told_relations(
         observed: numbers as read, units.
         values: places of each axis' values among them.
         circles: normal, and places of both coordinates of the centre and of the radius.
-        told: by the sheet, units.
+        stated: by the sheet, units.
         tolerance: units by which a reading may be off.
     """
     found: list[Linear] = []
-    for own in told.lengths:
-        if isinstance(own, ToldRadius):
-            found += _radii(observed, circles, own, told.reach, tolerance)
+    for length in stated.lengths:
+        if isinstance(length, ToldRadius):
+            found += _radii(observed, circles, length, stated.reach, tolerance)
             continue
-        places = list(_places(observed, values, circles, own.axis))
+        places = list(_places(observed, values, circles, length.axis))
         near = [
             [(at, terms) for at, terms in places if abs(at - end) <= _NEAR * tolerance]
-            for end in (own.low, own.high)
+            for end in (length.low, length.high)
         ]
         pairs = [
-            (_misfit(own, low[0], high[0]), (*high[1], *_negative(low[1])))
+            (_misfit(length, low[0], high[0]), (*high[1], *_negative(low[1])))
             for low, high in product(*near)
-            if abs(high[0] - low[0] - own.value) <= told.reach
+            if abs(high[0] - low[0] - length.value) <= stated.reach
         ]
         if pairs:
-            found.append(Linear(min(pairs, key=lambda pair: pair[0])[1], -own.value))
+            found.append(Linear(min(pairs, key=lambda pair: pair[0])[1], -length.value))
     return found
 
 
@@ -106,17 +106,17 @@ def as_told(
     (values, circles), (relations, said) = of, equations
     even = [1.0] * len(observed)
     drawn = numbers = solved(observed, even, relations, far)
-    sure = [own for own in relations if own.holds(drawn)]
+    sure = [relation for relation in relations if relation.holds(drawn)]
     kept: list[Linear] = []
     together = solved(observed, even, [*sure, *said], far)
-    if all(own.holds(together) for own in (*sure, *said)):
+    if all(linear.holds(together) for linear in (*sure, *said)):
         numbers, kept = together, list(said)
     else:
-        for own in said:
-            tried = solved(observed, even, [*sure, *kept, own], far)
-            if all(other.holds(tried) for other in (*sure, *kept, own)):
+        for this_linear in said:
+            tried = solved(observed, even, [*sure, *kept, this_linear], far)
+            if all(other.holds(tried) for other in (*sure, *kept, this_linear)):
                 numbers = tried
-                kept.append(own)
+                kept.append(this_linear)
     begins = {
         axis: float(numbers[first]) - observed[first]
         for axis, places in values.items()
@@ -125,7 +125,7 @@ def as_told(
     }
     numbers = _from_their_ends(numbers, values, circles, begins)
     factors = np.ones(len(numbers))
-    factors[list({column for own in kept for column, _ in own.terms})] = _FIRMLY
+    factors[list({column for item in kept for column, _ in item.terms})] = _FIRMLY
     return AsTold(numbers.tolist(), drawn, factors, kept, begins)
 
 
@@ -162,9 +162,9 @@ def _places(
                     yield at, ((centre, 1.0), (radius, side))
 
 
-def _misfit(own: ToldLength, low: float, high: float) -> float:
-    away = abs(low - own.low) + abs(high - own.high)
-    return abs(high - low - own.value) + _OWN * away
+def _misfit(length: ToldLength, low: float, high: float) -> float:
+    away = abs(low - length.low) + abs(high - length.high)
+    return abs(high - low - length.value) + _OWN * away
 
 
 def _negative(terms: Terms) -> Terms:
@@ -174,7 +174,7 @@ def _negative(terms: Terms) -> Terms:
 def _radii(
     observed: Sequence[float],
     circles: Sequence[tuple[Axis, int, int, int]],
-    own: ToldRadius,
+    this_radius: ToldRadius,
     reach: float,
     tolerance: float,
 ) -> Iterator[Linear]:
@@ -182,19 +182,23 @@ def _radii(
     radii = [
         observed[radius]
         for normal, x, y, radius in circles
-        if normal is own.normal
+        if normal is this_radius.normal
         and max(
-            abs(observed[x] - own.centre[0]),
-            abs(observed[y] - own.centre[1]),
-            abs(observed[radius] - own.radius),
+            abs(observed[x] - this_radius.centre[0]),
+            abs(observed[y] - this_radius.centre[1]),
+            abs(observed[radius] - this_radius.radius),
         )
         <= _NEAR * tolerance
-        and abs(observed[radius] - own.value) <= reach
+        and abs(observed[radius] - this_radius.value) <= reach
     ]
     if not radii:
         return
-    drawn = min(radii, key=lambda radius: abs(radius - own.radius))
+    drawn = min(radii, key=lambda radius: abs(radius - this_radius.radius))
     for normal, *_, radius in circles:
         alike = abs(observed[radius] - drawn) <= reach / 2.0
-        if normal is own.normal and alike and abs(observed[radius] - own.value) <= reach:
-            yield Linear(((radius, 1.0),), -own.value)
+        if (
+            normal is this_radius.normal
+            and alike
+            and abs(observed[radius] - this_radius.value) <= reach
+        ):
+            yield Linear(((radius, 1.0),), -this_radius.value)

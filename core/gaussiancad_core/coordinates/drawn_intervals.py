@@ -146,22 +146,22 @@ def supports_with_spans(
     reach = max(3.0 * tolerance, _DROPPED)
     own_stations = [stations_on(curve, list(curves)) for curve in curves]
     stations = [
-        sorted({*own, *stations_on(curve, list(grid))})
-        for curve, own in zip(curves, own_stations, strict=True)
+        sorted({*items, *stations_on(curve, list(grid))})
+        for curve, items in zip(curves, own_stations, strict=True)
     ]
     joints = joints_of(curves, [(index, stroke.ends) for index, stroke in strokes], reach)
     spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
     for (index, stroke), joint in zip(strokes, joints, strict=True):
         curve = curves[index]
-        own = spans[index].setdefault(stroke.role, [])
+        this_spans = spans[index].setdefault(stroke.role, [])
         slack = reach / curve.speed
         ends = _joined(curve, stroke.ends, joint, own_stations[index])
         ends = _slid(curve, ends, (stations[index], slack), curves, tolerance)
         for low, high in _settled(curve, ends, stations[index], slack):
             if high - low > 1e-9:
-                own.append(Span(low, high, stroke.linetype, stroke.confidence))
+                this_spans.append(Span(low, high, stroke.linetype, stroke.confidence))
     found = [
-        Support(curve, {role: tuple(own) for role, own in by_role.items()})
+        Support(curve, {role: tuple(items) for role, items in by_role.items()})
         for curve, by_role in zip(curves, spans, strict=True)
     ]
     return tuple(_filled(support, found, tolerance) for support in found)
@@ -212,19 +212,23 @@ def _slid(
     if not isinstance(curve, LineCurve):
         if ends[1] - ends[0] >= TURN:
             return ends
-        every = [own + turn for turn in (-TURN, 0.0, TURN) for own in stations]
+        every = [station + turn for turn in (-TURN, 0.0, TURN) for station in stations]
     found = []
     for end in ends:
-        near = [own for own in every if abs(own - end) * curve.speed <= _SLIDES * tolerance]
-        if not near or min(abs(own - end) for own in near) <= slack:
+        near = [value for value in every if abs(value - end) * curve.speed <= _SLIDES * tolerance]
+        if not near or min(abs(value - end) for value in near) <= slack:
             found.append(end)
             continue
         here = curve.at(end)
-        beside = [o for o in others if o.distance(here) <= _ALONGSIDE * tolerance and o != curve]
-        met = [
-            own for own in near if any(other.distance(curve.at(own)) <= 1e-6 for other in beside)
+        adjacent_os = [
+            o for o in others if o.distance(here) <= _ALONGSIDE * tolerance and o != curve
         ]
-        found.append(min(met, key=lambda own: abs(own - end), default=end))
+        met = [
+            value
+            for value in near
+            if any(other.distance(curve.at(value)) <= 1e-6 for other in adjacent_os)
+        ]
+        found.append(min(met, key=lambda value: abs(value - end), default=end))
     return found[0], found[1]
 
 
@@ -249,10 +253,10 @@ def _settled(
 def _filled(support: Support, others: Sequence[Support], tolerance: float) -> Support:
     """The support without cracks, and with those gaps closed along which another line runs."""
     spans = {}
-    for role, own in support.spans.items():
+    for role, this_spans in support.spans.items():
         gaps = [
             Span(one.high, two.low, one.linetype, min(one.confidence, two.confidence))
-            for one, two in _neighbours(own)
+            for one, two in _neighbours(this_spans)
             if all(
                 any(
                     _runs_by(other, role, support.curve.at(at), _BESIDE * tolerance)
@@ -262,15 +266,15 @@ def _filled(support: Support, others: Sequence[Support], tolerance: float) -> Su
                 for at in _places(support.curve, one.high, two.low, _STEP * tolerance)
             )
         ]
-        cracks = _cracks(own, tolerance / support.curve.speed)
-        spans[role] = (*own, *gaps, *cracks)
+        cracks = _cracks(this_spans, tolerance / support.curve.speed)
+        spans[role] = (*this_spans, *gaps, *cracks)
     return Support(support.curve, spans)
 
 
 def _cracks(spans: Sequence[Span], slack: float) -> Iterator[Span]:
     """What lacks between spans that end within ``slack`` of each other."""
     before: Span | None = None
-    for span in sorted(spans, key=lambda own: own.low):
+    for span in sorted(spans, key=lambda this_span: this_span.low):
         if before is not None and 1e-9 < span.low - before.high <= slack:
             confidence = min(before.confidence, span.confidence)
             yield Span(before.high, span.low, before.linetype, confidence)
@@ -281,8 +285,8 @@ def _cracks(spans: Sequence[Span], slack: float) -> Iterator[Span]:
 def _neighbours(spans: Sequence[Span]) -> Iterator[tuple[Span, Span]]:
     """Spans of one linetype with a gap between them."""
     for linetype in Linetype:
-        own = sorted((s for s in spans if s.linetype is linetype), key=lambda span: span.low)
-        yield from ((one, two) for one, two in pairwise(own) if two.low - one.high > 1e-9)
+        this_spans = sorted((s for s in spans if s.linetype is linetype), key=lambda span: span.low)
+        yield from ((one, two) for one, two in pairwise(this_spans) if two.low - one.high > 1e-9)
 
 
 def _places(curve: PlaneCurve, low: float, high: float, step: float) -> list[float]:
@@ -299,7 +303,7 @@ def _runs_by(other: Support, role: Role, point: Point, near: float) -> bool:
 
 def stations_on(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
     """Parameters where a curve meets others, ascending; it never meets itself."""
-    return sorted({curve.parameter(point) for own in others for point in meetings(curve, own)})
+    return sorted({curve.parameter(point) for other in others for point in meetings(curve, other)})
 
 
 def nearest_station(stations: list[float], parameter: float, slack: float) -> float:

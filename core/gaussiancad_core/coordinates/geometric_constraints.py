@@ -105,7 +105,9 @@ class PlaneReading:
 
         return replace(
             self,
-            slants=tuple(Slant(at(own.start), at(own.end), own.weight) for own in self.slants),
+            slants=tuple(
+                Slant(at(slant.start), at(slant.end), slant.weight) for slant in self.slants
+            ),
             ends=tuple(at(end) for end in self.ends),
             arcs=tuple(
                 (CircleCurve(at(circle.centre), circle.radius), low, sweep)
@@ -225,7 +227,7 @@ class _Network:
             (normal, at, at + 1, at + 2)
             for (normal, _), at in zip(self._snap.circles, self._circles, strict=True)
         ]
-        places = {axis: list(own.values()) for axis, own in self._values.items()}
+        places = {axis: list(value.values()) for axis, value in self._values.items()}
         return circle_relations(self.observed, places, circles, _KNOWN)
 
     def relations(self, plane: PlaneReading) -> Iterator[Relation]:
@@ -244,11 +246,11 @@ class _Network:
                     yield Touches(circles[circle], first, slant, _side(slant, circle.centre))
             low, high = sorted((line.parameter(slant.start), line.parameter(slant.end)))
             room = _READ_NEAR * self._tolerance
-            own = self._corners(plane.normal, ends)
-            for corner in {**corners, **own}.values():
+            this_corners = self._corners(plane.normal, ends)
+            for corner in {**corners, **this_corners}.values():
                 along = line.parameter(corner.point)
                 within = low - room <= along <= high + room
-                loose = corner.loose or (corner.a, corner.b) in own
+                loose = corner.loose or (corner.a, corner.b) in this_corners
                 if within and self._is_on(corner, line, loose=loose):
                     yield OnSlant(corner.a, corner.b, first, slant)
         for one, other, inside in touching_circles(list(circles), plane.ends, self._snap.reach):
@@ -340,12 +342,12 @@ class _Network:
     def result(self, numbers: Numbers) -> Adjusted:
         """What the numbers stand for."""
         values = {
-            axis: tuple(sorted({float(numbers[at]) for at in own.values()}))
-            for axis, own in self._values.items()
+            axis: tuple(sorted({float(numbers[at]) for at in this_value.values()}))
+            for axis, this_value in self._values.items()
         }
         weights: dict[tuple[Axis, float], float] = {}
-        for axis, own in self._values.items():
-            for value, at in own.items():
+        for axis, entry in self._values.items():
+            for value, at in entry.items():
                 key = axis, float(numbers[at])
                 weights[key] = weights.get(key, 0.0) + self._snap.weights[axis, value]
         circles = tuple(

@@ -134,14 +134,14 @@ def likely_numbers(
     for normal, x, y, radius in circles:
         group[[x, y]] = IN_PLANE[normal]
         group[radius] = len(Axis)
-    beside = numbers - np.array(lattice.begins)[group]
-    multiples = lattice.step * np.round(beside / lattice.step)
+    neighbour = numbers - np.array(lattice.begins)[group]
+    multiples = lattice.step * np.round(neighbour / lattice.step)
     far = min(_REACHES[-1] * rough.noise, rough.farthest, _NEARBY * lattice.step)
-    fits = np.abs(beside - multiples) <= max(lattice.reach, far)
-    moved = float(np.sqrt(np.mean((beside - multiples)[fits] ** 2))) if fits.any() else 0.0
+    fits = np.abs(neighbour - multiples) <= max(lattice.reach, far)
+    moved = float(np.sqrt(np.mean((neighbour - multiples)[fits] ** 2))) if fits.any() else 0.0
     if moved <= _EXACT * rough.tolerance:
         return None
-    likely = np.where(fits, multiples, beside)
+    likely = np.where(fits, multiples, neighbour)
     return LikelyNumbers(likely.tolist(), np.where(fits, LIKELY, 1.0), moved)
 
 
@@ -153,18 +153,22 @@ def told_lattice(groups: Sequence[Sequence[float]], rough: Roughness) -> Lattice
             units, the longest extent is ``UNITS``.
         rough: how roughly they are known.
     """
-    numbers = np.array([number for own in groups for number in own])
-    of = np.array([index for index, own in enumerate(groups) for _ in own], dtype=np.int64)
+    numbers = np.array([number for this_groups in groups for number in this_groups])
+    of = np.array(
+        [index for index, this_groups in enumerate(groups) for _ in this_groups], dtype=np.int64
+    )
     # The ends of the longest extent fit every step.
-    told = (numbers > rough.tolerance) & (numbers < UNITS - rough.tolerance)
-    numbers, of = numbers[told], of[told]
+    stated = (numbers > rough.tolerance) & (numbers < UNITS - rough.tolerance)
+    numbers, of = numbers[stated], of[stated]
     if len(numbers) < _FEWEST or not rough.noise:
         return None
     any_step = UNITS / np.arange(_FEWEST_STEPS, _MOST_STEPS + _HALVES, _HALVES)
     # Most parts are designed in these: they are tried by themselves, against less of a chance.
     round_steps = np.array(ROUND_MM) * rough.millimetre
-    tried = (_likeliest(numbers, of, len(groups), own, rough) for own in (any_step, round_steps))
-    return min(tried, key=lambda own: own[0])[1]
+    tried = (
+        _likeliest(numbers, of, len(groups), values, rough) for values in (any_step, round_steps)
+    )
+    return min(tried, key=lambda pair: pair[0])[1]
 
 
 def _likeliest(
@@ -178,19 +182,19 @@ def _likeliest(
     farthest = rough.farthest
     for share in _REACHES:
         reach = min(share * rough.noise, farthest)
-        own = steps[2.0 * reach / steps <= _DENSEST]
-        chances = _by_chance(numbers[None, :], own, reach)
+        this_step = steps[2.0 * reach / steps <= _DENSEST]
+        chances = _by_chance(numbers[None, :], this_step, reach)
         for index in np.argsort(chances, kind="stable")[:_TRIED]:
-            step = float(own[index])
+            step = float(this_step[index])
             wide = max(reach, min(_REACHES[-1] * rough.noise, farthest, _WIDEST * step))
             fitted = _fitted(numbers, of, groups, step, wide)
             if fitted is None:
                 continue
             step, begins = fitted
             lattice = Lattice(_dividing(step, reach), begins, reach)
-            beside = numbers - np.array(lattice.begins)[of]
-            (chance,) = _by_chance(beside[None, :], np.array([lattice.step]), reach)
-            chance *= len(own) * len(_REACHES)
+            neighbour = numbers - np.array(lattice.begins)[of]
+            (chance,) = _by_chance(neighbour[None, :], np.array([lattice.step]), reach)
+            chance *= len(this_step) * len(_REACHES)
             if chance < best[0]:
                 best = float(chance), lattice
     return best
@@ -220,17 +224,17 @@ def independent(
 
     groups = []
     for axis, places in values.items():
-        own = [
+        items = [
             (float(numbers[centre]), float(numbers[radius]))
             for normal, *both, radius in circles
             for index, centre in zip(IN_PLANE[normal], both, strict=True)
             if index == axis.value
         ]
-        sides = [centre + side * radius for centre, radius in own for side in (-1.0, 1.0)]
+        sides = [centre + side * radius for centre, radius in items for side in (-1.0, 1.0)]
         levels = [float(numbers[place]) for place in places]
         extent = max(levels, default=0.0)
         free = [level for level in levels if all(abs(level - side) > near for side in sides)]
-        groups.append(distinct([*free, extent, *(centre for centre, _ in own)], extent))
+        groups.append(distinct([*free, extent, *(centre for centre, _ in items)], extent))
     groups.append(distinct([float(numbers[radius]) for *_, radius in circles], np.inf))
     return groups
 
@@ -255,9 +259,9 @@ def _fitted(
     """The step and the beginnings that the numbers near multiples tell by least squares."""
     begins = np.zeros(groups)
     for _ in range(_ROUNDS):
-        beside = numbers - begins[of]
-        multiples = np.round(beside / step)
-        near = np.abs(beside - step * multiples) <= reach
+        adjacent = numbers - begins[of]
+        multiples = np.round(adjacent / step)
+        near = np.abs(adjacent - step * multiples) <= reach
         count = int(near.sum())
         if count < groups:
             return None

@@ -28,7 +28,7 @@ def joints_of(
     """
     if not strokes:
         return []
-    ends = [(index, end) for index, own in strokes for end in own]
+    ends = [(index, end) for index, pair in strokes for end in pair]
     points = np.array([curves[index].at(end) for index, end in ends])
     joints: list[float | None] = [None] * len(ends)
     least = [reach] * len(ends)

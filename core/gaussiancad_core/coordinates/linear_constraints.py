@@ -120,7 +120,9 @@ class _Equations:
         self.start, self.missed = start, np.array([value for value, _ in found])
         self._rows = csr_array((factors, columns, ends), shape=(len(found), len(start)))
         self._relations = relations
-        self._curved = np.array([not isinstance(own, Linear) for own in relations], dtype=bool)
+        self._curved = np.array(
+            [not isinstance(relation, Linear) for relation in relations], dtype=bool
+        )
 
     def at(self, numbers: Numbers, kept: Places) -> tuple[Numbers, csr_array]:
         """What some of them are for some numbers, and their gradients: (k,) and (k, n)."""

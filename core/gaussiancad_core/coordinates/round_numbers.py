@@ -56,21 +56,22 @@ def round_numbers(
         if not rough.tolerance < number < UNITS - rough.tolerance:
             return None
         multiples = (step * round(number / step) for step in steps)
-        return next((own for own in multiples if abs(own - number) <= reach), None)
+        return next((multiple for multiple in multiples if abs(multiple - number) <= reach), None)
 
-    told = [
+    stated_numbers = [
         number
-        for own in independent(numbers, values, circles, rough.tolerance)
-        for number in own
+        for items in independent(numbers, values, circles, rough.tolerance)
+        for number in items
         if rough.tolerance < number < UNITS - rough.tolerance
     ]
-    fits = sum(rounded(number) is not None for number in told)
-    if not fits or fits < _SHARE * len(told):
+    fits = sum(rounded(number) is not None for number in stated_numbers)
+    if not fits or fits < _SHARE * len(stated_numbers):
         return None
     found = [rounded(float(number)) for number in numbers]
     meant = [
-        float(number) if own is None else own for number, own in zip(numbers, found, strict=True)
+        float(number) if value is None else value
+        for number, value in zip(numbers, found, strict=True)
     ]
     moved = float(np.sqrt(np.mean([(a - b) ** 2 for a, b in zip(meant, numbers, strict=True)])))
-    factors = np.array([1.0 if own is None else LIKELY for own in found])
+    factors = np.array([1.0 if value is None else LIKELY for value in found])
     return LikelyNumbers(meant, factors, moved) if moved else None

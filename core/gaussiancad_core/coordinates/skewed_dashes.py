@@ -32,27 +32,31 @@ _SKEW = 0.3
 
 def without_askew_dashes(views: DrawnViews) -> DrawnViews:
     """The views without short strokes that run along a longer straight one, or a circle."""
-    strokes = {role: _without(own, views.tolerance) for role, own in views.strokes.items()}
+    strokes = {role: _without(curves, views.tolerance) for role, curves in views.strokes.items()}
     return replace(views, strokes=strokes)
 
 
 def _without(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...]:
-    segments = [own for own in strokes if isinstance(own, Segment)]
-    lines = [own for own in segments if own.length > _DASH * tolerance]
-    arcs = [own for own in strokes if isinstance(own, Arc) and own.length > _LONG_DASH * tolerance]
+    segments = [stroke for stroke in strokes if isinstance(stroke, Segment)]
+    lines = [segment for segment in segments if segment.length > _DASH * tolerance]
+    arcs = [
+        stroke
+        for stroke in strokes
+        if isinstance(stroke, Arc) and stroke.length > _LONG_DASH * tolerance
+    ]
     askew = {
-        id(own)
-        for own in segments
-        if own.length <= _LONG_DASH * tolerance
+        id(segment)
+        for segment in segments
+        if segment.length <= _LONG_DASH * tolerance
         and (
-            any(_runs_around(own, arc, tolerance) for arc in arcs)
+            any(_runs_around(segment, arc, tolerance) for arc in arcs)
             or (
-                own.length <= _DASH * tolerance
-                and any(_runs_along(own, line, tolerance) for line in lines)
+                segment.length <= _DASH * tolerance
+                and any(_runs_along(segment, line, tolerance) for line in lines)
             )
         )
     }
-    return tuple(own for own in strokes if id(own) not in askew)
+    return tuple(stroke for stroke in strokes if id(stroke) not in askew)
 
 
 def _runs_around(dash: Segment, arc: Arc, tolerance: float) -> bool:
@@ -77,5 +81,5 @@ def _runs_along(dash: Segment, line: Segment, tolerance: float) -> bool:
     if max(map(abs, off)) > _ASKEW * tolerance:
         return False
     at = [(a - x) * dx + (b - y) * dy for a, b in (dash.start, dash.end)]
-    beside = -tolerance <= min(at) and max(at) <= length + tolerance
-    return beside and tolerance < max(off) - min(off) <= _SKEW * dash.length
+    adjacent = -tolerance <= min(at) and max(at) <= length + tolerance
+    return adjacent and tolerance < max(off) - min(off) <= _SKEW * dash.length

@@ -36,7 +36,9 @@ def with_pieces_of_arcs(views: DrawnViews) -> DrawnViews:
     """
     if views.apart is not None:
         return views
-    strokes = {role: _with_pieces(own, views.tolerance) for role, own in views.strokes.items()}
+    strokes = {
+        role: _with_pieces(curves, views.tolerance) for role, curves in views.strokes.items()
+    }
     return replace(views, strokes=strokes)
 
 
@@ -62,22 +64,24 @@ def _has_twin(arc: Arc, strokes: Sequence[Curve], tolerance: float) -> bool:
 
 def _with_pieces(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...]:
     """The strokes, pieces one after the other as well."""
-    own = list(strokes)
-    left = [number for number, stroke in enumerate(own) if _may_be_piece(stroke, own, tolerance)]
+    curves = list(strokes)
+    left = [
+        number for number, stroke in enumerate(curves) if _may_be_piece(stroke, curves, tolerance)
+    ]
     while left:
         carriers = [
             stroke
-            for number, stroke in enumerate(own)
+            for number, stroke in enumerate(curves)
             if isinstance(stroke, Arc) and number not in left
         ]
-        pieces = ((number, _piece(own[number], carriers, tolerance)) for number in left)
+        pieces = ((number, _piece(curves[number], carriers, tolerance)) for number in left)
         found = {number: piece for number, piece in pieces if piece is not None}
         if not found:
             break
         for number, piece in found.items():
-            own[number] = piece
+            curves[number] = piece
         left = [number for number in left if number not in found]
-    return tuple(own)
+    return tuple(curves)
 
 
 def _may_be_piece(stroke: Curve, strokes: Sequence[Curve], tolerance: float) -> bool:

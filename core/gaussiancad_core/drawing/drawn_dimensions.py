@@ -70,10 +70,10 @@ def draw_dimensions(board: Board, group: int) -> list[Annotation]:
         wanted.sort(key=lambda station, first=first: abs(station.at - first))
         if axis not in whole:
             wanted.append(border_station(view, direction, last))
-        beside = _Beside(view, direction, board)
+        neighbour = _Beside(view, direction, board)
         for station in wanted:
             text = value_text(abs(station.at - datum.at) * board.mm_per_pixel)
-            placed = beside.place(datum, station, text)
+            placed = neighbour.place(datum, station, text)
             if not placed:
                 continue
             drawn += [replace(annotation, group=group) for annotation in placed]
@@ -145,8 +145,8 @@ def _side_costs(
         if other is view or last <= start or end <= first:
             continue
         first, last = direction.other.span(other.box)
-        for side, beside in ((1, first >= high), (-1, last <= low)):
-            if beside:
+        for side, adjacent in ((1, first >= high), (-1, last <= low)):
+            if adjacent:
                 costs[side] += 0.25 * (high - low)
     return costs
 

@@ -139,7 +139,7 @@ def _leader(
     return _Leader(*(tuple(point.tolist()) for point in (tip, elbow, end)), box)
 
 
-def _is_free(leader: _Leader, own: Box, others: list[Box], board: Board) -> bool:
+def _is_free(leader: _Leader, pair: Box, others: list[Box], board: Board) -> bool:
     pen, room = board.pen, board.room
     x0, y0, x1, y1 = leader.text
     shelf = (min(x0, leader.elbow[0]), y0, max(x1, leader.elbow[0]), y1)
@@ -150,9 +150,9 @@ def _is_free(leader: _Leader, own: Box, others: list[Box], board: Board) -> bool
     for share in np.linspace(0.0, 1.0, steps):
         x, y = np.array(leader.tip) + share * way
         # The view itself is taken too: the leader is free to cross it, and to leave it.
-        beside = max(own[0] - x, x - own[2], own[1] - y, y - own[3])
+        neighbour = max(pair[0] - x, x - pair[2], pair[1] - y, y - pair[3])
         near = 0.2 * pen.height
-        if beside > near and room.touched((x, y, x, y), near):
+        if neighbour > near and room.touched((x, y, x, y), near):
             return False
         if any(b[0] <= x <= b[2] and b[1] <= y <= b[3] for b in others):
             return False

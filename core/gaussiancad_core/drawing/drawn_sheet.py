@@ -208,7 +208,7 @@ def _shown(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> tuple[DrawnSt
     """The strokes of a view that a style draws."""
     if style.hidden:
         return strokes
-    return tuple(own for own in strokes if own.linetype is Linetype.VISIBLE)
+    return tuple(stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE)
 
 
 def _hatching(cut: SectionView, place: Placement, style: SheetStyle) -> tuple[Annotation, ...]:

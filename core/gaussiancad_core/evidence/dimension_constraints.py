@@ -77,5 +77,5 @@ class ToldNumbers:
 
     def scaled(self, factor: float) -> "ToldNumbers":
         """The same in another unit."""
-        lengths = tuple(own.scaled(factor) for own in self.lengths)
+        lengths = tuple(length.scaled(factor) for length in self.lengths)
         return ToldNumbers(lengths, factor * self.reach, factor * self.digit)

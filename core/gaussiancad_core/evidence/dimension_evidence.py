@@ -50,7 +50,7 @@ def told_numbers(
     """
     # Digits are rather lost in reading than added: of two numbers for one length the longer counts.
     ordered = sorted(measures, key=lambda measure: measure.digit_mm)
-    found = tuple(own for measure in ordered for own in _told(registered, measure))
+    found = tuple(item for measure in ordered for item in _told(registered, measure))
     found += tuple(_thickness(registered.unseen))
     if not found:
         return None

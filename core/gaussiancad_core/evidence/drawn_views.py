@@ -29,7 +29,7 @@ class DrawnViews:
         likely: whether measures become round ones where they most likely are.
         dash: mm up to which a hidden line may be one dash, as solid as a visible one; None where
             all linetypes are known.
-        told: lengths that the sheet has in numbers, mm.
+        dimensions: lengths that the sheet has in numbers, mm.
         known: the axis whose extent was told; None where none was.
         undrawn: views that are taken to draw no hidden lines: what is blank there is not visible.
         cuts: views that are sections.  They draw no hidden lines.
@@ -45,7 +45,7 @@ class DrawnViews:
     bound: float = 0.0
     likely: bool = False
     dash: float | None = None
-    told: ToldNumbers | None = None
+    dimensions: ToldNumbers | None = None
     known: Axis | None = None
     undrawn: tuple[Role, ...] = ()
     cuts: Mapping[Role, Cut] = field(default_factory=dict)

@@ -66,20 +66,30 @@ def hole_notes(
         notes: of the sheet.
         dimensions: those with a circle tell which one a text points at.
     """
-    pointed = {(own.text, own.box): own.place for own in dimensions if isinstance(own.place, Arc)}
+    pointed = {
+        (dimension.text, dimension.box): dimension.place
+        for dimension in dimensions
+        if isinstance(dimension.place, Arc)
+    }
     circles = _circles(registered)
     holes: list[NotedHole] = []
     used: set[tuple[str, Box]] = set()
     doubts: list[tuple[str, str]] = []
     taken: set[tuple[Role, Arc]] = set()
-    groups = [own for own in _groups(notes) if _tells_depth(own)]
+    groups = [sheet_notes for sheet_notes in _groups(notes) if _tells_depth(sheet_notes)]
     # What is wider somewhere is told from what is not, and one hole from many.
     # What a person says goes before all.
-    groups.sort(key=lambda own: (own[0].circle is None, len(own) < 2, own[0].callout.count))
+    groups.sort(
+        key=lambda sheet_notes: (
+            sheet_notes[0].circle is None,
+            len(sheet_notes) < 2,
+            sheet_notes[0].callout.count,
+        )
+    )
     for group in groups:
         first = group[0]
         at = pointed.get((first.text, first.box))
-        role, own = (
+        role, arcs = (
             _said(first.circle, circles)
             if first.circle is not None
             else _meant(group, circles, at, taken, registered.mm_per_pixel)
@@ -90,7 +100,7 @@ def hole_notes(
             used.update((each.text, each.box) for each in group if bores)
             continue
         count = first.callout.count
-        if count > 1 and len(own) != count:
+        if count > 1 and len(arcs) != count:
             doubts.append(
                 (
                     "note-count",
@@ -100,13 +110,13 @@ def hole_notes(
                         note=first.text,
                         count=count,
                         view=role,
-                        found=len(own),
+                        found=len(arcs),
                     ),
                 )
             )
         used.update((each.text, each.box) for each in group)
-        taken.update((role, circle) for circle in own)
-        holes += [_noted(registered, role, circle, group) for circle in own]
+        taken.update((role, circle) for circle in arcs)
+        holes += [_noted(registered, role, circle, group) for circle in arcs]
     return HoleNotes(tuple(holes), frozenset(used), tuple(doubts))
 
 
@@ -114,28 +124,31 @@ def _tells_depth(group: Sequence[SheetNote]) -> bool:
     first = group[0]
     named = first.value_mm is not None or first.circle is not None
     is_hole = first.callout.kind in _HOLES and named
-    return is_hole and any(own.depth_mm is not None or own.callout.through for own in group)
+    return is_hole and any(note.depth_mm is not None or note.callout.through for note in group)
 
 
 def _groups(notes: Sequence[SheetNote]) -> Iterator[list[SheetNote]]:
     """Notes of one text, with what stands right below and goes on."""
-    texts = [list(own) for _, own in groupby(notes, key=lambda note: (note.text, note.box))]
+    texts = [
+        list(sheet_notes)
+        for _, sheet_notes in groupby(notes, key=lambda note: (note.text, note.box))
+    ]
     below = {
         index: next(
             (
                 other
                 for other, above in enumerate(texts)
-                if other != index and _goes_on(above[-1].box, own[0])
+                if other != index and _goes_on(above[-1].box, sheet_notes[0])
             ),
             None,
         )
-        for index, own in enumerate(texts)
-        if own[0].callout.kind in (*_WIDER, NoteKind.DEPTH)
+        for index, sheet_notes in enumerate(texts)
+        if sheet_notes[0].callout.kind in (*_WIDER, NoteKind.DEPTH)
     }
-    for index, own in enumerate(texts):
+    for index, this_notes in enumerate(texts):
         if below.get(index) is None:
             rest = [texts[other] for other, above in below.items() if above == index]
-            yield [*own, *(note for each in rest for note in each)]
+            yield [*this_notes, *(note for each in rest for note in each)]
 
 
 def _goes_on(above: Box, note: SheetNote) -> bool:
@@ -150,18 +163,18 @@ def _circles(registered: RegisteredSheet) -> dict[Role, list[Arc]]:
     """The whole visible circles of views that are not cut, each once."""
     found: dict[Role, list[Arc]] = {}
     for view in registered.drawn:
-        own = found.setdefault(view.role, [])
+        arcs = found.setdefault(view.role, [])
         for stroke in view.strokes if not view.hatched else ():
             whole = isinstance(stroke, Arc) and stroke.is_full
             if whole and stroke.linetype is Linetype.VISIBLE:
-                own.append(stroke)
+                arcs.append(stroke)
     return found
 
 
 def _said(circle: Arc, circles: Mapping[Role, Sequence[Arc]]) -> tuple[Role | None, list[Arc]]:
     """The view with a circle that a person pointed at; no view where it is there no more."""
-    for role, own in circles.items():
-        for each in own:
+    for role, arcs in circles.items():
+        for each in arcs:
             if max(_apart(circle, each), abs(circle.radius - each.radius)) <= _SAID_PX:
                 return role, [each]
     return None, []
@@ -178,47 +191,49 @@ def _meant(
     first, *wider = group
     by_role = {
         role: found
-        for role, own in circles.items()
+        for role, arcs in circles.items()
         if (
             found := [
                 each
-                for each in own
+                for each in arcs
                 if _fits(first, each, scale)
                 and (role, each) not in taken
-                and all(_is_around(more, each, own, scale) for more in wider)
+                and all(_is_around(more, each, arcs, scale) for more in wider)
             ]
         )
     }
     count = first.callout.count
     if not wider:
         by_role = {
-            role: _plain(own, circles[role]) if len(own) > count else own
-            for role, own in by_role.items()
+            role: _plain(arcs, circles[role]) if len(arcs) > count else arcs
+            for role, arcs in by_role.items()
         }
-    for role, own in by_role.items():
-        at = [each for each in own if pointed is not None and _apart(pointed, each) <= _SAME_PX]
+    for role, this_arcs in by_role.items():
+        at = [
+            each for each in this_arcs if pointed is not None and _apart(pointed, each) <= _SAME_PX
+        ]
         if at:
-            return role, at[:1] if count == 1 else own
-    told = [role for role, own in by_role.items() if len(own) == count]
-    return (told[0], by_role[told[0]]) if len(told) == 1 else (None, [])
+            return role, at[:1] if count == 1 else this_arcs
+    roles = [role for role, arcs in by_role.items() if len(arcs) == count]
+    return (roles[0], by_role[roles[0]]) if len(roles) == 1 else (None, [])
 
 
-def _plain(own: Sequence[Arc], others: Sequence[Arc]) -> list[Arc]:
+def _plain(arcs: Sequence[Arc], others: Sequence[Arc]) -> list[Arc]:
     """Those of some circles that no wider one is around: all of them where none is so."""
     found = [
         each
-        for each in own
+        for each in arcs
         if not any(
             other.radius > each.radius and _apart(each, other) <= _SAME_PX for other in others
         )
     ]
-    return found or list(own)
+    return found or list(arcs)
 
 
 def _is_around(note: SheetNote, circle: Arc, others: Sequence[Arc], scale: float) -> bool:
     """Whether what a note says to be wider is drawn around a circle."""
     return note.callout.kind not in _WIDER or any(
-        _apart(circle, own) <= _SAME_PX and _fits(note, own, scale) for own in others
+        _apart(circle, other) <= _SAME_PX and _fits(note, other, scale) for other in others
     )
 
 
@@ -244,7 +259,7 @@ def _bores(registered: RegisteredSheet, group: Sequence[SheetNote]) -> Iterator[
     if about is None or first.value_mm is None or first.callout.count > 1:
         return
     if first.callout.through:
-        role = next(own for own in Role if own.frame.look_axis[0] is about)
+        role = next(this_role for this_role in Role if this_role.frame.look_axis[0] is about)
         along = role.frame.right_axis, role.frame.up_axis
         right, up = (sign * registered.views.size[axis.value] / 2.0 for axis, sign in along)
         yield NotedHole(role, (right, up), (HoleStep(first.value_mm, None),), first.text)
@@ -254,17 +269,19 @@ def _noted(
     registered: RegisteredSheet, role: Role, circle: Arc, group: Sequence[SheetNote]
 ) -> NotedHole:
     right, up = registered.placements[role].to_plane(np.array([circle.centre]))[0].tolist()
-    depth = next((own.depth_mm for own in group if own.callout.kind is NoteKind.DEPTH), None)
+    depth = next((note.depth_mm for note in group if note.callout.kind is NoteKind.DEPTH), None)
     steps = []
-    for number, own in enumerate(group):
-        if own.callout.kind is NoteKind.DEPTH:
+    for number, sheet_note in enumerate(group):
+        if sheet_note.callout.kind is NoteKind.DEPTH:
             continue
-        diameter = 2.0 * circle.radius * registered.mm_per_pixel if not number else own.value_mm
-        deep = own.depth_mm
-        if deep is None and not own.callout.through:
+        diameter = (
+            2.0 * circle.radius * registered.mm_per_pixel if not number else sheet_note.value_mm
+        )
+        deep = sheet_note.depth_mm
+        if deep is None and not sheet_note.callout.through:
             # A depth on a line of its own is that of what stands above it.
             deep = depth
-        if diameter is not None and (deep is not None or own.callout.through):
+        if diameter is not None and (deep is not None or sheet_note.callout.through):
             steps.append(HoleStep(diameter, deep))
     steps.sort(key=lambda step: step.diameter)
     return NotedHole(role, (right, up), tuple(steps), group[0].text)

@@ -71,18 +71,18 @@ def ink_offsets(
     found = []
     for line in lines:
         if line.linetype is Linetype.VISIBLE and line.length > 0.0:
-            own = _offset(line, placement, sheet)
-            if own is not None:
-                (place,) = placement.to_plane(own[0][None]).tolist()
-                found.append(InkOffset(role, (place[0], place[1]), own[1]))
+            offset = _offset(line, placement, sheet)
+            if offset is not None:
+                (place,) = placement.to_plane(offset[0][None]).tolist()
+                found.append(InkOffset(role, (place[0], place[1]), offset[1]))
     return found
 
 
 def _offset(line: Curve, placement: Placement, sheet: CleanSheet) -> tuple[Floats, float] | None:
     """The (2,) px where the ink lies farthest beside a line, and by how many px."""
     places, across = _places(line, placement)
-    aside, told = _centroids(places, across, sheet)
-    places, aside = places[told], aside[told]
+    aside, stated = _centroids(places, across, sheet)
+    places, aside = places[stated], aside[stated]
     if len(aside) < _LEAST:
         return None
     size = max(3, len(aside) // _PARTS)
@@ -120,5 +120,5 @@ def _centroids(
     ink = map_coordinates(sheet.weight, [y, x], order=1, mode="constant", output=np.float64)
     total = ink.sum(axis=1)
     ends = np.maximum(ink[:, 0], ink[:, -1])
-    told = (np.abs(total * _ACROSS - width) < _SAME_WIDTH * width) & (ends < _ALONE)
-    return (ink * shifts).sum(axis=1) / np.maximum(total, 1e-9), told
+    stated = (np.abs(total * _ACROSS - width) < _SAME_WIDTH * width) & (ends < _ALONE)
+    return (ink * shifts).sum(axis=1) / np.maximum(total, 1e-9), stated

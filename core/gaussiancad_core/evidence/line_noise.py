@@ -75,14 +75,19 @@ def _file_step(registered: RegisteredSheet) -> float:
 def _seen_px(registered: RegisteredSheet) -> float:
     """px by which views contradict each other about what they share, at the median of an axis."""
     residuals = registered.extents.residuals.values()
-    return max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
+    return max(
+        (max(residual.median, _MEAN * residual.largest) for residual in residuals), default=0.0
+    )
 
 
 def _is_fine(registered: RegisteredSheet) -> bool:
     """Whether views that would be rounded each in its own way agree."""
     frames = [role.frame for role in registered.views.roles]
-    turned = {own.right_axis[0] for own in frames} & {own.up_axis[0] for own in frames}
-    told = [own for axis, own in registered.extents.residuals.items() if axis in turned]
+    turned = {frame.right_axis[0] for frame in frames} & {frame.up_axis[0] for frame in frames}
+    residuals = [
+        residual for axis, residual in registered.extents.residuals.items() if axis in turned
+    ]
     return any(
-        own.coordinates >= _FINE_COORDINATES and own.largest <= _FINE_PX for own in told
-    ) and all(own.largest <= _FINE_PX for own in told)
+        residual.coordinates >= _FINE_COORDINATES and residual.largest <= _FINE_PX
+        for residual in residuals
+    ) and all(residual.largest <= _FINE_PX for residual in residuals)

@@ -115,8 +115,8 @@ def straight_parts(mask: Mask, view: View, axis: Axis) -> list[float]:
         axis: a view that looks along it knows nothing of it.
     """
     frame = view.role.frame
-    for index, (own, sign) in enumerate((frame.right_axis, frame.up_axis)):
-        if own is axis:
+    for index, (this_axis, sign) in enumerate((frame.right_axis, frame.up_axis)):
+        if this_axis is axis:
             lines = np.moveaxis(mask, 1 - index, 0)
             changes = (lines[1:] != lines[:-1]).sum(axis=1)
             borders = np.flatnonzero(changes >= _STRAIGHT * max(mask.shape)) + 1 - PAD_PX

@@ -31,7 +31,7 @@ class Reading:
         projection: first or third angle.
         measures: what the sheet's dimensions say.
         cuts: views that are sections.
-        beside: sections beside plain views.
+        adjacent_sections: sections beside plain views.
         holes: of which notes speak.
     """
 
@@ -39,7 +39,7 @@ class Reading:
     projection: Projection
     measures: tuple[Measure, ...] = ()
     cuts: Mapping[Role, Cut] = field(default_factory=dict)
-    beside: Mapping[SectionRole, SectionBeside] = field(default_factory=dict)
+    adjacent_sections: Mapping[SectionRole, SectionBeside] = field(default_factory=dict)
     holes: tuple[NotedHole, ...] = ()
 
     @property
@@ -56,11 +56,11 @@ class Reading:
     def drawn(self) -> DrawnViews:
         """The lines of the views, as the reasoning takes them."""
         plain = drawn_views(self.registered, self.measures)
-        beside, unseen = self.beside.items(), self.registered.unseen
+        neighbour, unseen = self.adjacent_sections.items(), self.registered.unseen
         return replace(
             plain,
-            strokes={**plain.strokes, **{role: own.strokes for role, own in beside}},
-            cuts={**self.cuts, **{role: own.cut for role, own in beside}},
+            strokes={**plain.strokes, **{role: item.strokes for role, item in neighbour}},
+            cuts={**self.cuts, **{role: item.cut for role, item in neighbour}},
             holes=self.holes,
             about=unseen.about if unseen is not None else None,
         )
@@ -69,7 +69,7 @@ class Reading:
     def numbered(self) -> DrawnViews:
         """The same with what the sheet's numbers say of lengths, where the sheet is a file, too."""
         drawn = self.drawn
-        if drawn.told is not None:
+        if drawn.dimensions is not None:
             return drawn
         return replace(drawn, told=told_numbers(self.registered, self.measures, drawn.noise))
 
@@ -96,4 +96,4 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
         max(dashes, default=None),
     )
     numbers = told_numbers(registered, measures, noise)
-    return replace(drawn, bound=bound * pixel, told=numbers, known=registered.told)
+    return replace(drawn, bound=bound * pixel, dimensions=numbers, known=registered.given_axis)

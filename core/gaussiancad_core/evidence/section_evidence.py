@@ -63,17 +63,17 @@ def cuts_of(registered: RegisteredSheet, sections: Sequence[NamedSection]) -> di
 
 
 def sections_of(
-    registered: RegisteredSheet, beside: Sequence[ReadView], sections: Sequence[NamedSection]
+    registered: RegisteredSheet, views: Sequence[ReadView], sections: Sequence[NamedSection]
 ) -> dict[SectionRole, SectionBeside]:
     """Sections that stand beside plain views, on the axes of these.
 
     Args:
         registered: the plain views.
-        beside: the sections, px of the upright sheet.
+        views: the sections, px of the upright sheet.
         sections: that the sheet names.
     """
     found = {}
-    for number, view in enumerate(beside, start=1):
+    for number, view in enumerate(views, start=1):
         section = _named(view.box, sections)
         label = section.title.label if section is not None else str(number)
         place = placement(view.role, view.box, registered.views.size)
@@ -112,16 +112,20 @@ def _untraced(role: Role, axis: Axis, registered: RegisteredSheet) -> Opening:
     places = []
     for view in registered.views.views:
         if view.role is not role and axis in _in_plane(view.role):
-            centres = [own.centre for own in view.strokes if isinstance(own, Arc) and own.is_full]
+            centres = [
+                stroke.centre
+                for stroke in view.strokes
+                if isinstance(stroke, Arc) and stroke.is_full
+            ]
             places += _along(view.role, axis, np.array(centres).reshape(-1, 2)) or []
-    if not places or any(abs(own - middle) <= pixel for own in places):
+    if not places or any(abs(place - middle) <= pixel for place in places):
         return Opening(middle, source="symmetry")
-    likely = max(places, key=lambda own: sum(abs(own - other) <= pixel for other in places))
+    likely = max(places, key=lambda place: sum(abs(place - other) <= pixel for other in places))
     return Opening(likely, source="circle")
 
 
 def _named(box: Box, sections: Sequence[NamedSection]) -> NamedSection | None:
-    return next((own for own in sections if overlap(own.box, box)), None)
+    return next((section for section in sections if overlap(section.box, box)), None)
 
 
 def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[Opening]:
@@ -134,7 +138,11 @@ def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[O
         points = registered.placements[other.role].to_plane(np.array(trace.path))
         depths = _along(other.role, axis, points)
         across = next(
-            (own for own in _in_plane(other.role) if own is not axis and own in _in_plane(role)),
+            (
+                this_axis
+                for this_axis in _in_plane(other.role)
+                if this_axis is not axis and this_axis in _in_plane(role)
+            ),
             None,
         )
         if depths is None or across is None:
@@ -149,7 +157,7 @@ def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[O
             yield Opening(runs[0][0])
             return
         runs = runs if runs[0][1] < runs[-1][2] else [(d, e, s) for d, s, e in runs[::-1]]
-        ends = [-_FAR, *(own[1] for own in runs[1:]), _FAR]
+        ends = [-_FAR, *(run[1] for run in runs[1:]), _FAR]
         for (depth, _, _), low, high in zip(runs, ends, ends[1:], strict=False):
             yield Opening(depth, _band(role, across, low, high))
         return
@@ -162,8 +170,8 @@ def _in_plane(role: Role) -> tuple[Axis, Axis]:
 def _along(role: Role, axis: Axis, points: np.ndarray) -> list[float] | None:
     """mm along an axis of places in a view's plane; None where that does not show it."""
     frame = role.frame
-    for index, (own, sign) in enumerate((frame.right_axis, frame.up_axis)):
-        if own is axis:
+    for index, (this_axis, sign) in enumerate((frame.right_axis, frame.up_axis)):
+        if this_axis is axis:
             return (sign * points[:, index]).tolist()
     return None
 

@@ -61,24 +61,24 @@ class _Neighbours:
         self._table = ShapeTable()
         for face in faces:
             self._table.number(face.face)
-        self.beside: list[list[_Neighbour]] = [[] for _ in faces]
+        self.neighbours: list[list[_Neighbour]] = [[] for _ in faces]
         for edge in edge_facts(shape):
             if len(edge.faces) != 2 or edge.seam:
                 continue
             one, other = (self._number(face) for face in edge.faces)
-            self.beside[one].append(_Neighbour(other, edge))
-            self.beside[other].append(_Neighbour(one, edge))
+            self.neighbours[one].append(_Neighbour(other, edge))
+            self.neighbours[other].append(_Neighbour(one, edge))
 
     def _number(self, face: TopoDS_Face) -> int:
         return self._table.number(face)
 
     def smooth(self, number: int) -> list[_Neighbour]:
         """Neighbours that a face goes on in smoothly."""
-        return [near for near in self.beside[number] if near.edge.smooth]
+        return [near for near in self.neighbours[number] if near.edge.smooth]
 
     def sharp(self, number: int) -> list[_Neighbour]:
         """The other neighbours."""
-        return [near for near in self.beside[number] if not near.edge.smooth]
+        return [near for near in self.neighbours[number] if not near.edge.smooth]
 
 
 def blends_of(shape: TopoDS_Shape, faces: Sequence[SolidFace]) -> tuple[tuple[Blend, ...], ...]:
@@ -102,7 +102,7 @@ def blends_of(shape: TopoDS_Shape, faces: Sequence[SolidFace]) -> tuple[tuple[Bl
         while reached:
             number = reached.pop()
             group.append(found[number])
-            near = {beside.number for beside in around.beside[number]} & left
+            near = {neighbour.number for neighbour in around.neighbours[number]} & left
             left -= near
             reached.extend(sorted(near))
         groups.append(tuple(group))
@@ -136,7 +136,7 @@ def _ends_flat(around: _Neighbours, number: int) -> bool:
     """Whether a cylinder ends at planes across its axis, or at what blends into such."""
     face = around.faces[number]
     ends = 0
-    for near in around.beside[number]:
+    for near in around.neighbours[number]:
         curve = BRepAdaptor_Curve(near.edge.edge)
         if curve.GetType() == GeomAbs_CurveType.GeomAbs_Line:
             continue
@@ -173,9 +173,9 @@ def _flat_chamfer(around: _Neighbours, number: int) -> Blend | None:
     """A narrow plane at 45 degrees between two planes at right angles."""
     face = around.faces[number]
     near = [
-        (beside, around.faces[beside.number])
-        for beside in around.sharp(number)
-        if around.faces[beside.number].kind is Kind.PLANE
+        (neighbour, around.faces[neighbour.number])
+        for neighbour in around.sharp(number)
+        if around.faces[neighbour.number].kind is Kind.PLANE
     ]
     for k, (one, first) in enumerate(near):
         for other, second in near[:k]:
@@ -200,8 +200,8 @@ def _rim_chamfer(around: _Neighbours, number: int) -> Blend | None:
     if not isclose(leg, (high - low) / sqrt(2.0), abs_tol=_SAME) or leg > _WIDEST:
         return None
     kinds = set()
-    for beside in around.sharp(number):
-        near = around.faces[beside.number]
+    for neighbour in around.sharp(number):
+        near = around.faces[neighbour.number]
         across = float(np.linalg.norm(np.cross(near.direction, face.direction)))
         if across < _PARALLEL and near.kind in (Kind.PLANE, Kind.CYLINDER):
             kinds.add(near.kind)

@@ -74,7 +74,10 @@ def _write(found: Sequence[FeatureList], numbers: Numbers, output: Path) -> None
         for name, features in zip(bases, found, strict=True):
             if name is not None and features.base is not None:
                 write_step(features.base, folder.staging / name)
-        solids = [solid_values(own, numbers, name) for own, name in zip(found, bases, strict=True)]
+        solids = [
+            solid_values(feature_list, numbers, name)
+            for feature_list, name in zip(found, bases, strict=True)
+        ]
         values: dict[str, Any] = {"schema": SCHEMA, "solids": solids}
         text = json.dumps(values, indent=1) + "\n"
         (folder.staging / FEATURES_FILE).write_text(text, encoding="utf-8")

@@ -44,7 +44,7 @@ def middles(group: Sequence[Instance]) -> list[tuple[Points, Points]]:
     """The axes across the planes that members lie in, through the middle of all of them."""
     if len(group) < FEWEST:
         return []
-    places = np.array([own.place for own in group])
+    places = np.array([instance.place for instance in group])
     middle = places.mean(axis=0)
     _, sizes, ways = np.linalg.svd(places - middle)
     return [(middle, ways[2])] if sizes[1] > sizes[0] / 2.0 else []
@@ -71,7 +71,7 @@ def circles(
             for ordered, angle in _orders(ring, point, way, whole):
                 turns = [_turned(point, way, k * angle) for k in range(len(ordered))]
                 moved = zip(turns, ordered, strict=True)
-                if all(is_moved(ordered[0], turn, own, near) for turn, own in moved):
+                if all(is_moved(ordered[0], turn, instance, near) for turn, instance in moved):
                     yield _circle(ordered, point, way, angle)
                     break
 
@@ -84,7 +84,7 @@ def _orders(
     first = min(range(len(ring)), key=lambda k: ring[k].member.order)
     yield [*ring[first:], *ring[:first]], 360.0 / len(ring)
     if not whole:
-        angles = np.array([_angle(own.place - point, way) for own in ring])
+        angles = np.array([_angle(instance.place - point, way) for instance in ring])
         gaps = np.diff([*angles, angles[0] + 360.0])
         widest = int(np.argmax(gaps))
         angle = float(np.delete(gaps, widest).mean())
@@ -96,7 +96,7 @@ def _circle(ring: Sequence[Instance], point: Points, way: Points, angle: float) 
     along = float(away @ way)
     diameter = 2.0 * float(np.linalg.norm(away - along * way))
     place = point + along * way
-    members = tuple(own.member for own in ring)
+    members = tuple(instance.member for instance in ring)
     return Circle(
         members,
         rounded_vector(np.round(place, DIGITS)),
@@ -110,7 +110,7 @@ def _rings(
     group: Sequence[Instance], point: Points, way: Points, near: float
 ) -> Iterator[list[Instance]]:
     """Members that are equally far from an axis and along it, in the order of their angles."""
-    away = np.array([own.place for own in group]) - point
+    away = np.array([instance.place for instance in group]) - point
     along = away @ way
     radii = np.linalg.norm(away - along[:, None] * way, axis=1)
     rings: dict[tuple[int, int], list[int]] = {}

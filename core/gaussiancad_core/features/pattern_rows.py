@@ -22,7 +22,7 @@ Points = npt.NDArray[np.float64]
 def grids(group: Sequence[Instance], near: float) -> Iterator[Row]:
     """Members that fill a grid, those of each feature and plane by themselves."""
     for level in _levels(group):
-        places = np.array([own.place for own in level])
+        places = np.array([instance.place for instance in level])
         if len(level) < 4:
             continue
         for other in places[1:]:
@@ -51,8 +51,8 @@ def _grid(level: Sequence[Instance], places: Points, right: Points, near: float)
         return None
     ordered = sorted(
         level,
-        key=lambda own: tuple(
-            int(np.abs(np.array(at) - float((own.place - places[0]) @ way)).argmin())
+        key=lambda instance: tuple(
+            int(np.abs(np.array(at) - float((instance.place - places[0]) @ way)).argmin())
             for at, way in ((rows, up), (columns, right))
         ),
     )
@@ -81,9 +81,9 @@ def _equal_levels(values: Points, near: float) -> list[float] | None:
 def _levels(group: Sequence[Instance]) -> Iterator[list[Instance]]:
     """Holes of one feature together; other features all together."""
     by_feature: dict[int | None, list[Instance]] = {}
-    for own in group:
-        key = None if own.member.centre is None else own.member.feature
-        by_feature.setdefault(key, []).append(own)
+    for instance in group:
+        key = None if instance.member.centre is None else instance.member.feature
+        by_feature.setdefault(key, []).append(instance)
     yield from by_feature.values()
 
 
@@ -91,7 +91,7 @@ def rows_of(group: Sequence[Instance], near: float) -> Iterator[Row]:
     """The longest rows of members at equal distances."""
     if len(group) < FEWEST:
         return
-    places = np.array([own.place for own in group])
+    places = np.array([instance.place for instance in group])
     for one, other in combinations(range(len(group)), 2):
         shift = places[other] - places[one]
         length = float(np.linalg.norm(shift))
@@ -123,6 +123,6 @@ def _at(places: Points, place: Points, near: float) -> int | None:
 
 def _all_at(ordered: Sequence[Instance], shifts: Sequence[Points], near: float) -> bool:
     return all(
-        is_moved(ordered[0], Motion(np.eye(3), shift), own, near)
-        for own, shift in zip(ordered, shifts, strict=True)
+        is_moved(ordered[0], Motion(np.eye(3), shift), instance, near)
+        for instance, shift in zip(ordered, shifts, strict=True)
     )

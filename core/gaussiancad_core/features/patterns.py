@@ -30,27 +30,27 @@ def patterns_of(features: Sequence[Feature]) -> tuple[Pattern, ...]:
     instances = instances_of(features)
     near = tolerance_of(instances)
     axes = list(axes_of(features))
-    body = next((own for own in instances if own.shape[0] != "hole"), None)
+    body = next((instance for instance in instances if instance.shape[0] != "hole"), None)
     found: list[Pattern] = []
     for group in _alike(instances):
         left = group
         for search in (
             # Around an axis that the part has, rather than on a grid of as many.
-            lambda own: chain(circles(own, axes, near), grids(own, near)),
-            lambda own: rows_of(own, near),
-            lambda own: circles(own, middles(own), near, whole=True),
-            lambda own: _mirrors(own, body, near),
+            lambda item: chain(circles(item, axes, near), grids(item, near)),
+            lambda item: rows_of(item, near),
+            lambda item: circles(item, middles(item), near, whole=True),
+            lambda item: _mirrors(item, body, near),
         ):
             found += _largest_first(search(left))
             taken = {member for pattern in found for member in pattern.members}
-            left = [own for own in group if own.member not in taken]
+            left = [instance for instance in group if instance.member not in taken]
     return tuple(sorted(found, key=lambda pattern: pattern.members[0].order))
 
 
 def _alike(instances: Sequence[Instance]) -> Iterator[list[Instance]]:
     groups: dict[tuple[object, ...], list[Instance]] = {}
-    for own in instances:
-        groups.setdefault((own.shape, len(own.points)), []).append(own)
+    for instance in instances:
+        groups.setdefault((instance.shape, len(instance.points)), []).append(instance)
     yield from (group for group in groups.values() if len(group) > 1)
 
 

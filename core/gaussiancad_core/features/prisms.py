@@ -88,18 +88,18 @@ def prism_plane(
     return PrismPlane(SweptPlane(frame, cells), tuple(ordered), fills), samples
 
 
-def prisms_of(own: PrismPlane, number: int, samples: Samples) -> Iterator[Sweep]:
+def prisms_of(plane: PrismPlane, number: int, samples: Samples) -> Iterator[Sweep]:
     """The prisms of a plane: what is material in whole runs of layers, and what may be taken away.
 
     Args:
-        own: the plane.
+        plane: the plane.
         number: that the sweeps carry.
         samples: of the solid; what they say of cells that were looked at elsewhere counts, too.
     """
-    cells, layers = own.plane.cells, len(own.levels) - 1
-    inside = cells.by_cell(own.fills, np.fmin) > 1.0 - 1e-9
-    touched = cells.by_cell(own.fills, np.fmax) > 1e-9
-    cell_of, layer_of = own.plane.clearly_in(samples.points), _layers_of(own, samples.points)
+    cells, layers = plane.plane.cells, len(plane.levels) - 1
+    inside = cells.by_cell(plane.fills, np.fmin) > 1.0 - 1e-9
+    touched = cells.by_cell(plane.fills, np.fmax) > 1e-9
+    cell_of, layer_of = plane.plane.clearly_in(samples.points), _layers_of(plane, samples.points)
     known = (cell_of >= 0) & (layer_of >= 0)
     void, solid = known & ~samples.is_inside, known & samples.is_inside
     inside[cell_of[void], layer_of[void]] = False
@@ -116,26 +116,26 @@ def prisms_of(own: PrismPlane, number: int, samples: Samples) -> Iterator[Sweep]
                 if key not in seen:
                     seen.add(key)
                     border = cells.border(group)
-                    ends = own.levels[low], own.levels[high]
+                    ends = plane.levels[low], plane.levels[high]
                     outline = edge_count(border), length_of(border)
                     yield Sweep(number, group, ends, adds, *outline)
 
 
-def _layers_of(own: PrismPlane, points: Points) -> npt.NDArray[np.int64]:
+def _layers_of(plane: PrismPlane, points: Points) -> npt.NDArray[np.int64]:
     """(n,) numbers of the layers that points are in; -1 of those at a level or beyond all."""
-    heights = own.plane.frame.project(points)[:, 2]
-    found = [np.searchsorted(own.levels, heights + aside) - 1 for aside in (-_WITHIN, _WITHIN)]
-    within = (found[0] == found[1]) & (found[0] >= 0) & (found[0] < len(own.levels) - 1)
+    heights = plane.plane.frame.project(points)[:, 2]
+    found = [np.searchsorted(plane.levels, heights + aside) - 1 for aside in (-_WITHIN, _WITHIN)]
+    within = (found[0] == found[1]) & (found[0] >= 0) & (found[0] < len(plane.levels) - 1)
     return np.where(within, found[0], -1)
 
 
 def _goes_on(group: frozenset[int], low: int, high: int, holds: npt.NDArray[np.bool_]) -> bool:
     """Whether what holds of cells in some layers holds in the layer below or above, too."""
-    own = holds[sorted(group)]
-    if not own[:, low:high].all():
+    values = holds[sorted(group)]
+    if not values[:, low:high].all():
         return False
-    below = low > 0 and bool(own[:, low - 1].all())
-    return below or (high < holds.shape[1] and bool(own[:, high].all()))
+    below = low > 0 and bool(values[:, low - 1].all())
+    return below or (high < holds.shape[1] and bool(values[:, high].all()))
 
 
 def _looked_at(

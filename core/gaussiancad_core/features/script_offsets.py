@@ -39,6 +39,6 @@ def edge_place(
     """Where a straight edge of a sketch, across a normal, lies along it: the letter of its
     coordinate, that in mm, and -1 where the normal runs against it."""
     plane = sketch["plane"]
-    right, up, own = (tuple(plane[key]) for key in ("right", "up", "normal"))
-    axis, way = along(Frame("", right, up, own), tuple(normal)) or (0, 1.0)
+    right, up, items = (tuple(plane[key]) for key in ("right", "up", "normal"))
+    axis, way = along(Frame("", right, up, items), tuple(normal)) or (0, 1.0)
     return "XY"[axis], float(sketch["geometry"][edge]["start"][axis]), int(way)

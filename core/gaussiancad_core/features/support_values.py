@@ -26,31 +26,31 @@ def with_standing(features: Sequence[Feature], values: Sequence[Values]) -> list
         values: of each, as :func:`.as_json.feature_values` has them.
     """
     found = []
-    for feature, own, where in zip(features, values, standing_of(features), strict=True):
+    for feature, value, where in zip(features, values, standing_of(features), strict=True):
         if isinstance(feature, Extrusion | Holes):
             frame = frame_of(feature)
             begins, ends = (
                 None if each is None else _support(each, features, values, frame)
                 for each in (where.begins, where.ends)
             )
-            found.append({**own, "stands_on": begins, "ends_at": ends})
+            found.append({**value, "stands_on": begins, "ends_at": ends})
         else:
-            found.append(own)
+            found.append(value)
     return found
 
 
 def _support(
     support: Support, features: Sequence[Feature], values: Sequence[Values], frame: Frame
 ) -> Values:
-    told = values[support.feature]
-    found = {"feature": told["name"], "side": support.side.value}
+    stated = values[support.feature]
+    found = {"feature": stated["name"], "side": support.side.value}
     if support.side is not Side.WALL:
         return found
     feature = features[support.feature]
     assert isinstance(feature, Extrusion | Turning)
     axis, way = along(feature.sketch.frame, frame.normal) or (0, 1.0)
     coordinate = edges_in(feature.sketch)[support.edge].start[axis]
-    dimensions = dimensions_to(coordinate, axis, told["sketch"])
+    dimensions = dimensions_to(coordinate, axis, stated["sketch"])
     if dimensions is not None:
         dimensions = {name: int(way * sign) for name, sign in dimensions.items()}
     return {**found, "edge": support.edge, "dimensions": dimensions}

@@ -64,8 +64,8 @@ def standing(features: Sequence[Feature], where: Sequence[Standing]) -> tuple[Fe
         where: they stood before, in the same order.
     """
     placed: list[Feature] = []
-    for feature, own in zip(features, where, strict=True):
-        placed.append(_placed(feature, own, placed))
+    for feature, this_standing in zip(features, where, strict=True):
+        placed.append(_placed(feature, this_standing, placed))
     return tuple(placed)
 
 
@@ -84,18 +84,18 @@ def edges_in(sketch: Sketch) -> tuple[Edge, ...]:
     return tuple(edge for loop in sketch.loops for edge in loop)
 
 
-def _placed(feature: Feature, own: Standing, earlier: Sequence[Feature]) -> Feature:
+def _placed(feature: Feature, standing: Standing, earlier: Sequence[Feature]) -> Feature:
     if not isinstance(feature, Extrusion | Holes):
         return feature
-    if own.begins is not None:
-        height = height_of(earlier, own.begins, frame_of(feature))
+    if standing.begins is not None:
+        height = height_of(earlier, standing.begins, frame_of(feature))
         if isinstance(feature, Holes):
             feature = replace(feature, height=height)
         else:
             feature = replace(feature, sketch=replace(feature.sketch, height=height))
-    if own.ends is None:
+    if standing.ends is None:
         return feature
-    end = height_of(earlier, own.ends, frame_of(feature))
+    end = height_of(earlier, standing.ends, frame_of(feature))
     if isinstance(feature, Holes):
         return replace(feature, depth=abs(end - feature.height))
     return replace(feature, length=end - feature.sketch.height)

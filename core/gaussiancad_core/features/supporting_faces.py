@@ -231,12 +231,12 @@ def _supports(number: int, feature: Feature, frame: Frame) -> Iterator[Support]:
     """The faces of a feature that are parallel to a plane."""
     if not isinstance(feature, Extrusion | Turning):
         return
-    own = feature.sketch.frame
-    if isinstance(feature, Extrusion) and own == frame:
+    this_frame = feature.sketch.frame
+    if isinstance(feature, Extrusion) and this_frame == frame:
         yield Support(number, Side.START)
         yield Support(number, Side.END)
         return
-    found = along(own, frame.normal)
+    found = along(this_frame, frame.normal)
     if found is None:
         return
     axis = found[0]

@@ -84,12 +84,12 @@ def turned_planes(
         yield TurnedPlane(plane, fills), samples
 
 
-def turned_sweeps(own: TurnedPlane, number: int, samples: Samples) -> Iterator[Sweep]:
+def turned_sweeps(plane: TurnedPlane, number: int, samples: Samples) -> Iterator[Sweep]:
     """The turned bodies of a half plane; see :func:`.prisms.prisms_of`."""
-    cells = own.plane.cells
-    full = cells.by_cell(own.fills, np.fmin)[:, 0] > 1.0 - 1e-9
-    touched = cells.by_cell(own.fills, np.fmax)[:, 0] > 1e-9
-    cell_of = own.plane.clearly_in(samples.points)
+    cells = plane.plane.cells
+    full = cells.by_cell(plane.fills, np.fmin)[:, 0] > 1.0 - 1e-9
+    touched = cells.by_cell(plane.fills, np.fmax)[:, 0] > 1e-9
+    cell_of = plane.plane.clearly_in(samples.points)
     full[cell_of[(cell_of >= 0) & ~samples.is_inside]] = False
     touched[cell_of[(cell_of >= 0) & samples.is_inside]] = True
     for group, adds in regions_of(cells, full, touched):

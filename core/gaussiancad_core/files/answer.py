@@ -145,7 +145,7 @@ def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
         grey,
         found.pixels_per_inch,
         None if found.vectors is None else _in_order(found.vectors),
-        tuple(_note(own) for own in found.notes),
+        tuple(_note(note) for note in found.notes),
         tints[0] if tints else None,
         found.pages,
         found.brought_together,
@@ -160,8 +160,8 @@ def _told(note: Note) -> _Note:
     return _Note(note.code, _json(note.message), note.is_doubt)
 
 
-def _note(own: _Note) -> Note:
-    return Note(own.code, _message(own.message), own.is_doubt)
+def _note(note: _Note) -> Note:
+    return Note(note.code, _message(note.message), note.is_doubt)
 
 
 def _json(message: str) -> bytes:
@@ -170,8 +170,8 @@ def _json(message: str) -> bytes:
     return json.dumps([str(message), args], default=_plain).encode()
 
 
-def _message(told: bytes) -> str:
-    text, args = json.loads(told)
+def _message(content: bytes) -> str:
+    text, args = json.loads(content)
     return text if args is None else filled(text, args)
 
 
@@ -183,25 +183,25 @@ def _written(text: str) -> str:
 def _by_types(drawing: VectorDrawing) -> _Drawing:
     curves: dict[str, list[Curve]] = {kind.__name__: [] for kind in Curve.__args__}
     strokes = []
-    for own in drawing.strokes:
-        name = type(own.curve).__name__
-        curves[name].append(own.curve)
+    for stroke in drawing.strokes:
+        name = type(stroke.curve).__name__
+        curves[name].append(stroke.curve)
         strokes.append(
             _Stroke(
                 name,
-                own.width,
-                own.dashes,
-                own.role,
-                _written(own.layer),
-                own.kind,
-                own.colour,
-                own.step,
+                stroke.width,
+                stroke.dashes,
+                stroke.role,
+                _written(stroke.layer),
+                stroke.kind,
+                stroke.colour,
+                stroke.step,
             )
         )
     return _Drawing(
         strokes,
         *curves.values(),
-        tuple(replace(own, text=_written(own.text)) for own in drawing.texts),
+        tuple(replace(text, text=_written(text.text)) for text in drawing.texts),
         drawing.complete,
         drawing.has_paper,
         drawing.unit_mm,
@@ -217,20 +217,23 @@ def _in_order(found: _Drawing) -> VectorDrawing:
         ValueError: there are fewer curves of a type than strokes have.
     """
     lists = (found.lines, found.arcs, found.ellipses, found.chains)
-    curves = {kind.__name__: iter(own) for kind, own in zip(Curve.__args__, lists, strict=True)}
+    curves = {
+        kind.__name__: iter(this_list)
+        for kind, this_list in zip(Curve.__args__, lists, strict=True)
+    }
     try:
         strokes = tuple(
             VectorStroke(
-                next(curves[own.curve]),
-                own.width,
-                own.dashes,
-                own.role,
-                own.layer,
-                own.kind,
-                own.colour,
-                own.step,
+                next(curves[stroke.curve]),
+                stroke.width,
+                stroke.dashes,
+                stroke.role,
+                stroke.layer,
+                stroke.kind,
+                stroke.colour,
+                stroke.step,
             )
-            for own in found.strokes
+            for stroke in found.strokes
         )
     except (KeyError, RuntimeError) as error:
         raise ValueError("no answer: strokes without curves") from error

@@ -28,39 +28,43 @@ def distinct_strokes(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...
         strokes: of a page; px.
     """
     groups: dict[Hashable, list[int]] = {}
-    for index, own in enumerate(strokes):
-        groups.setdefault(_pen(own), []).append(index)
+    for index, stroke in enumerate(strokes):
+        groups.setdefault(_pen(stroke), []).append(index)
     left_out: set[int] = set()
     for group in groups.values():
         group.sort(key=lambda index: -(strokes[index].width or 0.0))
-        left_out.update(group[number] for number in _repeated([strokes[own] for own in group]))
-    return tuple(own for index, own in enumerate(strokes) if index not in left_out)
+        left_out.update(
+            group[number] for number in _repeated([strokes[number] for number in group])
+        )
+    return tuple(
+        vector_stroke for index, vector_stroke in enumerate(strokes) if index not in left_out
+    )
 
 
-def _pen(own: VectorStroke) -> Hashable:
+def _pen(stroke: VectorStroke) -> Hashable:
     """What strokes have in common one of which may stand for the other."""
-    return type(own.curve), own.kind, own.role, own.layer, own.colour, own.dashes
+    return type(stroke.curve), stroke.kind, stroke.role, stroke.layer, stroke.colour, stroke.dashes
 
 
 def _repeated(strokes: Sequence[VectorStroke]) -> list[int]:
     """Numbers of strokes that lie along an earlier one; all of them have curves of one type."""
     if len(strokes) < 2:
         return []
-    curves = [own.curve for own in strokes]
-    there = np.array([_places(own) for own in curves])
+    curves = [stroke.curve for stroke in strokes]
+    there = np.array([_places(curve) for curve in curves])
     back = there[:, ::-1].reshape(len(there), -1)
     there = there.reshape(len(there), -1)
     tree = cKDTree(there)
     near = [tree.query_ball_point(ways, _SAME, p=np.inf) for ways in (there, back)]
     left_out: set[int] = set()
-    for index, own in enumerate(curves):
+    for index, this_curve in enumerate(curves):
         if index in left_out:
             continue
         for others, turned in zip(near, (False, True), strict=True):
             left_out.update(
                 other
                 for other in others[index]
-                if other > index and _is_along(own, curves[other], turned=turned)
+                if other > index and _is_along(this_curve, curves[other], turned=turned)
             )
     return sorted(left_out)
 
@@ -73,12 +77,12 @@ def _places(curve: Curve) -> npt.NDArray[np.float64]:
     return curve.spread(_PLACES) if isinstance(curve, EllipticArc) else curve.sample(np.inf)
 
 
-def _is_along(own: Curve, other: Curve, *, turned: bool) -> bool:
+def _is_along(chain: Curve, other: Curve, *, turned: bool) -> bool:
     """Whether curves whose places are the same are one, the other one drawn backwards or not:
     chains may bend in any way between their places."""
-    if not isinstance(own, Chain) or not isinstance(other, Chain):
+    if not isinstance(chain, Chain) or not isinstance(other, Chain):
         return True
     if turned:
         other = Chain(other.points[::-1])
-    shares = np.union1d(own.shares, other.shares)
-    return bool(np.abs(own.at(shares) - other.at(shares)).max() <= _SAME)
+    shares = np.union1d(chain.shares, other.shares)
+    return bool(np.abs(chain.at(shares) - other.at(shares)).max() <= _SAME)

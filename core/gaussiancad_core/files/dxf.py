@@ -188,8 +188,8 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
         found, inches = exploder.explode(layout), _inches_per_unit(doc)
         together = [
             number
-            for number, own in enumerate(layouts, start=1)
-            if not isinstance(own, Modelspace) and len(_views_of_model(own)) > 1
+            for number, this_layout in enumerate(layouts, start=1)
+            if not isinstance(this_layout, Modelspace) and len(_views_of_model(this_layout)) > 1
         ]
         return _Page(
             found,

@@ -58,8 +58,8 @@ def drawing_box(box: Box, texts: Sequence[PlacedText]) -> Box:
         texts: of the drawing; those beside it belong to it, each as far as it lies beside it.
     """
     low, high = np.array(box[:2]), np.array(box[2:])
-    beside = _BESIDE * float((high - low).max())
-    farthest = np.array(box[:2]) - beside, np.array(box[2:]) + beside
+    offset = _BESIDE * float((high - low).max())
+    farthest = np.array(box[:2]) - offset, np.array(box[2:]) + offset
     for text in texts:
         c, s = abs(np.cos(text.angle)), abs(np.sin(text.angle))
         half = np.array([text.length * c + text.height * s, text.length * s + text.height * c]) / 2

@@ -164,22 +164,25 @@ def with_steps(paths: Sequence[WrittenPath]) -> tuple[VectorStroke, ...]:
         alike[_name(path)].append(path)
     most = sorted(alike, key=lambda name: -sum(len(path.ends) for path in alike[name]))
     asked = {name: rounding_step for name in most[:_MOST_SCALES]}
-    steps = {name: _step(own, asked.get(name, _last_decimal)) for name, own in alike.items()}
+    steps = {
+        name: _step(written_paths, asked.get(name, _last_decimal))
+        for name, written_paths in alike.items()
+    }
     drawn = ((path, steps[_name(path)]) for path in paths)
     return tuple(
         replace(stroke, step=step) for path, step in drawn for stroke in path.strokes(step)
     )
 
 
-def _step(paths: Sequence[WrittenPath], told: Callable[[Floats, float], float]) -> float:
+def _step(paths: Sequence[WrittenPath], stated: Callable[[Floats, float], float]) -> float:
     """px of the step of paths at one scale, as it is told by ends and scale."""
     by_matrix: dict[bytes, list[Floats]] = defaultdict(list)
     for path in paths:
         by_matrix[path.matrix.tobytes()].append(path.ends)
-    groups = [np.concatenate(own) for own in by_matrix.values()]
+    groups = [np.concatenate(items) for items in by_matrix.values()]
     most = max(groups, key=len)
     every = np.concatenate(groups)
-    return told(most if len(most) > _MOST * len(every) else every, paths[0].scale)
+    return stated(most if len(most) > _MOST * len(every) else every, paths[0].scale)
 
 
 def line_ends(pieces: Iterable[Floats]) -> Floats:
@@ -204,7 +207,7 @@ def _askew(ends: Floats) -> npt.NDArray[np.bool_]:
 def _places(ends: Floats, finest: float) -> tuple[Floats, Floats]:
     """Different coordinates across and up, in order."""
     across, up = (np.sort(ends[:, :, k].ravel()) for k in (0, 1))
-    return tuple(own[np.diff(own, prepend=-np.inf) > 0.5 * finest] for own in (across, up))
+    return tuple(values[np.diff(values, prepend=-np.inf) > 0.5 * finest] for values in (across, up))
 
 
 def _lengths(ends: Floats, finest: float) -> Floats:
@@ -214,4 +217,4 @@ def _lengths(ends: Floats, finest: float) -> Floats:
 
 
 def _count(places: tuple[Floats, Floats]) -> int:
-    return sum(len(own) for own in places)
+    return sum(len(place) for place in places)

@@ -78,15 +78,15 @@ class Fit:
         """
         near = min(self.near, self.within / step)
         on = total = 0
-        for own in places:
-            if not len(own):
+        for place in places:
+            if not len(place):
                 continue
-            turns = own / step
+            turns = place / step
             off = _beside(turns - np.angle(np.exp(2j * np.pi * turns).sum()) / (2.0 * np.pi))
             # Those that are on no grid moved the mean.
             off = _beside(off - np.median(off))
             on += int((np.abs(off) <= near + _SINGLE * np.abs(turns)).sum())
-            total += len(own)
+            total += len(place)
         return on / total if total else 0.0
 
 
@@ -99,12 +99,14 @@ def common_step(places: Sequence[Floats], finest: float, fit: Fit) -> float:
         fit: of the numbers.
     """
     near = [
-        own[np.abs(own - own[len(own) // 2]) <= _MOST_STEPS * finest] for own in places if own.size
+        place[np.abs(place - place[len(place) // 2]) <= _MOST_STEPS * finest]
+        for place in places
+        if place.size
     ]
-    told = [own for own in near if len(own) > 1]
-    some = [own[:: -(-len(own) // _AT_ONCE)] for own in told]
-    first = [own[:_FIRST] for own in told]
-    for guess in _guesses(told, finest):
+    stated = [item for item in near if len(item) > 1]
+    some = [item[:: -(-len(item) // _AT_ONCE)] for item in stated]
+    first = [item[:_FIRST] for item in stated]
+    for guess in _guesses(stated, finest):
         rough = _refined(first, guess, _GUESSED)
         if fit.share(first, rough) < _LIKELY * fit.least:
             continue
@@ -135,7 +137,7 @@ def decimal_step(numbers: Floats) -> float:
 
 def _guesses(places: Sequence[Floats], finest: float) -> list[float]:
     """Steps that may be it, about, longest first: what distances have in common."""
-    apart = np.sort(np.concatenate([np.empty(0), *(np.diff(own) for own in places)]))
+    apart = np.sort(np.concatenate([np.empty(0), *(np.diff(place) for place in places)]))
     apart = apart[apart >= finest]
     if not len(apart):
         return []
@@ -170,7 +172,7 @@ def _may_be(apart: Floats, step: float) -> bool:
 
 def _widest(places: Sequence[Floats]) -> float:
     """How far apart the numbers of an axis are, at most."""
-    return max(float(np.ptp(own)) for own in places)
+    return max(float(np.ptp(place)) for place in places)
 
 
 def _refined(places: Sequence[Floats], guess: float, off: float) -> float:
@@ -197,6 +199,7 @@ def _best(places: Sequence[Floats], frequencies: Floats) -> float:
     for block in range(0, len(frequencies), 1024):
         some = frequencies[block : block + 1024]
         length[block : block + 1024] = sum(
-            np.abs(np.exp(2j * np.pi * np.outer(some, own - own[0])).sum(axis=1)) for own in places
+            np.abs(np.exp(2j * np.pi * np.outer(some, place - place[0])).sum(axis=1))
+            for place in places
         )
     return float(frequencies[int(length.argmax())])

@@ -121,11 +121,11 @@ def _blocks(drawing: VectorDrawing, width: int, height: int) -> list[tuple[_Bloc
     """
     sheet = 0, 0, width, height
     strokes = drawing.strokes
-    boxes = np.array([bounds([own.curve]) for own in strokes], dtype=float).reshape(-1, 4)
+    boxes = np.array([bounds([stroke.curve]) for stroke in strokes], dtype=float).reshape(-1, 4)
     if drawing.texts or not np.isfinite(boxes).all():
         return [(sheet, strokes)]
     # As far as the ends of the widest line reach, and the smooth edge around it.
-    reach = 1.0 + max(_DEFAULT_WIDTH, *(own.width or 0.0 for own in strokes), 0.0)
+    reach = 1.0 + max(_DEFAULT_WIDTH, *(stroke.width or 0.0 for stroke in strokes), 0.0)
     low = np.clip(np.floor(boxes[:, :2] - reach), 0, (width, height)).astype(int)
     high = np.clip(np.ceil(boxes[:, 2:] + reach), 0, (width, height)).astype(int)
     shown = np.flatnonzero((low < high).all(axis=1))
@@ -138,14 +138,14 @@ def _blocks(drawing: VectorDrawing, width: int, height: int) -> list[tuple[_Bloc
     columns, rows = low[shown].T // _CELL
     of = groups[rows, columns]
     found = [
-        ((*low[own].min(axis=0).tolist(), *high[own].max(axis=0).tolist()), own)
-        for own in (shown[of == number] for number in np.unique(of))
+        ((*low[item].min(axis=0).tolist(), *high[item].max(axis=0).tolist()), item)
+        for item in (shown[of == number] for number in np.unique(of))
     ]
     together = (*low[shown].min(axis=0).tolist(), *high[shown].max(axis=0).tolist())
     # A frame goes around all that lies apart from it.
     if sum(_area(block) for block, _ in found) >= _area(together):
         found = [(together, shown)]
-    return [(block, tuple(strokes[number] for number in own)) for block, own in found]
+    return [(block, tuple(strokes[number] for number in item)) for block, item in found]
 
 
 def _area(block: _Block) -> int:

@@ -175,10 +175,15 @@ def _take_path(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> None:
     matrix = _composed(outer, _matrix(item))
     subpaths = _subpaths(walk, item)
     scale = float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
-    drawn = [[piece @ matrix[:, :2].T + matrix[:, 2] for piece in own] for own in subpaths]
+    drawn = [
+        [piece @ matrix[:, :2].T + matrix[:, 2] for piece in this_subpaths]
+        for this_subpaths in subpaths
+    ]
     strokes = _stroked(item, drawn, scale) if stroked.value else _filled(item, drawn)
     # Areas are filled with letters and arrow heads, which are often put on the sheet as they are.
-    ends = line_ends(piece for own in subpaths for piece in own if stroked.value)
+    ends = line_ends(
+        piece for this_subpaths in subpaths for piece in this_subpaths if stroked.value
+    )
     walk.paths.append(WrittenPath(strokes, ends, matrix))
 
 

@@ -116,7 +116,7 @@ def text_piece(
     page: pdfium.PdfTextPage,
     item: raw.FPDF_PAGEOBJECT,
     outer: Affine,
-    own: Affine,
+    values: Affine,
     letters: npt.NDArray[np.float64] | None = None,
 ) -> TextPiece | None:
     """A text object; None if it shows nothing.
@@ -125,7 +125,7 @@ def text_piece(
         page: that it stands on.
         item: the object.
         outer: (2, 3) from where the object is placed to px.
-        own: (2, 3) from the text's own plane to px.
+        values: (2, 3) from the text's own plane to px.
         letters: (n, 2) px, where its letters begin on the base line; None where that is not known.
     """
     text = _characters(page, item)
@@ -136,21 +136,21 @@ def text_piece(
         return None
     corners = np.array([(getattr(quad, f"x{i}"), getattr(quad, f"y{i}")) for i in range(1, 5)])
     mapped = corners @ outer[:, :2].T + outer[:, 2]
-    along, up = own[:, 0], own[:, 1]
+    along, up = values[:, 0], values[:, 1]
     length = float(np.hypot(*along))
     if abs(along[0] * up[1] - along[1] * up[0]) <= 1e-9 * length * float(np.hypot(*up)):
         return None
     text = _with_signs(text, _font_name(item))
     # In the text's own plane letters stand upright, however they are slanted.
-    upright = (mapped - own[:, 2]) @ np.linalg.inv(own[:, :2]).T
-    reach = own[:, 2] @ (along / length) + upright[:, 0] * length
-    last = own[:, 2]
+    upright = (mapped - values[:, 2]) @ np.linalg.inv(values[:, :2]).T
+    reach = values[:, 2] @ (along / length) + upright[:, 0] * length
+    last = values[:, 2]
     if letters is not None:
         last = letters[(letters @ along).argmax()]
     (x0, y0), (x1, y1) = mapped.min(axis=0), mapped.max(axis=0)
     return TextPiece(
         text,
-        to_point(own[:, 2]),
+        to_point(values[:, 2]),
         to_point(last),
         float(size.value * np.hypot(*up)),
         (float(reach.min()), float(reach.max())),
@@ -163,7 +163,9 @@ def _with_signs(text: str, font: str) -> str:
     """A text in a font, with the signs that letters stand for in it."""
     for names, signs in _SIGN_FONTS:
         if names.search(font):
-            letters = {ord(own): sign for own_letters, sign in signs.items() for own in own_letters}
+            letters = {
+                ord(name): sign for own_letters, sign in signs.items() for name in own_letters
+            }
             return text.translate(letters)
     return text
 
@@ -208,7 +210,7 @@ def joined_texts(pieces: Iterable[TextPiece]) -> list[VectorText]:
             last.angle,
             (*to_point(low), *to_point(high)),
         )
-    return [VectorText(" ".join(own.text.split()), own.box, own.angle) for own in lines]
+    return [VectorText(" ".join(line.text.split()), line.box, line.angle) for line in lines]
 
 
 def _gap(last: TextPiece, piece: TextPiece) -> float | None:

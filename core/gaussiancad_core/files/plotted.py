@@ -63,11 +63,11 @@ def _ends_of_runs(points: Points, step: float) -> npt.NDArray[np.int64]:
     return np.append(np.flatnonzero(sharp | uneven) + 1, len(points) - 1)
 
 
-def _along_run(points: Points, beside: float) -> list[Curve]:
+def _along_run(points: Points, offset: float) -> list[Curve]:
     pieces: list[tuple[int, int, bool]] = []
     first, last = 0, len(points) - 1
     while first < last:
-        end = _farthest(points, first, beside)
+        end = _farthest(points, first, offset)
         is_arc = end > first
         end = end if is_arc else first + 1
         pieces.append((first, end, is_arc))
@@ -79,23 +79,23 @@ def _along_run(points: Points, beside: float) -> list[Curve]:
     ]
 
 
-def _farthest(points: Points, first: int, beside: float) -> int:
+def _farthest(points: Points, first: int, offset: float) -> int:
     """The last point up to which an arc runs from a point on, or that itself."""
     # The longest that still fits, by bisection: an arc's beginning fits where it does.
     low, high = first + _FEWEST, min(len(points) - 1, first + _MOST)
-    if high < low or not _fits(points[first : low + 1], beside):
+    if high < low or not _fits(points[first : low + 1], offset):
         return first
     while low < high:
         middle = (low + high + 1) // 2
-        if _fits(points[first : middle + 1], beside):
+        if _fits(points[first : middle + 1], offset):
             low = middle
         else:
             high = middle - 1
     return low if _sweep(points[first : low + 1]) >= _SMALLEST_SWEEP else first
 
 
-def _fits(points: Points, beside: float) -> bool:
-    return _off(points) <= beside and abs(_turn(points)) <= FULL_TURN + _LARGEST_STEP
+def _fits(points: Points, offset: float) -> bool:
+    return _off(points) <= offset and abs(_turn(points)) <= FULL_TURN + _LARGEST_STEP
 
 
 def _off(points: Points) -> float:

@@ -146,7 +146,7 @@ def _to_grey(image: Image.Image) -> tuple[Grey, Grey | None]:
         grey[top:bottom] = np.asarray(rgb.convert("L"))
         small.append(smaller(np.asarray(rgb)))
     paper = np.maximum(even_paper(np.concatenate(small), PICTURE_REACH), _LEAST_PAPER)
-    rows = np.cumsum([0, *(len(own) for own in small)])
+    rows = np.cumsum([0, *(len(values) for values in small)])
     for (top, bottom), start, end in zip(_bands(image), rows[:-1], rows[1:], strict=True):
         rgb = np.asarray(_on_paper(image.crop((0, top, image.width, bottom))))
         light = enlarged(paper[start:end], (image.width, bottom - top))
@@ -209,7 +209,7 @@ def _resolutions(image: Image.Image) -> tuple[float, float] | None:
         across, down = (float(value) for value in image.info["dpi"])
     except (KeyError, TypeError, ValueError, ZeroDivisionError):
         return None
-    believable = all(_MIN_DPI <= own <= _MAX_DPI for own in (across, down))
+    believable = all(_MIN_DPI <= value <= _MAX_DPI for value in (across, down))
     if not believable:
         return None
     return (down, across) if turned else (across, down)

@@ -69,7 +69,7 @@ def size_without_unit(
         guesses: inches to the unit, the likeliest first.
     """
     sizings = [size_drawing(width, height, guess) for guess in guesses]
-    found = next((own for own in sizings if own.on_paper), sizings[0])
+    found = next((sizing for sizing in sizings if sizing.on_paper), sizings[0])
     return replace(found, pixels_per_inch=None)
 
 

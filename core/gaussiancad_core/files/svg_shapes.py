@@ -48,8 +48,8 @@ def svg_strokes(elements: SvgElements, scale: float) -> list[VectorStroke]:
         elements: of an SVG tree.
         scale: sheet px per CSS px.
     """
-    shapes = (own for own in elements if isinstance(own, svgelements.Shape))
-    return list(with_steps([_path(own, scale) for own in shapes if _is_visible(own)]))
+    shapes = (element for element in elements if isinstance(element, svgelements.Shape))
+    return list(with_steps([_path(shape, scale) for shape in shapes if _is_visible(shape)]))
 
 
 def _path(shape: svgelements.Shape, scale: float) -> WrittenPath:
@@ -57,9 +57,9 @@ def _path(shape: svgelements.Shape, scale: float) -> WrittenPath:
     drawn = _is_painted(shape.stroke) and not isinstance(shape, rounds)
     lines = [
         piece
-        for own in (_segments(shape) if drawn else ())
-        if isinstance(own, svgelements.Line | svgelements.Close)
-        and (piece := _piece(own, np.eye(2, 3))) is not None
+        for segment in (_segments(shape) if drawn else ())
+        if isinstance(segment, svgelements.Line | svgelements.Close)
+        and (piece := _piece(segment, np.eye(2, 3))) is not None
     ]
     strokes = partial(_shape_strokes, shape, scale)
     return WrittenPath(strokes, line_ends(lines), _matrix(shape, scale))

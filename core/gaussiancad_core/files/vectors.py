@@ -169,8 +169,10 @@ class Chain:
 
     def at(self, shares: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         """(n, 2) the points at shares of the length, in order."""
-        own = self.shares
-        return np.stack([np.interp(shares, own, column) for column in np.array(self.points).T], 1)
+        this_shares = self.shares
+        return np.stack(
+            [np.interp(shares, this_shares, column) for column in np.array(self.points).T], 1
+        )
 
     @property
     def _way(self) -> npt.NDArray[np.float64]:

@@ -139,7 +139,7 @@ class _Carving:
         upward: whether depth grows with the coordinate along the view.
         inside: distance from the border of what may be carved, mm, positive inside.
         depths: mm from the near side, continued beyond the region.
-        own: 1 in the region, 0 elsewhere; like the others only on a window around the region.
+        mask_field: 1 in the region, 0 elsewhere; as the others on a window around the region.
         mask: (h, w) the region on the padded mask's pixels.
         flat: the depth where it is the same all over, else nothing.
     """
@@ -148,7 +148,7 @@ class _Carving:
     upward: bool
     inside: PlaneField
     depths: PlaneField
-    own: PlaneField
+    mask_field: PlaneField
     mask: Mask
     flat: float | None
 
@@ -173,15 +173,15 @@ def _carvings(relief: Relief, view: View, step: float) -> list[_Carving]:
             slice(corner[0], rows[-1] + margin + 1),
             slice(corner[1], columns[-1] + margin + 1),
         )
-        own = mask[window]
-        nearest = distance_transform_edt(~own, return_distances=False, return_indices=True)
+        item = mask[window]
+        nearest = distance_transform_edt(~item, return_distances=False, return_indices=True)
         continued = depths[window][tuple(nearest)]
         # Beyond the outline there is nothing, and a deeper neighbour is carved there as well: the
         # border of what is carved lies elsewhere, and no skin is left between the two.
         tolerance = _SAME_DEPTH_PX * view.mm_per_pixel
-        neighbour = (regions[window] > 0) & ~own
+        neighbour = (regions[window] > 0) & ~item
         deeper = neighbour & (depths[window] >= continued - tolerance)
-        free = own | blank[window] | deeper
+        free = item | blank[window] | deeper
         continued = np.where(deeper, np.minimum(continued, depths[window]), continued)
         inside = -signed_distance(free, view.mm_per_pixel)
         level = float(np.ptp(depths[mask])) < 0.5 * view.mm_per_pixel
@@ -191,7 +191,7 @@ def _carvings(relief: Relief, view: View, step: float) -> list[_Carving]:
                 upward,
                 plane_field(inside, view, corner),
                 plane_field(continued, view, corner),
-                plane_field(own.astype(np.float32), view, corner),
+                plane_field(item.astype(np.float32), view, corner),
                 mask,
                 float(np.median(depths[mask])) if level else None,
             )
@@ -271,11 +271,11 @@ def _carve(
     """Take what lies in front of a region out of the field, unless the hull ends there anyway."""
     window, nodes = _window(carving, coordinates)
     look = carving.view.role.frame.look_axis[0].value
-    if min(len(own) for own in nodes) == 0:
+    if min(len(node) for node in nodes) == 0:
         return
-    inside, depths, own = (
+    inside, depths, values = (
         np.squeeze(_sweep(plane, camera, nodes), look)
-        for plane in (carving.inside, carving.depths, carving.own)
+        for plane in (carving.inside, carving.depths, carving.mask_field)
     )
     along = nodes[look]
     ways = along if carving.upward else size[look] - along
@@ -283,7 +283,7 @@ def _carve(
     # A view along the axis: its last array axis is the depth.
     block = np.moveaxis(field[window], look, -1)
     tolerance = _SAME_DEPTH_PX * carving.view.mm_per_pixel
-    solid = (block < 0.0) & (in_front > tolerance) & (own > 0.99)[..., None]
+    solid = (block < 0.0) & (in_front > tolerance) & (values > 0.99)[..., None]
     if solid.any():
         np.maximum(block, np.minimum(inside[..., None], in_front), out=block)
 
@@ -307,7 +307,9 @@ def _window(
             int(np.searchsorted(nodes, low)), int(np.searchsorted(nodes, high, side="right"))
         )
     window = (slices[0], slices[1], slices[2])
-    return window, tuple(own[part] for own, part in zip(coordinates, window, strict=True))
+    return window, tuple(
+        coordinate[part] for coordinate, part in zip(coordinates, window, strict=True)
+    )
 
 
 def _zero_level(

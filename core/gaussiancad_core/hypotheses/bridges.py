@@ -27,15 +27,15 @@ def bridges(arrangement: Arrangement, chains: Sequence[Chain], reach: float) -> 
         reach: units.
     """
     found: list[Chain] = []
-    for own, (index, low, high) in enumerate(arrangement.stretches):
+    for number, (index, low, high) in enumerate(arrangement.stretches):
         curve = arrangement.supports[index].curve
         if isinstance(curve, CircleCurve) and high - low > TURN - 1e-9:
             continue
         for end in (curve.at(low), curve.at(high)):
-            found += _bridge(end, _feet(arrangement, chains, end, own, None), reach, found)
-    for own, chain in enumerate(chains):
+            found += _bridge(end, _feet(arrangement, chains, end, number, None), reach, found)
+    for value, chain in enumerate(chains):
         for end in (chain[0], chain[-1]):
-            found += _bridge(end, _feet(arrangement, chains, end, None, own), reach, found)
+            found += _bridge(end, _feet(arrangement, chains, end, None, value), reach, found)
     return found
 
 

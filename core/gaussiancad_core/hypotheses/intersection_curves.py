@@ -104,10 +104,10 @@ def with_followed_curves(views: DrawnViews, supports: PartSupports) -> DrawnView
     bodies = find_bodies(supports, lone=True)
     shown = frozenset(find_bodies(supports))
     strokes = {}
-    for role, own in views.strokes.items():
+    for role, this_curves in views.strokes.items():
         sights = _Sights(role, supports, bodies, shown)
-        curves = [sights.curve(stroke) or stroke for stroke in own]
-        strokes[role] = tuple(with_common_ends(own, curves, views.tolerance))
+        curves = [sights.curve(stroke) or stroke for stroke in this_curves]
+        strokes[role] = tuple(with_common_ends(this_curves, curves, views.tolerance))
     if strokes == dict(views.strokes):
         return None
     return replace(views, strokes=strokes)
@@ -161,7 +161,7 @@ class _Sights:
             for index in IN_PLANE[self._normal]
         ]
         # Planes meet in straight lines.
-        curved = any(isinstance(own.curve, CircleCurve) for own in self._surfaces)
+        curved = any(isinstance(surface.curve, CircleCurve) for surface in self._surfaces)
         self._any_round = curved or bool(bodies)
 
     def curve(self, stroke: Curve) -> Polyline | None:
@@ -169,10 +169,10 @@ class _Sights:
         if not self._may_follow(stroke):
             return None
         points = self._points(stroke, _SAMPLES)
-        own = {k for k, rims in enumerate(self._rims) if self._runs_on(points, rims)}
-        if any(self._shown[body] for body in own):
+        ks = {k for k, rims in enumerate(self._rims) if self._runs_on(points, rims)}
+        if any(self._shown[body] for body in ks):
             return None
-        pair = self._pair(points, own)
+        pair = self._pair(points, ks)
         if pair is None:
             return None
         points = self._points(stroke, _LINKS)
@@ -217,19 +217,19 @@ class _Sights:
             for rim in rims
         )
 
-    def _pair(self, points: Points, own: Container[int]) -> tuple[_Key, _Key] | None:
+    def _pair(self, points: Points, container: Container[int]) -> tuple[_Key, _Key] | None:
         """The two surfaces that meet along a stroke, the nearest ones.
 
         Args:
             points: of the stroke.
-            own: bodies that the stroke may be an outline of.
+            container: bodies that the stroke may be an outline of.
         """
         offsets = self._offsets
         found: dict[tuple[_Key, _Key], list[float]] = {}
         for point, way in zip(points, _across(points), strict=True):
             looks = [self._met(*(point + offset * way)) for offset in offsets]
             met = set().union(*looks)
-            keys = sorted(key for key in met if not (key[0] == BODY and key[1] in own))
+            keys = sorted(key for key in met if not (key[0] == BODY and key[1] in container))
             if len(keys) < 2:
                 continue
             depths = np.array([[look.get(key, np.nan) for look in looks] for key in keys])
@@ -242,7 +242,7 @@ class _Sights:
                     share = left / (left - right)
                     off = offsets[k] + share * (offsets[k + 1] - offsets[k])
                     found.setdefault((keys[one], keys[other]), []).append(abs(off))
-        whole = {p: own for p, own in found.items() if len(own) >= _SHARE * len(points)}
+        whole = {p: items for p, items in found.items() if len(items) >= _SHARE * len(points)}
         return min(whole, key=lambda p: float(np.mean(whole[p])), default=None)
 
     def _led(self, points: Points, pair: tuple[_Key, _Key]) -> Points:
@@ -320,19 +320,19 @@ class _Sights:
         """Depths at which a line of sight meets surfaces."""
         found: dict[_Key, float] = {}
         at = a, b
-        for own in self._surfaces:
+        for surface in self._surfaces:
             # Most surfaces are somewhere else.
-            if not own.reach[0] <= at[own.coordinate] <= own.reach[1]:
+            if not surface.reach[0] <= at[surface.coordinate] <= surface.reach[1]:
                 continue
-            curve, place = own.curve, own.place
+            curve, place = surface.curve, surface.place
             hits = sorted(
                 point[1 - place]
-                for point in meetings(curve, axis_line(place, at[own.coordinate]))
-                if _is_on(curve, point, own.drawn)
+                for point in meetings(curve, axis_line(place, at[surface.coordinate]))
+                if _is_on(curve, point, surface.drawn)
             )
             for depth in hits:
                 upper = isinstance(curve, CircleCurve) and depth > curve.centre[1 - place]
-                found[(*own.key, int(upper))] = depth
+                found[(*surface.key, int(upper))] = depth
         for index, body in enumerate(self._bodies):
             hits = sorted(depth for depth, _ in body.crossings(self._normal, a, b))
             for number, depth in enumerate(hits):

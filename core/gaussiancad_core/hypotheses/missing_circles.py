@@ -80,7 +80,7 @@ def sectioned_circles(
             continue
         along = IN_PLANE[normal].index(axis.value)
         across = Axis(IN_PLANE[normal][1 - along])
-        through = [own.centre for own in drawn if abs(own.centre[along] - at) <= near]
+        through = [curve.centre for curve in drawn if abs(curve.centre[along] - at) <= near]
         for middle, radius, *_ in islice(_bands(supports.planes[axis], across, near), _MOST_BANDS):
             for centre in through:
                 circle = CircleCurve(centre, radius)
@@ -104,9 +104,9 @@ def _shows(
 ) -> bool:
     """Whether a line of a section is the side of a drawn circle whose centre the plane meets."""
     return any(
-        abs(own.centre[along] - at) <= near
-        and abs(abs(place - own.centre[1 - along]) - own.radius) <= near
-        for own in circles
+        abs(circle.centre[along] - at) <= near
+        and abs(abs(place - circle.centre[1 - along]) - circle.radius) <= near
+        for circle in circles
         for place in places
     )
 

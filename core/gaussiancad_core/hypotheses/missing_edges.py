@@ -75,7 +75,9 @@ def with_lost_lines(
         axis
         for axis in Axis
         if all(
-            role in undrawn for own in IN_PLANE[axis] for role in supports.planes[Axis(own)].roles
+            role in undrawn
+            for number in IN_PLANE[axis]
+            for role in supports.planes[Axis(number)].roles
         )
     }
     planes = {}
@@ -123,9 +125,9 @@ def _edges(
         drawn = _lines_by_depth(line, near)
         for value in distinct([*supports.values[Axis(index)], *_extremes(point)]):
             depths = _depths_at(point, corners[other], value, near)
-            own = [stretch for depth in depths for stretch in _at(drawn, depth, near)]
+            stretches = [stretch for depth in depths for stretch in _at(drawn, depth, near)]
             curve = axis_line(coordinate, value)
-            for low, high in merged_stretches(own, near):
+            for low, high in merged_stretches(stretches, near):
                 yield curve, low, high
 
 
@@ -152,14 +154,14 @@ def _grid(
             yield axis_line(coordinate, value), min(along), max(along)
 
 
-def _lines_by_depth(beside: _Beside, near: float) -> dict[int, list[tuple[float, float]]]:
+def _lines_by_depth(neighbour: _Beside, near: float) -> dict[int, list[tuple[float, float]]]:
     """Where lines of one depth are drawn, by multiples of ``near``."""
     found: dict[int, list[tuple[float, float]]] = defaultdict(list)
-    for support in beside.plane.supports:
+    for support in neighbour.plane.supports:
         curve = support.curve
-        if isinstance(curve, LineCurve) and curve.axis == beside.depth:
-            start = curve.point[beside.along]
-            at = round(curve.point[beside.depth] / near)
+        if isinstance(curve, LineCurve) and curve.axis == neighbour.depth:
+            start = curve.point[neighbour.along]
+            at = round(curve.point[neighbour.depth] / near)
             found[at] += [(start + low, start + high) for low, high in support.drawn()]
     return found
 
@@ -172,31 +174,31 @@ def _at(
         yield from drawn.get(key, ())
 
 
-def _extremes(beside: _Beside) -> Iterator[float]:
+def _extremes(neighbour: _Beside) -> Iterator[float]:
     """Where circles reach farthest: in the view across nothing else may be there."""
-    for support in beside.plane.supports:
+    for support in neighbour.plane.supports:
         curve = support.curve
         if isinstance(curve, CircleCurve):
-            yield curve.centre[beside.along] - curve.radius
-            yield curve.centre[beside.along] + curve.radius
+            yield curve.centre[neighbour.along] - curve.radius
+            yield curve.centre[neighbour.along] + curve.radius
 
 
 def _depths_at(
-    beside: _Beside, corners: Sequence[Point], value: float, near: float
+    neighbour: _Beside, corners: Sequence[Point], value: float, near: float
 ) -> Iterator[float]:
     """Depths of the corners at a value, and of the sides of circles whose extreme lies there."""
     found = {
-        round(corner[beside.depth], 6)
+        round(corner[neighbour.depth], 6)
         for corner in corners
-        if abs(corner[beside.along] - value) <= near
+        if abs(corner[neighbour.along] - value) <= near
     }
-    for support in beside.plane.supports:
+    for support in neighbour.plane.supports:
         curve = support.curve
         if isinstance(curve, CircleCurve):
-            away = abs(curve.centre[beside.along] - value)
+            away = abs(curve.centre[neighbour.along] - value)
             if abs(away - curve.radius) <= near:
                 # The edge of a cylinder's outline is no line of the view across, its sides are.
-                centre = curve.centre[beside.depth]
+                centre = curve.centre[neighbour.depth]
                 found |= {centre - curve.radius, centre + curve.radius}
     return iter(sorted(found))
 
@@ -207,10 +209,10 @@ def as_if_drawn(supports: PartSupports) -> PartSupports:
     for axis, plane in supports.planes.items():
         found = list(plane.supports)
         for number, low, high in plane.lost:
-            own = found[number]
+            support = found[number]
             span = Span(low, high, Linetype.HIDDEN, 0.0)
-            spans = {role: (*own.spans.get(role, ()), span) for role in plane.roles}
-            found[number] = Support(own.curve, spans)
+            spans = {role: (*support.spans.get(role, ()), span) for role in plane.roles}
+            found[number] = Support(support.curve, spans)
         planes[axis] = replace(plane, supports=tuple(found), lost=())
     return replace(supports, planes=planes)
 
@@ -220,16 +222,18 @@ def _divided(plane: PlaneSupports, found: Iterable[Stretch]) -> PlaneSupports:
     supports = list(plane.supports)
     lost: list[tuple[int, float, float]] = []
     for curve, low, high in found:
-        number = next((n for n, own in enumerate(supports) if _same(own.curve, curve)), None)
+        number = next(
+            (n for n, support in enumerate(supports) if _same(support.curve, curve)), None
+        )
         if number is None:
             supports.append(Support(curve, {}))
             number = len(supports) - 1
-        own = supports[number].curve
+        line_curve = supports[number].curve
         ends = (low, high)
-        if isinstance(own, LineCurve) and isinstance(curve, LineCurve):
-            first, last = sorted(own.parameter(curve.at(end)) for end in (low, high))
+        if isinstance(line_curve, LineCurve) and isinstance(curve, LineCurve):
+            first, last = sorted(line_curve.parameter(curve.at(end)) for end in (low, high))
             ends = first, last
-        slack = NEAR / own.speed
+        slack = NEAR / line_curve.speed
         drawn = supports[number].drawn()
         if not any(a - slack <= ends[0] and ends[1] <= b + slack for a, b in drawn):
             lost.append((number, *ends))

@@ -28,18 +28,18 @@ def lost_slants(
         near: units within which coordinates are one.
     """
     plane = supports.planes[normal]
-    told = [
+    stated = [
         *_mirrored(supports, normal),
         *islice(slanted_edges(supports, normal, UNITS), _LOOKED_AT),
     ]
     found: list[tuple[Point, Point]] = []
-    for start, end in told:
+    for start, end in stated:
         flat = min(abs(a - b) for a, b in zip(start, end, strict=True)) <= near
         ends = [_corner(corners, point, near) for point in (start, end)]
         if flat or None in ends or ends[0] == ends[1]:
             continue
         edge = min(ends), max(ends)
-        if edge not in found and not any(shows(own, *edge, near) for own in plane.supports):
+        if edge not in found and not any(shows(support, *edge, near) for support in plane.supports):
             found.append(edge)
     for start, end in found[:_MOST]:
         line = line_through(start, end)

@@ -45,7 +45,7 @@ def floors(holes: Iterable[NotedHole], supports: PartSupports) -> dict[Axis, tup
     for hole in holes:
         plane = role_plane(hole.role)
         sign = 1.0 if plane.looks_up else -1.0
-        own = found.setdefault(plane.normal, [])
+        items = found.setdefault(plane.normal, [])
         known = supports.values.get(plane.normal, ())
         for step in hole.steps:
             if step.depth is None:
@@ -53,9 +53,9 @@ def floors(holes: Iterable[NotedHole], supports: PartSupports) -> dict[Axis, tup
             for value in known:
                 floor = value + sign * step.depth * supports.scale
                 inside = 0.0 < floor < supports.size[plane.normal.value]
-                if inside and all(abs(floor - other) > near for other in (*known, *own)):
-                    own.append(floor)
-    return {axis: tuple(own) for axis, own in found.items()}
+                if inside and all(abs(floor - other) > near for other in (*known, *items)):
+                    items.append(floor)
+    return {axis: tuple(entries) for axis, entries in found.items()}
 
 
 def kept_notes(
@@ -63,31 +63,33 @@ def kept_notes(
 ) -> tuple[tuple[Kept, ...], ...]:
     """For each note the labels under which it is kept; notes that no labels keep are left out."""
     near = max(_SAME, supports.tolerance)
-    found = (tuple(dict.fromkeys(_kept(own, space, supports.scale, near))) for own in holes)
-    return tuple(own for own in found if own)
+    found = (tuple(dict.fromkeys(_kept(hole, space, supports.scale, near))) for hole in holes)
+    return tuple(kepts for kepts in found if kepts)
 
 
 def _kept(hole: NotedHole, space: Space, scale: float, near: float) -> Iterator[Kept]:
     plane = role_plane(hole.role)
-    a, b = (own * sign * scale for own, sign in zip(hole.centre, plane.signs, strict=True))
+    a, b = (value * sign * scale for value, sign in zip(hole.centre, plane.signs, strict=True))
     radii = [step.diameter * scale / 2.0 for step in hole.steps]
     around = _columns(space, plane, (a, b), radii[-1] + _BESIDE)
     inside = [
-        (None if step.depth is None else step.depth * scale, own)
+        (None if step.depth is None else step.depth * scale, stretches)
         for step, low, high in zip(hole.steps, (0.0, *radii), radii, strict=False)
-        for own in _columns(space, plane, (a, b), (low + high) / 2.0)
+        for stretches in _columns(space, plane, (a, b), (low + high) / 2.0)
     ]
     through = any(depth is None for depth, _ in inside)
     for column in around:
         for first, face in enumerate(column):
-            before = [own.cell for own in column[:first]]
+            before = [stretch.cell for stretch in column[:first]]
             for last in range(first, len(column) if through else first + 1):
-                beyond = [own.cell for own in column[last + 1 : last + 2]] if through else []
-                solid = [own.cell for own in column[first : last + 1]]
-                own = _inside(inside, (face.start, column[last].end), near)
-                if own is not None:
-                    void = dict.fromkeys((*before, *beyond, *own.void))
-                    yield Kept(tuple(void), tuple(dict.fromkeys((*solid, *own.solid))))
+                beyond = (
+                    [stretch.cell for stretch in column[last + 1 : last + 2]] if through else []
+                )
+                solid = [stretch.cell for stretch in column[first : last + 1]]
+                kept = _inside(inside, (face.start, column[last].end), near)
+                if kept is not None:
+                    void = dict.fromkeys((*before, *beyond, *kept.void))
+                    yield Kept(tuple(void), tuple(dict.fromkeys((*solid, *kept.solid))))
 
 
 def _inside(
@@ -99,11 +101,11 @@ def _inside(
     solid: list[Cell] = []
     for depth, column in columns:
         floor = ends[1] if depth is None else ends[0] + depth
-        if any(own.start < floor - near and own.end > floor + near for own in column):
+        if any(stretch.start < floor - near and stretch.end > floor + near for stretch in column):
             return None
-        void += [own.cell for own in column if own.end <= floor + near]
+        void += [stretch.cell for stretch in column if stretch.end <= floor + near]
         if depth is not None:
-            solid += [own.cell for own in column if own.start > floor - near][:1]
+            solid += [stretch.cell for stretch in column if stretch.start > floor - near][:1]
     return Kept(tuple(void), tuple(solid))
 
 
@@ -127,7 +129,7 @@ def _columns(space: Space, plane: RolePlane, centre: Point, radius: float) -> li
         column = space.column(plane.normal, *at)
         spans = [(c.depth, d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
         if plane.looks_up:
-            found[tuple(_Stretch(*own) for own in spans)] = None
+            found[tuple(_Stretch(*pair) for pair in spans)] = None
         else:
             found[tuple(_Stretch(-end, -start, cell) for start, end, cell in spans[::-1])] = None
     return [column for column in found if column]

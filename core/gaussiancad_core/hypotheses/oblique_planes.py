@@ -84,8 +84,8 @@ def _candidates(shown: SpatialEdges, near: float) -> list[_Candidate]:
         corners = sorted({corner for edge in edges for corner in edge} | {corner, one, other})
         inside = set(corners)
         for member in corners:
-            own = [end for end in at_corner[member] if end in inside]
-            done.update((member, *pair) for pair in combinations(own, 2))
+            ends = [end for end in at_corner[member] if end in inside]
+            done.update((member, *pair) for pair in combinations(ends, 2))
         candidate = _candidate(points, edges, near)
         if candidate is not None:
             found.append(candidate)
@@ -114,13 +114,13 @@ def _candidate(points: Points, edges: list[tuple[int, int]], near: float) -> _Ca
     normal, offset = _fitted(points[sorted({corner for loop in loops for corner in loop})])
     hulls, area = [], 0.0
     for loop in loops:
-        own = points[loop]
-        extent = float(np.ptp(own, axis=0).max())
+        point = points[loop]
+        extent = float(np.ptp(point, axis=0).max())
         if np.abs(normal).min() * extent <= _EDGE_ON * near:
             continue
         view = Axis(int(np.abs(normal).argmax()))
-        hull = ConvexHull(own[:, IN_PLANE[view]])
-        hulls.append(tuple(_vector(own[corner]) for corner in hull.vertices))
+        hull = ConvexHull(point[:, IN_PLANE[view]])
+        hulls.append(tuple(_vector(point[corner]) for corner in hull.vertices))
         area += float(hull.volume) / float(np.abs(normal).max())
     if not hulls:
         return None

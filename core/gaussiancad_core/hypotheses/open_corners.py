@@ -63,7 +63,10 @@ def joining(
     known = [
         end
         for end in corners
-        if all(_is_one(at, own, near) for at, own in zip(end.point, values, strict=True))
+        if all(
+            _is_one(at, this_values, near)
+            for at, this_values in zip(end.point, values, strict=True)
+        )
     ]
     for one, other in combinations(corners, 2):
         yield from _rounded(one, other, near)

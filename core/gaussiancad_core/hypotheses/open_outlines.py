@@ -72,8 +72,8 @@ def with_closed_outlines(views: DrawnViews) -> DrawnViews | None:
     if not gaps:
         return None
     strokes = {
-        role: (*own, _undrawn(gaps[role])) if role in gaps else own
-        for role, own in views.strokes.items()
+        role: (*curves, _undrawn(gaps[role])) if role in gaps else curves
+        for role, curves in views.strokes.items()
     }
     return replace(views, strokes=strokes)
 

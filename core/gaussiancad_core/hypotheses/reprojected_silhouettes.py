@@ -155,9 +155,9 @@ def _moved(plane: PlaneSupports, lines: dict[int, LineCurve], ends: _Ends) -> Pl
             corners = sorted(curve.parameter(c) for c in ends.corners if curve.distance(c) < _EXACT)
         spans = {
             role: tuple(
-                _span(span, support.curve, curve, (corners, stations), ends) for span in own
+                _span(span, support.curve, curve, (corners, stations), ends) for span in this_spans
             )
-            for role, own in support.spans.items()
+            for role, this_spans in support.spans.items()
         }
         moved.append(Support(curve, spans))
     return replace(plane, supports=tuple(moved))

@@ -60,13 +60,17 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
             # What was read exactly is not moved.
             exact = 1.5 * supports.tolerance
             ends = ProfileEnds.of(supports.values[axis], concentric, exact)
-            by_side = [_merged((ends.met_by(profile) for profile in own), near) for own in drawn]
+            by_side = [
+                _merged((ends.met_by(profile) for profile in items), near) for items in drawn
+            ]
             shown = list(_shown_by_all(by_side, near))
             # Lines at equal distances from two axes belong to one of them.
             whole = [p for p in shown if _meets_circle(p, concentric, near)]
             _add(found, (axis, centre), with_continuations(whole, shown, near), plane, near)
             if lone:
-                single = [p for own in by_side for p in own if _is_anchored(p, concentric, near)]
+                single = [
+                    p for items in by_side for p in items if _is_anchored(p, concentric, near)
+                ]
                 _add(faint, (axis, centre), single, plane, near)
     found.sort(key=_height)
     faint = [body for body in faint if not any(_repeats(body, other, near) for other in found)]

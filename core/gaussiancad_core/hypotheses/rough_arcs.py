@@ -40,9 +40,10 @@ def without_rough_arcs(views: DrawnViews) -> DrawnViews | None:
     levels = _levels(views)
     strokes = {
         role: tuple(
-            _curve(stroke) if _is_rough(stroke, role, views, levels) else stroke for stroke in own
+            _curve(stroke) if _is_rough(stroke, role, views, levels) else stroke
+            for stroke in curves
         )
-        for role, own in views.strokes.items()
+        for role, curves in views.strokes.items()
     }
     return replace(views, strokes=strokes) if strokes != dict(views.strokes) else None
 
@@ -66,8 +67,10 @@ def _is_rough(stroke: Curve, role: Role, views: DrawnViews, levels: dict[Axis, n
     here = dict(zip(axes, centre.tolist(), strict=True))
     if any(_is_same(here, stroke.radius, arc, tolerance) for arc in _arcs_elsewhere(role, views)):
         return False
-    own = views.strokes[role]
-    return not (_is_concentric(stroke, own, tolerance) or _is_smooth(stroke, own, tolerance))
+    strokes = views.strokes[role]
+    return not (
+        _is_concentric(stroke, strokes, tolerance) or _is_smooth(stroke, strokes, tolerance)
+    )
 
 
 def _is_concentric(arc: Arc, strokes: tuple[Curve, ...], tolerance: float) -> bool:
@@ -82,11 +85,11 @@ def _is_concentric(arc: Arc, strokes: tuple[Curve, ...], tolerance: float) -> bo
 
 def _arcs_elsewhere(role: Role, views: DrawnViews) -> Iterator[tuple[dict[Axis, float], float]]:
     """Centres and radii of arcs in views along other axes."""
-    for other, own in views.strokes.items():
+    for other, curves in views.strokes.items():
         if role_plane(other).normal is role_plane(role).normal:
             continue
         axes = [Axis(index) for index in IN_PLANE[role_plane(other).normal]]
-        for stroke in own:
+        for stroke in curves:
             if isinstance(stroke, Arc):
                 (centre,) = plane_points(np.array([stroke.centre]), other, 1.0)
                 yield dict(zip(axes, centre.tolist(), strict=True)), stroke.radius
@@ -139,9 +142,9 @@ def _ways(
 def _levels(views: DrawnViews) -> dict[Axis, np.ndarray]:
     """Coordinates that straight strokes along an axis, and centres of whole circles, have."""
     found: dict[Axis, list[float]] = {axis: [] for axis in Axis}
-    for role, own in views.strokes.items():
+    for role, curves in views.strokes.items():
         axes = [Axis(index) for index in IN_PLANE[role_plane(role).normal]]
-        for stroke in own:
+        for stroke in curves:
             if isinstance(stroke, Segment):
                 start, end = plane_points(np.array([stroke.start, stroke.end]), role, 1.0)
                 for axis, low, high in zip(axes, start, end, strict=True):

@@ -123,12 +123,12 @@ def _chamfers(supports: PartSupports, axis: Axis) -> Iterator[_Chamfer]:
         for small, large in pairwise(radii):
             if not least < large - small < lost:
                 continue
-            told = {
+            heightses = {
                 heights
                 for side in sides
                 for heights in _heights(side, (small, large), radii, (least, lost), near)
             }
-            for start, end in sorted(told):
+            for start, end in sorted(heightses):
                 chamfer = _Chamfer(axis, centre, (small, start), (large, end))
                 if not any(_is_another(chamfer, side, near) for side in sides):
                     yield chamfer
@@ -148,9 +148,9 @@ def _round_edges(plane: PlaneSupports, near: float) -> Iterator[tuple[Point, lis
     ]
     while left:
         (x, y) = left[0].centre
-        own = [c for c in left if max(abs(c.centre[0] - x), abs(c.centre[1] - y)) <= near]
-        left = [c for c in left if c not in own]
-        yield (x, y), sorted(circle.radius for circle in own)
+        cs = [c for c in left if max(abs(c.centre[0] - x), abs(c.centre[1] - y)) <= near]
+        left = [c for c in left if c not in cs]
+        yield (x, y), sorted(circle.radius for circle in cs)
 
 
 def _side(plane: PlaneSupports, axis: Axis, centre: Point) -> _Side:

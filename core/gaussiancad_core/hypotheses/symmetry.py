@@ -29,12 +29,12 @@ def is_symmetric(supports: PartSupports, axis: Axis) -> bool:
             continue
         shown = True
         place = IN_PLANE[normal].index(axis.value)
-        stretches = np.array([_key(own) for own in _stretches(plane)])
+        stretches = np.array([_key(stretch) for stretch in _stretches(plane)])
         if not len(stretches):
             continue
         mirrored = stretches.copy().reshape(-1, 3, 2)
         mirrored[:, :, place] = 2.0 * middle - mirrored[:, :, place]
-        images = np.array([_key(tuple(map(tuple, own))) for own in mirrored.tolist()])
+        images = np.array([_key(tuple(map(tuple, items))) for items in mirrored.tolist()])
         away, _ = cKDTree(stretches).query(images)
         if away.max() > reach:
             return False

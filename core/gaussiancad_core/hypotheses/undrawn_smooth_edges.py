@@ -209,9 +209,9 @@ def _led_to(supports: list[Support], end: _FreeEnd, line: PlaneCurve, near: floa
                 low=at if abs(span.low - end.at) < 1e-9 else span.low,
                 high=at if abs(span.high - end.at) < 1e-9 else span.high,
             )
-            for span in own
+            for span in this_spans
         )
-        for role, own in support.spans.items()
+        for role, this_spans in support.spans.items()
     }
     supports[end.support] = Support(support.curve, spans)
     return line.parameter(met[0])

@@ -69,8 +69,8 @@ def _combined(
 ) -> TopoDS_Shape:
     arguments, others = List_TopoDS_Shape(), List_TopoDS_Shape()
     arguments.Append(shape)
-    for own in tools:
-        others.Append(own)
+    for tool in tools:
+        others.Append(tool)
     operation.SetArguments(arguments)
     operation.SetTools(others)
     operation.SetGlue(BOPAlgo_GlueEnum.BOPAlgo_GlueOff)

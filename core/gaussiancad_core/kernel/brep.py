@@ -412,10 +412,10 @@ def tessellate(
     triangles: list[npt.NDArray[np.int64]] = []
     offset = 0
     for face in faces_of(shape):
-        own, indices = _face_triangles(face)
-        points.append(own)
+        values, indices = _face_triangles(face)
+        points.append(values)
         triangles.append(indices + offset)
-        offset += len(own)
+        offset += len(values)
     stacked = np.concatenate(points) if points else np.zeros((0, 3))
     # Neighbouring faces sample their common edge at the very same points.
     vertices, inverse = np.unique(np.round(stacked, 9), axis=0, return_inverse=True)

@@ -112,11 +112,11 @@ class SightLines:
         bounds = np.searchsorted(line, np.arange(count + 1))
         columns = []
         for start, end in pairwise(bounds):
-            own = slice(start, end)
-            entering = normal[own] @ self._look < 0.0
+            this_slice = slice(start, end)
+            entering = normal[this_slice] @ self._look < 0.0
             alternates = bool(np.all(entering[0::2]) and not np.any(entering[1::2]))
             sound = (end - start) % 2 == 0 and alternates
-            columns.append(Column(depth[own], normal[own], face[own], sound))
+            columns.append(Column(depth[this_slice], normal[this_slice], face[this_slice], sound))
         return columns
 
 

@@ -82,13 +82,13 @@ class Model:
         self._behind: dict[tuple[int, tuple[Form, ...]], int] = {}
         self._voids: dict[tuple[Cell, ...], cp_model.IntVar] = {}
         sayings = Sayings(self._blocks)
-        told: dict[Saying, list[int]] = {}
+        stated: dict[Saying, list[int]] = {}
         for number, rule in enumerate(rules):
-            told.setdefault(sayings.of(rule), []).append(number)
+            stated.setdefault(sayings.of(rule), []).append(number)
         escapes: list[cp_model.IntVar] = []
         costs: list[int] = []
         # Literals of differences are those of drawn lines: blank ones need none.
-        for said, numbers in sorted(told.items(), key=lambda own: own[0].look is Look.BLANK):
+        for said, numbers in sorted(stated.items(), key=lambda pair: pair[0].look is Look.BLANK):
             if said.is_trivial:
                 continue
             escape: list[cp_model.IntVar] = []
@@ -215,11 +215,11 @@ class Model:
     def forbid(self, labels: Labels, cells: Sequence[Cell]) -> None:
         """Ask for labels that differ in at least one of some cells."""
         forms = self._blocks.forms
-        told = {forms[cell]: labels[cell] for cell in cells}
+        stated = {forms[cell]: labels[cell] for cell in cells}
         self.model.add_bool_or(
             [
-                ~self._literal(form) if told[form] else self._literal(form)
-                for form in independent(told)
+                ~self._literal(form) if stated[form] else self._literal(form)
+                for form in independent(stated)
             ]
         )
 

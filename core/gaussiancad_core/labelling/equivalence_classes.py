@@ -248,16 +248,16 @@ class Sayings:
 
     def of(self, rule: Rule) -> Saying:
         """What a rule says of blocks."""
-        told = [self._place(group) for group in rule.groups]
+        stated_places = [self._place(group) for group in rule.groups]
         blank = rule.linetype is None and rule.says is not Says.UNSEEN
         if blank or rule.says is Says.DRAWN:
-            every = tuple(dict.fromkeys(form for place in told for form in place.differs))
+            every = tuple(dict.fromkeys(form for place in stated_places for form in place.differs))
             look = Look.BLANK if blank else Look.DRAWN
             return Saying(look, (Place(every, ()),) if every else ())
         places: list[Place] = []
         last = 0
         covering: set[Form] = set()
-        for place in told:
+        for place in stated_places:
             new = tuple(form for form in place.covers if form not in covering)
             covering.update(new)
             if place.differs or new:

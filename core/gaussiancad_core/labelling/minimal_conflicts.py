@@ -146,7 +146,7 @@ def _by_line(
                 found = finders[piece.role].nearest(place, piece.linetype)
                 key = _blank_key(piece) if found is None else (piece.role, True, (float(found),))
             grouped.setdefault(key, []).append(_Member(number, rule, piece))
-    return {key: tuple(own) for key, own in grouped.items()}
+    return {key: tuple(members) for key, members in grouped.items()}
 
 
 def _blank_key(piece: Piece) -> Key:

@@ -111,7 +111,7 @@ def model_part(
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
     """
-    strokes = max(len(own) for own in views.strokes.values())
+    strokes = max(len(curves) for curves in views.strokes.values())
     if strokes > MOST_STROKES:
         raise _too_complex(f"a view has {strokes} lines")
     supports = find_supports(views)

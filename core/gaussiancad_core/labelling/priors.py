@@ -114,17 +114,17 @@ def usual_of(
     for role, cut in cuts.items():
         normal = role_plane(role).normal
         _look_through(found, supports.planes[normal], space, cut)
-        for at in {own.at for own in cut.openings}:
+        for at in {opening.at for opening in cut.openings}:
             in_middle = abs(2.0 * at - supports.size[normal.value]) <= _MIDDLE
             alike = in_middle and is_symmetric(supports, normal)
             _look_from(found, space, normal, at, alike=alike)
     box = prod(values[-1] - values[0] for values in space.values.values())
     bulks = {
-        cell: 1 + round(_BULK * min(v for v in own if v) / box)
-        for cell, own in found.volumes.items()
+        cell: 1 + round(_BULK * min(v for v in volumes if v) / box)
+        for cell, volumes in found.volumes.items()
     }
     return Usual(
-        tuple(own for own in found.sights if own),
+        tuple(sights for sights in found.sights if sights),
         tuple(found.holes),
         bulks,
         tuple(_undrawn(supports, space)),
@@ -174,10 +174,10 @@ def _look(
                 beyond = _beyond(point, circle)
                 found.corners.update(_beside(column, space.column(plane.normal, *beyond)))
                 # Of several circles the largest one counts.
-                own = {crossing.after for crossing, _ in inside}
-                found.squares -= own
+                items = {crossing.after for crossing, _ in inside}
+                found.squares -= items
                 if not _is_ringed(point, beyond, circle, plane):
-                    found.squares |= own
+                    found.squares |= items
         for crossing, depth in inside:
             found.volumes[crossing.after][plane.normal.value] += max(area * depth, 1e-9)
         cells = tuple(c.after for c, _ in (inside if looks.looks_up else inside[::-1]))
@@ -247,7 +247,7 @@ def _look_from(found: _Found, space: Space, normal: Axis, at: float, *, alike: b
 
 def _as_drawn(plane: PlaneSupports) -> Arrangement:
     """The regions that lines bound which are drawn."""
-    supports = [own for own in plane.supports if own.spans]
+    supports = [support for support in plane.supports if support.spans]
     return Arrangement(supports, [chain for _, chain, _ in plane.chains])
 
 
@@ -255,19 +255,19 @@ def _turned(plane: PlaneSupports, near: float) -> list[CircleCurve]:
     """Circles that no view of a plane draws, about the centre of one that is drawn, within
     ``near``: where other views draw the sides of what may be round or square, a turned part is
     round."""
-    circles = [own for own in plane.supports if isinstance(own.curve, CircleCurve)]
-    circles.sort(key=lambda own: own.curve.radius)
-    drawn = [own.curve.centre for own in circles if own.spans]
+    circles = [support for support in plane.supports if isinstance(support.curve, CircleCurve)]
+    circles.sort(key=lambda circle: circle.curve.radius)
+    drawn = [circle.curve.centre for circle in circles if circle.spans]
     return [
-        own.curve
-        for own in circles
-        if not own.spans and any(dist(own.curve.centre, each) <= near for each in drawn)
+        circle.curve
+        for circle in circles
+        if not circle.spans and any(dist(circle.curve.centre, each) <= near for each in drawn)
     ]
 
 
 def _in_corner(point: Point, circle: CircleCurve) -> bool:
     """Whether a point is outside of a circle and in the square around it."""
-    away = [abs(own - centre) for own, centre in zip(point, circle.centre, strict=True)]
+    away = [abs(value - centre) for value, centre in zip(point, circle.centre, strict=True)]
     return max(away) < circle.radius < hypot(*away)
 
 
@@ -282,10 +282,10 @@ def _is_ringed(point: Point, beyond: Point, circle: CircleCurve, plane: PlaneSup
     """Whether a larger circle about the same centre runs between a point and one beyond it."""
     near, far = dist(point, circle.centre), dist(beyond, circle.centre)
     return any(
-        isinstance(own.curve, CircleCurve)
-        and dist(own.curve.centre, circle.centre) <= _MIDDLE
-        and near < own.curve.radius < far
-        for own in plane.supports
+        isinstance(support.curve, CircleCurve)
+        and dist(support.curve.centre, circle.centre) <= _MIDDLE
+        and near < support.curve.radius < far
+        for support in plane.supports
     )
 
 
@@ -294,7 +294,7 @@ def _beside(column: Sequence[Crossing], other: Sequence[Crossing]) -> Iterator[t
     for one, end in pairwise(column):
         if one.after is not None:
             middle = 0.5 * (one.depth + end.depth)
-            before = [own.after for own in other if own.depth <= middle]
+            before = [crossing.after for crossing in other if crossing.depth <= middle]
             yield one.after, before[-1] if before else None
 
 
@@ -326,18 +326,22 @@ def _middles(values: Iterable[float]) -> list[float]:
 
 def _surrounded(plane: Arrangement) -> dict[int, list[int]]:
     """Regions of a plane that do not touch the outside, each with those that it surrounds."""
-    beside: defaultdict[int, set[int]] = defaultdict(set)
+    adjacent: defaultdict[int, set[int]] = defaultdict(set)
     for one, other in plane.neighbours():
-        beside[one].add(other)
-    inner = sorted(own for own, others in beside.items() if OUTSIDE not in (own, *others))
-    return {region: sorted(set(beside) - {region} - _reached(beside, region)) for region in inner}
+        adjacent[one].add(other)
+    inner = sorted(
+        number for number, others in adjacent.items() if OUTSIDE not in (number, *others)
+    )
+    return {
+        region: sorted(set(adjacent) - {region} - _reached(adjacent, region)) for region in inner
+    }
 
 
-def _reached(beside: Mapping[int, set[int]], without: int) -> set[int]:
+def _reached(adjacent: Mapping[int, set[int]], without: int) -> set[int]:
     """Regions that the outside leads to past one of them."""
     found, latest = {OUTSIDE}, [OUTSIDE]
     while latest:
-        more = beside[latest.pop()] - found - {without}
+        more = adjacent[latest.pop()] - found - {without}
         found |= more
         latest += more
     return found

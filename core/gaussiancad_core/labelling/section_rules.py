@@ -45,8 +45,8 @@ def shown(
         and beside one, nothing is drawn.
     """
     openings = [cut.opening(place) for place in places]
-    apart = any(own is not openings[0] for own in openings)
-    if apart or any(own.ends_at(places[0], _BORDER) for own in cut.openings):
+    apart = any(opening is not openings[0] for opening in openings)
+    if apart or any(opening.ends_at(places[0], _BORDER) for opening in cut.openings):
         return None
     if openings[0] is None:
         return list(columns)
@@ -61,7 +61,7 @@ def behind(crossings: Column, role: Role, at: float) -> Column:
         if crossing.depth > at:
             break
         cell = crossing.after
-    kept = [own for own in crossings if (own.depth > at) is up]
+    kept = [this_crossing for this_crossing in crossings if (this_crossing.depth > at) is up]
     if cell is None:
         return tuple(kept)
     direction: Vector = lifted(normal, 0.0, 0.0, 1.0)
@@ -82,7 +82,7 @@ def area_rules(space: Space, cuts: Mapping[Role, Cut]) -> Iterator[Rule]:
             if opening is None or opening.ends_at(point, _BORDER):
                 continue
             column = behind(space.column(normal, *point), role, opening.at)
-            cells = [own for own in column if own.surface[0] == CUT]
+            cells = [crossing for crossing in column if crossing.surface[0] == CUT]
             if cells:
                 yield _area_rule(cells[0], role, point, area, cut.areas)
 

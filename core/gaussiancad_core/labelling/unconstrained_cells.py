@@ -66,15 +66,15 @@ def _neighbours(space: Space) -> Neighbours:
             found[one][other, surface] = None
         if other is not None:
             found[other][one, surface] = None
-    return {cell: tuple(own) for cell, own in found.items()}
+    return {cell: tuple(entry) for cell, entry in found.items()}
 
 
 def _odds(neighbours: Neighbours, labels: Labels) -> dict[Surface, float]:
     """Of each surface the logarithm of the odds that it is one of the part's."""
     there: Counter[Surface] = Counter()
     met: Counter[Surface] = Counter()
-    for cell, own in neighbours.items():
-        for other, surface in own:
+    for cell, this_neighbours in neighbours.items():
+        for other, surface in this_neighbours:
             if cell in labels and (other is None or other in labels):
                 met[surface] += 1
                 there[surface] += labels[cell] != (other is not None and labels[other])

@@ -139,18 +139,18 @@ class _Decoder:
         self._transitions: dict[tuple[int, int], Transition] = {}
         self._groups: dict[tuple[int, ...], Group] = {}
 
-    def groups(self, told: bytes) -> Groups:
+    def groups(self, content: bytes) -> Groups:
         """The groups of a piece."""
-        numbers = memoryview(told).cast("q").tolist()
+        numbers = memoryview(content).cast("q").tolist()
         found = []
         start = 0
         while start < len(numbers):
             pairs, lone, every = numbers[start : start + 3]
             end = start + 3 + 4 * pairs + 2 * (lone + every)
-            own = tuple(numbers[start:end])
-            group = self._groups.get(own)
+            items = tuple(numbers[start:end])
+            group = self._groups.get(items)
             if group is None:
-                group = self._groups[own] = self._group(own)
+                group = self._groups[items] = self._group(items)
             found.append(group)
             start = end
         return tuple(found)
@@ -176,20 +176,20 @@ class _Decoder:
 
 def _merged(said: Iterable[tuple[Piece, _Said]], decoded: Callable[[_Said], Groups]) -> list[Rule]:
     found: dict[tuple[_Said, Linetype | None, bool], list[Piece]] = {}
-    for piece, told in said:
+    for piece, stated in said:
         unsure = piece.linetype is not None and is_unsure(piece)
-        found.setdefault((told, piece.linetype, unsure), []).append(piece)
+        found.setdefault((stated, piece.linetype, unsure), []).append(piece)
     rules = []
-    for (told, linetype, unsure), own in found.items():
-        groups = decoded(told)
-        place = own[0].role, own[0].point, tuple(own)
+    for (given, linetype, unsure), pieces in found.items():
+        groups = decoded(given)
+        place = pieces[0].role, pieces[0].point, tuple(pieces)
         if unsure:
-            length = sum(piece.length for piece in own)
+            length = sum(piece.length for piece in pieces)
             kind = min(_MOST_KIND, _KIND * length)
             rules.append(Rule(groups, linetype, length, *place, Says.DRAWN))
             rules.append(Rule(groups, linetype, kind, *place, Says.KIND))
         else:
-            weight = sum(piece.length * piece.confidence for piece in own)
+            weight = sum(piece.length * piece.confidence for piece in pieces)
             rules.append(Rule(groups, linetype, weight, *place))
     return rules
 
@@ -216,7 +216,7 @@ def groups_beside(space: Space, piece: Piece, seen: Seen | None = None) -> tuple
     pairs = _aligned(one, other)
     if pairs is not None:
         # Nearly all columns beside a line that is not drawn are alike.
-        if piece.linetype is None and all(set(own) == set(others) for own, others in pairs):
+        if piece.linetype is None and all(set(pair) == set(others) for pair, others in pairs):
             return None
         groups = [Group((pair,), (), tuple(dict.fromkeys(pair))) for pair in pairs]
     else:

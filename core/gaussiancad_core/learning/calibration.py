@@ -50,7 +50,7 @@ def calibrated(
         sheets: that it was not trained on.
         device: where.
     """
-    found = [_margins(network, own, device) for own in sheets]
+    found = [_margins(network, sheet, device) for sheet in sheets]
     margins = np.concatenate([np.zeros(0), *found])
     if not len(margins):
         return None

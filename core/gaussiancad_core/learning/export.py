@@ -64,11 +64,11 @@ def _halved(data: bytes, metadata: Mapping[str, str]) -> bytes:
 
     model = onnx.load_model_from_string(data)
     casts = []
-    for own in model.graph.initializer:
-        values = onnx.numpy_helper.to_array(own)
+    for item in model.graph.initializer:
+        values = onnx.numpy_helper.to_array(item)
         if values.dtype == np.float32 and values.size >= _LEAST_HALVED:
-            name = own.name
-            own.CopyFrom(onnx.numpy_helper.from_array(values.astype(np.float16), f"{name}_half"))
+            name = item.name
+            item.CopyFrom(onnx.numpy_helper.from_array(values.astype(np.float16), f"{name}_half"))
             casts.append(
                 onnx.helper.make_node("Cast", [f"{name}_half"], [name], to=onnx.TensorProto.FLOAT)
             )

@@ -155,7 +155,7 @@ class Feed:
             made = self._rings.made.copy()
             if (made >= least).all():
                 return due if plan.paced else made
-            lost = next((own for own in self._processes if not own.is_alive()), None)
+            lost = next((process for process in self._processes if not process.is_alive()), None)
             if lost is not None:
                 raise EngineError(
                     "worker-lost",
@@ -192,18 +192,18 @@ def feeding(plan: FeedPlan, stream: Stream) -> Iterator[Feed]:
         context.Process(target=_work, args=(number, plan, rings, stream), daemon=True)
         for number in range(plan.workers)
     ]
-    for own in processes:
-        own.start()
+    for process in processes:
+        process.start()
     cv2.setNumThreads(threads)
     try:
         yield Feed(plan, rings, processes)
     finally:
         rings.stopped[0] = 1
-        for own in processes:
-            own.join(1.0)
-            if own.is_alive():
-                own.kill()
-                own.join()
+        for this_process in processes:
+            this_process.join(1.0)
+            if this_process.is_alive():
+                this_process.kill()
+                this_process.join()
 
 
 def _work(number: int, plan: FeedPlan, rings: _Rings, stream: Stream) -> None:
@@ -219,8 +219,8 @@ def _work(number: int, plan: FeedPlan, rings: _Rings, stream: Stream) -> None:
             time.sleep(_PAUSE)
         if rings.stopped[0]:
             return
-        own = rings.maps[:, number, made % plan.ring]
-        own[0], own[1], own[2] = sample.grey, sample.classes, sample.extra
+        values = rings.maps[:, number, made % plan.ring]
+        values[0], values[1], values[2] = sample.grey, sample.classes, sample.extra
         rings.made[number] = made + 1
 
 

@@ -83,8 +83,8 @@ def figures_of(
             px = _confusion(sheet.truth.classes, logits.argmax(axis=0))
             sums[sheet.source] += px
             sums[ALL] += px
-        names = sorted(sums, key=lambda own: (own == ALL, own))
-        found += [figure_of(own, factor, sums[own]) for own in names]
+        names = sorted(sums, key=lambda this_sum: (this_sum == ALL, this_sum))
+        found += [figure_of(name, factor, sums[name]) for name in names]
     return tuple(found)
 
 
@@ -127,6 +127,6 @@ def _confusion(classes: Bytes, best: npt.NDArray[np.int64]) -> npt.NDArray[np.in
 
 def _shares(right: npt.NDArray[np.int64], of: npt.NDArray[np.int64]) -> dict[str, float | None]:
     return {
-        kind: round(int(own) / int(all_), 4) if all_ else None
-        for kind, own, all_ in zip(KINDS, right, of, strict=True)
+        kind: round(int(item) / int(all_), 4) if all_ else None
+        for kind, item, all_ in zip(KINDS, right, of, strict=True)
     }

@@ -146,11 +146,11 @@ def read_card(path: Path) -> Card:
 
 def commit() -> str:
     """What the checkout is at, with ``+`` where it was changed since."""
-    told = []
-    for own in (["rev-parse", "--short", "HEAD"], ["status", "--porcelain", "-uno"]):
+    stated = []
+    for items in (["rev-parse", "--short", "HEAD"], ["status", "--porcelain", "-uno"]):
         try:
             run = subprocess.run(
-                ["git", *own],
+                ["git", *items],
                 cwd=Path(__file__).parent,
                 capture_output=True,
                 text=True,
@@ -158,5 +158,5 @@ def commit() -> str:
             )
         except (OSError, subprocess.CalledProcessError):
             return NOT_KNOWN
-        told.append(run.stdout.strip())
-    return told[0] + ("+" if told[1] else "")
+        stated.append(run.stdout.strip())
+    return stated[0] + ("+" if stated[1] else "")

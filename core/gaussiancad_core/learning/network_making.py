@@ -140,8 +140,8 @@ def make(order: Order, generator: Generator, tell: Tell) -> Card:
     calibration, figures = _judged(order, trained.network, generator, shown, device)
     metadata = {TEMPERATURE: str(calibration.temperature)} if calibration else {}
     card = Card(
-        parameters=sum(own.numel() for own in trained.network.parameters()),
-        classes=tuple(own.name.lower() for own in InkClass),
+        parameters=sum(parameter.numel() for parameter in trained.network.parameters()),
+        classes=tuple(ink_class.name.lower() for ink_class in InkClass),
         sha256=write_network(trained.network, order.out / NETWORK_FILE, metadata),
         data=_data(shown, trained, generator),
         training=_training(order, trained, seconds, device),
@@ -219,7 +219,7 @@ def _generated(
     found = []
     for seed in range(first, first + _CHECKED):
         found += islice(generator.compose(seed, parts, order.size, 1), 1)
-    return tuple(PublishedSheet(_GENERATED, _GENERATED, own) for own in found)
+    return tuple(PublishedSheet(_GENERATED, _GENERATED, item) for item in found)
 
 
 def _data(shown: _Shown, trained: Trained, generator: Generator) -> Data:

@@ -67,7 +67,7 @@ class Published:
 
     def counts(self) -> Counter[str]:
         """Sheets of each source."""
-        return Counter(own.source for own in self.sheets)
+        return Counter(sheet.source for sheet in self.sheets)
 
 
 def published_sheets(folder: Path) -> Published:
@@ -88,9 +88,9 @@ def published_sheets(folder: Path) -> Published:
             "{path} has no sheet with the truth: name a folder of NAME.img.png and NAME.lab.png",
             path=folder,
         )
-    told = _licences(folder / LICENCES)
-    sources = sorted({own.source for own in sheets})
-    return Published(sheets, tuple((own, told.get(own, NOT_TOLD)) for own in sources))
+    stated = _licences(folder / LICENCES)
+    sources = sorted({sheet.source for sheet in sheets})
+    return Published(sheets, tuple((source, stated.get(source, NOT_TOLD)) for source in sources))
 
 
 def published_crop(
@@ -121,8 +121,8 @@ def _window(classes: Bytes, side: int, rng: np.random.Generator) -> tuple[slice,
     rows, columns = np.nonzero(np.isin(classes[::_STEP, ::_STEP], PART))
     middle = (classes.shape[0] // 2, classes.shape[1] // 2)
     if len(rows):
-        own = rng.integers(len(rows))
-        middle = (int(rows[own]) * _STEP, int(columns[own]) * _STEP)
+        number = rng.integers(len(rows))
+        middle = (int(rows[number]) * _STEP, int(columns[number]) * _STEP)
     moved = [int(at + rng.integers(-side // 3, side // 3 + 1)) for at in middle]
     starts = [
         int(np.clip(at - side // 2, 0, max(0, whole - side)))
@@ -147,8 +147,8 @@ def _sheet(path: Path) -> PublishedSheet:
     name = path.name.removesuffix(_PICTURE)
     grey = _read(path)
     classes = _read(path.with_name(name + _CLASSES))
-    beside = path.with_name(name + _EXTRA)
-    extra = _read(beside) if beside.exists() else np.full_like(classes, UNKNOWN)
+    adjacent_path = path.with_name(name + _EXTRA)
+    extra = _read(adjacent_path) if adjacent_path.exists() else np.full_like(classes, UNKNOWN)
     if not grey.shape == classes.shape == extra.shape:
         raise UnreadableError(
             "damaged-image",
@@ -175,8 +175,8 @@ def _licences(path: Path) -> dict[str, str]:
     if not path.exists():
         return {}
     try:
-        told = json.loads(path.read_text(encoding="utf-8"))
-        return {str(source): str(licence) for source, licence in told.items()}
+        stated = json.loads(path.read_text(encoding="utf-8"))
+        return {str(source): str(licence) for source, licence in stated.items()}
     except (OSError, ValueError, AttributeError) as error:
         raise UnreadableError(
             "file-unreadable",

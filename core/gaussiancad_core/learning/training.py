@@ -219,10 +219,10 @@ class _Prepared:
 
     def next(self) -> _Pinned:
         """The next one; what went wrong with it is raised here."""
-        own = self._queue.get()
-        if isinstance(own, BaseException):
-            raise own
-        return own
+        exception = self._queue.get()
+        if isinstance(exception, BaseException):
+            raise exception
+        return exception
 
     def stop(self) -> None:
         """Prepare no more."""
@@ -231,20 +231,20 @@ class _Prepared:
 
     def _prepare(self, batches: Iterator[Batch]) -> None:
         try:
-            for own in batches:
-                maps, gain = torch.from_numpy(own.maps), torch.from_numpy(own.gain)
+            for batch in batches:
+                maps, gain = torch.from_numpy(batch.maps), torch.from_numpy(batch.gain)
                 if self._pinned:
                     maps, gain = maps.pin_memory(), gain.pin_memory()
-                if not self._put(_Pinned(maps, gain, own.made)):
+                if not self._put(_Pinned(maps, gain, batch.made)):
                     return
         except Exception as error:
             self._put(error)
 
-    def _put(self, own: _Pinned | BaseException) -> bool:
+    def _put(self, pinned: _Pinned | BaseException) -> bool:
         """Whether it was wanted."""
         while not self._stopped.is_set():
             try:
-                self._queue.put(own, timeout=0.1)
+                self._queue.put(pinned, timeout=0.1)
             except queue.Full:
                 continue
             return True

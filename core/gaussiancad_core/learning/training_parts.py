@@ -109,7 +109,7 @@ class PartView:
             tuple((ring @ matrix.T + offset).astype(np.float32) for ring in area)
             for area in self.areas
         )
-        circles = tuple(own.moved(matrix, offset) for own in self.circles)
+        circles = tuple(circle.moved(matrix, offset) for circle in self.circles)
         return replace(moved, circles=circles, areas=areas)
 
     def each(self, change: Callable[[Chain], Iterable[Chain]]) -> "PartView":
@@ -216,9 +216,9 @@ def _drawn(shape: "TopoDS_Shape", rng: np.random.Generator) -> DrawnPart:
         for role in roles[: rng.integers(1, 3)]:
             kind = tuple(SectionKind)[rng.integers(len(SectionKind))]
             cut = section_view(shape, role, openings_of(shape, role, kind), options)
-            own = _cut_view(cut, fine)
-            if own.visible and own.areas:
-                sections.append(PartSection(role, kind, own))
+            cut_view = _cut_view(cut, fine)
+            if cut_view.visible and cut_view.areas:
+                sections.append(PartSection(role, kind, cut_view))
     strokes = drawing.seen(ISOMETRIC) if rng.random() < _PICTURED else ()
     return DrawnPart(views, tuple(sections), _view(strokes, fine).visible)
 
@@ -230,14 +230,16 @@ def _with_tangents(
     from gaussiancad_core.kernel.solid_edges import edge_facts
     from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
 
-    if not any(own.smooth and not own.seam for own in edge_facts(shape)):
+    if not any(edge_fact.smooth and not edge_fact.seam for edge_fact in edge_facts(shape)):
         return dict(views)
     drawing = LineDrawing(shape, LineOptions(tangent_edges=True, chord=_CHORD))
     found = {}
     for role, view in views.items():
         sharp = [*view.visible, *view.hidden]
         smooth = [
-            own for own in _view(drawing.view(role), fine).visible if _away(own, sharp) > 4.0 * fine
+            values
+            for values in _view(drawing.view(role), fine).visible
+            if _away(values, sharp) > 4.0 * fine
         ]
         found[role] = replace(view, tangent=tuple(smooth))
     return found
@@ -275,8 +277,8 @@ def _view(strokes: Iterable[DrawnStroke], fine: float) -> PartView:
         behind = stroke.linetype is Linetype.HIDDEN
         (hidden if behind else visible).append(_chain(stroke, fine))
         if isinstance(stroke, Arc):
-            own = stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep
-            circles.append(Circle(*own, hidden=behind))
+            pair = stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep
+            circles.append(Circle(*pair, hidden=behind))
     return PartView(tuple(visible), tuple(hidden), (), tuple(circles))
 
 

@@ -90,5 +90,5 @@ def _larger(x: Tensor) -> Tensor:
 def load_weights(network: LabelsNetwork, stored: dict[str, Any]) -> None:
     """Take weights as they are stored, in half precision or full."""
     network.load_state_dict(
-        {name: own.float() if own.is_floating_point() else own for name, own in stored.items()}
+        {name: item.float() if item.is_floating_point() else item for name, item in stored.items()}
     )

@@ -13,8 +13,8 @@ def save_weights(network: LabelsNetwork, path: Path) -> None:
     """Write a network's weights, and give it what was written: what is checked and exported then
     is what a training starts from."""
     stored = {
-        name: own.half() if own.is_floating_point() else own
-        for name, own in network.state_dict().items()
+        name: item.half() if item.is_floating_point() else item
+        for name, item in network.state_dict().items()
     }
     torch.save(stored, path)
     load_weights(network, stored)

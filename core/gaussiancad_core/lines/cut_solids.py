@@ -100,16 +100,16 @@ def section_view(
     extent = float((high - low).max())
     around = shapely.box(*(spans[:2, 0] - extent), *(spans[:2, 1] + extent))
     left, areas, borders = shape, [], []
-    for own in openings:
-        region = around if own.region is None else own.region.intersection(around)
+    for opening in openings:
+        region = around if opening.region is None else opening.region.intersection(around)
         outline = np.array(region.exterior.coords)[:-1]
-        plane = own.at * frame.look_axis[1]
+        plane = opening.at * frame.look_axis[1]
         flat = _face(outline, axes, plane)
         depth = plane - spans[2, 0] + extent
         removed = BRepPrimAPI_MakePrism(flat, gp_Vec(*(-depth * axes[2]).tolist())).Shape()
         left = BRepAlgoAPI_Cut(left, removed).Shape()
         areas.append(_areas(BRepAlgoAPI_Common(shape, flat).Shape(), axes[:2], extent))
-        if own.region is not None:
+        if opening.region is not None:
             borders += _borders(outline, spans)
     strokes = [s for s in LineDrawing(left, options).view(role) if s.linetype is Linetype.VISIBLE]
     if borders:

@@ -135,12 +135,12 @@ def with_slack(
     lines = []
     for stroke in strokes:
         middle = points_at(stroke, np.array([0.438 * stroke.length]))
-        own = [
+        items = [
             slack[id(other)]
             for other in index.near(stroke, tolerance)
             if distances(middle, other)[0] <= tolerance
         ]
-        lines.append(Line(stroke, max(own, default=0.0)))
+        lines.append(Line(stroke, max(items, default=0.0)))
     return lines
 
 

@@ -73,9 +73,9 @@ def layers_of(hits: AllHits, normals: npt.NDArray[np.float64], grid: RayGrid) ->
         grid: of the rays.
     """
     axes = np.array([grid.right, -np.array(grid.up), grid.look])
-    own = (normals @ axes.T).astype(np.float32)[hits.triangle]
+    item = (normals @ axes.T).astype(np.float32)[hits.triangle]
     depth = (hits.depth / grid.pitch).astype(np.float32)
-    return Layers(hits.splits, depth, hits.entering, own, grid.width, grid.height)
+    return Layers(hits.splits, depth, hits.entering, item, grid.width, grid.height)
 
 
 def compare_rows(layers: Layers, rule: Rule) -> npt.NDArray[np.uint8]:

@@ -169,12 +169,12 @@ def decided(
         if _same_piece(first, second) and first.kind is not second.kind
     ]
     cuts = dict(zip((first for first, _ in missed), decider.changes(missed), strict=True))
-    own: list[list[_Spot]] = [[] for _ in lines]
+    this_spots: list[list[_Spot]] = [[] for _ in lines]
     for spot in seen:
-        own[spot.stroke].append(spot)
+        this_spots[spot.stroke].append(spot)
     return [
         stroke
-        for line, spots in zip(lines, own, strict=True)
+        for line, spots in zip(lines, this_spots, strict=True)
         for stroke in _parts(line.stroke, spots, cuts, precision.fragment)
     ]
 

@@ -64,7 +64,7 @@ class Cut:
 
     def opening(self, point: tuple[float, float]) -> Opening | None:
         """The opening at a place of the view; None where it is not cut."""
-        return next((own for own in self.openings if own.holds(point)), None)
+        return next((opening for opening in self.openings if opening.holds(point)), None)
 
     def mapped(self, signs: tuple[int, int], scale: float) -> "Cut":
         """The same in other coordinates: places times a scale and signs, depths times the scale."""
@@ -78,7 +78,8 @@ class Cut:
             return affinity.scale(geometry, *factors, origin=(0.0, 0.0))
 
         openings = tuple(
-            replace(own, at=own.at * scale, region=of(own.region)) for own in self.openings
+            replace(opening, at=opening.at * scale, region=of(opening.region))
+            for opening in self.openings
         )
         return replace(self, openings=openings, areas=of(self.areas))
 

@@ -28,4 +28,4 @@ class Unseen:
         """
         if self.thickness is not None:
             return self.thickness / mm_per_pixel
-        return next(own for axis, own in shown.items() if axis is not self.about)
+        return next(value for axis, value in shown.items() if axis is not self.about)

@@ -140,9 +140,9 @@ def draw_overlay(
     letters = max(12, round(max(picture.shape) / 90))
     legend = list(_LEGEND)
     for label, (colour, kinds) in _MARKS.items():
-        own = [mark for mark in marks if mark.kind in kinds]
-        _draw_marks(picture, own, scale, colour)
-        legend += [(colour, label)] if own else []
+        this_marks = [mark for mark in marks if mark.kind in kinds]
+        _draw_marks(picture, this_marks, scale, colour)
+        legend += [(colour, label)] if this_marks else []
     _draw_special(picture, special, scale, letters)
     legend += [(_SPECIAL, "other drawings")] if special else []
     legend += _draw_conflict(picture, views, scale, width)

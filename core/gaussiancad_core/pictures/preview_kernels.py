@@ -18,14 +18,14 @@ def interpolated(triangle, weights, corners):  # noqa: ANN001, ANN201
     found = np.zeros((height, width, count), dtype=np.float32)
     for y in range(height):
         for x in range(width):
-            own = triangle[y, x]
-            if own < 0:
+            item = triangle[y, x]
+            if item < 0:
                 continue
             for k in range(count):
                 found[y, x, k] = (
-                    weights[y, x, 0] * corners[own, 0, k]
-                    + weights[y, x, 1] * corners[own, 1, k]
-                    + weights[y, x, 2] * corners[own, 2, k]
+                    weights[y, x, 0] * corners[item, 0, k]
+                    + weights[y, x, 1] * corners[item, 1, k]
+                    + weights[y, x, 2] * corners[item, 2, k]
                 )
     return found
 
@@ -119,8 +119,8 @@ def shaded(triangle, normals, colours, edges, lighting):  # noqa: ANN001, ANN201
                     image[y, x, k] = 0.55 * base[k] + 80.0 if dark else 0.28 * base[k]
                 continue
             # Half-Lambert: faces that look away from the light keep their form.
-            own = normals[y, x]
-            facing = (1.0 + own[0] * light[0] + own[1] * light[1] + own[2] * light[2]) / 2.0
+            item = normals[y, x]
+            facing = (1.0 + item[0] * light[0] + item[1] * light[1] + item[2] * light[2]) / 2.0
             shade = 1.02 - contrast * (1.0 - facing**1.3)
             for k in range(3):
                 image[y, x, k] = base[k] * shade

@@ -117,11 +117,11 @@ class Progress:
 def open_event_stream() -> JsonLines:
     """Take stdout for events; everything else that is printed goes to stderr from now on."""
     sys.stdout.flush()
-    own = os.dup(1)
+    dup = os.dup(1)
     os.dup2(2, 1)
     sys.stdout = sys.stderr
     # What is no text in a name becomes an escape that JSON readers turn back.
-    lines = os.fdopen(own, "w", encoding="utf-8", errors="backslashreplace", newline="\n")
+    lines = os.fdopen(dup, "w", encoding="utf-8", errors="backslashreplace", newline="\n")
     return JsonLines(lines)
 
 

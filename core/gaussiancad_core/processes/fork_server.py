@@ -38,11 +38,11 @@ def main(channel: socket.socket, modules: list[str]) -> None:
         import_module(name)
     if _threads() != 1:
         return
-    wake, told = os.pipe()
+    wake, stated = os.pipe()
     os.set_blocking(wake, False)
-    os.set_blocking(told, False)
+    os.set_blocking(stated, False)
     signal.signal(signal.SIGCHLD, _nothing)
-    signal.set_wakeup_fd(told, warn_on_full_buffer=False)
+    signal.set_wakeup_fd(stated, warn_on_full_buffer=False)
     # Ctrl-C is the client's: it ends its processes one by one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     _tell(channel, {"ready": True})
@@ -94,9 +94,9 @@ def _request(channel: socket.socket) -> tuple[dict[str, Any], list[int]] | None:
         text += part
         for level, kind, data in ancillary:
             if (level, kind) == (socket.SOL_SOCKET, socket.SCM_RIGHTS):
-                own = array.array("i")
-                own.frombytes(data[: len(data) - len(data) % own.itemsize])
-                files += own
+                this_array = array.array("i")
+                this_array.frombytes(data[: len(data) - len(data) % this_array.itemsize])
+                files += this_array
     return json.loads(text), files
 
 

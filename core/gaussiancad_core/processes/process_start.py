@@ -169,14 +169,14 @@ class ForkServer:
             return
         *lines, self._text = (self._text + part).split(b"\n")
         for line in lines:
-            told = json.loads(line)
-            self._ready |= "ready" in told
-            process = self._known.get(told.get("number", 0))
+            stated = json.loads(line)
+            self._ready |= "ready" in stated
+            process = self._known.get(stated.get("number", 0))
             if process is not None:
-                process.pid = told.get("pid", process.pid)
-                if "code" in told:
-                    process.returncode = told["code"]
-                    del self._known[told["number"]]
+                process.pid = stated.get("pid", process.pid)
+                if "code" in stated:
+                    process.returncode = stated["code"]
+                    del self._known[stated["number"]]
 
     def close(self) -> None:
         """End the server, and with it all of its processes that still run."""

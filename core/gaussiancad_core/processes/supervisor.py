@@ -225,10 +225,10 @@ class Supervisor(Generic[Task]):
                 if self._starter is None:
                     self._starter = starter(self._modules)
                 self._running[number] = task[0], _Child(self._starter, task[1], self._limits)
-            for key, (own, child) in list(self._running.items()):
+            for key, (item, child) in list(self._running.items()):
                 if (ended := child.look()) is not None:
                     del self._running[key]
-                    yield own, ended
+                    yield item, ended
             if self._running:
                 time.sleep(_LOOKS_EVERY)
 

@@ -72,16 +72,16 @@ def watch(arguments: Sequence[str]) -> Watched:
         # The room is taken now: later there may be none.
         note.write(b" " * _LONGEST_NAME)
         note.flush()
-        own = note.fileno()
+        fileno = note.fileno()
         # The child hears none of them before it can tell how far it came: it lets them in itself.
         before = signal.pthread_sigmask(signal.SIG_BLOCK, ending_signals())
         try:
-            child = subprocess.Popen([*python, str(own), *arguments], pass_fds=(own,))
+            child = subprocess.Popen([*python, str(fileno), *arguments], pass_fds=(fileno,))
             handlers = _handing_on(child)
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
         code = _ended(child, handlers)
-        return Watched(code, os.pread(own, _LONGEST_NAME, 0).decode("utf-8", "replace").strip())
+        return Watched(code, os.pread(fileno, _LONGEST_NAME, 0).decode("utf-8", "replace").strip())
 
 
 _Handlers = dict[signal.Signals, Any]

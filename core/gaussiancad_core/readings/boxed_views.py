@@ -34,36 +34,36 @@ def with_read_views(reading: SheetReading, reread: Reread, turn: Turn) -> SheetR
     Raises:
         UsageError, NoModelError: a box holds nothing to read.
     """
-    drawn = {own.view for own in reading.strokes if own.kind in DRAWN}
+    drawn = {stroke.view for stroke in reading.strokes if stroke.kind in DRAWN}
     empty = [
         (_ROLES[view.role.value], view)
         for view in reading.views
         if view.role.value in _ROLES and view.id not in drawn
     ]
-    known = {own.view for own in reading.strokes}
+    known = {stroke.view for stroke in reading.strokes}
     empty = [(role, view) for role, view in empty if view.id not in known]
     if not empty:
         return reading
     boxes = tuple((role, view.box) for role, view in empty)
-    found = {own.role: own for own in reread(boxes)}
+    found = {read_view.role: read_view for read_view in reread(boxes)}
     strokes = [*reading.strokes]
-    views = {own.id: own for own in reading.views}
+    views = {view_entry.id: view_entry for view_entry in reading.views}
     for role, view in empty:
-        own = found[role]
-        strokes += _entries(view, own, turn)
+        this_view = found[role]
+        strokes += _entries(view, this_view, turn)
         views[view.id] = changed(
             view,
-            source=own.source.value,
-            dash=own.dash,
-            step=own.step,
-            hatch=tuple(stored_ring(ring, turn) for ring in own.hatched),
-            opened=stored_ring(own.opened, turn),
+            source=this_view.source.value,
+            dash=this_view.dash,
+            step=this_view.step,
+            hatch=tuple(stored_ring(ring, turn) for ring in this_view.hatched),
+            opened=stored_ring(this_view.opened, turn),
         )
     return changed(reading, strokes=tuple(strokes), views=tuple(views.values()))
 
 
-def _entries(view: ViewEntry, own: ReadView, turn: Turn) -> list[StrokeEntry]:
+def _entries(view: ViewEntry, read_view: ReadView, turn: Turn) -> list[StrokeEntry]:
     return [
-        read_entry(f"{view.id}:{number}", view.id, stroke, turn, told)
-        for number, (stroke, told) in enumerate(view_certainty(own), start=1)
+        read_entry(f"{view.id}:{number}", view.id, stroke, turn, stated)
+        for number, (stroke, stated) in enumerate(view_certainty(read_view), start=1)
     ]

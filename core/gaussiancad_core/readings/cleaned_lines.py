@@ -137,7 +137,7 @@ def lines_svg(reading: SheetReading) -> bytes:
                 "stroke-width": f"{thick:g}",
             }
             if look.dashes:
-                line["stroke-dasharray"] = " ".join(f"{own * thick:g}" for own in look.dashes)
+                line["stroke-dasharray"] = " ".join(f"{dash * thick:g}" for dash in look.dashes)
             ElementTree.SubElement(group, "path", line)
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
@@ -180,15 +180,25 @@ def _size(reading: SheetReading) -> tuple[float, float]:
         width, height = reading.sheet.size
         return float(width), float(height)
     far = [view.box[2:] for view in reading.views] or [(1.0, 1.0)]
-    return max(own[0] for own in far), max(own[1] for own in far)
+    return max(pair[0] for pair in far), max(pair[1] for pair in far)
 
 
 def _views(reading: SheetReading) -> Iterator[_View]:
     names: set[str] = set()
-    shaped = [own for own in reading.strokes if own.kind in _LOOKS and len(points_of(own))]
-    owned = {view.id for view in reading.views if any(own.view == view.id for own in shaped)}
+    shaped = [
+        stroke for stroke in reading.strokes if stroke.kind in _LOOKS and len(points_of(stroke))
+    ]
+    owned = {
+        view.id
+        for view in reading.views
+        if any(stroke_entry.view == view.id for stroke_entry in shaped)
+    }
     for view in reading.views:
-        strokes = tuple(own for own in shaped if view.id in owned and _is_of(own, view))
+        strokes = tuple(
+            stroke_entry
+            for stroke_entry in shaped
+            if view.id in owned and _is_of(stroke_entry, view)
+        )
         if strokes:
             name = _name(view, names)
             names.add(name)
@@ -223,7 +233,7 @@ def _draw(
 
     look = {"layer": _LOOKS[stroke.kind].layer}
     if stroke.line is not None:
-        block.add_line(*(place(*own) for own in stroke.line), dxfattribs=look)
+        block.add_line(*(place(*pair) for pair in stroke.line), dxfattribs=look)
     elif stroke.arc is not None:
         x, y, radius, start, sweep = stroke.arc
         radius = round(unit * radius, _DECIMALS)

@@ -26,7 +26,7 @@ _SAME_PX = 2.0
 def with_section(reading: SheetReading, operation: SectionOperation) -> SheetReading | None:
     """The reading with the cutting line of a section; None where one of the views is missing, or
     the line's view does not show where the section cuts."""
-    views = {own.id: own for own in reading.views}
+    views = {view.id: view for view in reading.views}
     section, cut_in = views.get(operation.id), views.get(operation.in_view)
     if section is None or cut_in is None:
         return None
@@ -37,9 +37,16 @@ def with_section(reading: SheetReading, operation: SectionOperation) -> SheetRea
         return None
     if operation.looks is not None:
         views[section.id] = changed(section, looks=operation.looks)
-    known = next((own for own in reading.sections if _meet(own.box, section.box)), None)
+    known = next(
+        (
+            section_entry
+            for section_entry in reading.sections
+            if _meet(section_entry.box, section.box)
+        ),
+        None,
+    )
     line = operation.line
-    own = SectionEntry(
+    this_section_entry = SectionEntry(
         label=known.label if known is not None else "",
         box=section.box,
         in_view=cut_in.role,
@@ -50,7 +57,7 @@ def with_section(reading: SheetReading, operation: SectionOperation) -> SheetRea
         looks=looks,
     )
     rest = tuple(each for each in reading.sections if each is not known)
-    return changed(reading, views=tuple(views.values()), sections=(*rest, own))
+    return changed(reading, views=tuple(views.values()), sections=(*rest, this_section_entry))
 
 
 def with_note(reading: SheetReading, operation: NoteOperation) -> SheetReading | None:
@@ -59,8 +66,8 @@ def with_note(reading: SheetReading, operation: NoteOperation) -> SheetReading |
     if operation.through == (operation.depth_mm is not None):
         return None
     x, y, radius = operation.circle
-    box = tuple(max(-LARGEST, min(LARGEST, own)) for own in _around(x, y, radius))
-    own = NoteEntry(
+    box = tuple(max(-LARGEST, min(LARGEST, value)) for value in _around(x, y, radius))
+    note_entry = NoteEntry(
         text="THRU" if operation.through else f"depth {operation.depth_mm:g}",
         kind=NoteKind.DIAMETER,
         box=box,
@@ -69,7 +76,7 @@ def with_note(reading: SheetReading, operation: NoteOperation) -> SheetReading |
         circle=operation.circle,
     )
     rest = (each for each in reading.notes if not _is_of(each, operation.circle))
-    return changed(reading, notes=(*rest, own))
+    return changed(reading, notes=(*rest, note_entry))
 
 
 def _around(x: float, y: float, radius: float) -> Box:

@@ -34,9 +34,9 @@ class ToldLength:
         return any(
             all(
                 hypot(a[0] - b[0], a[1] - b[1]) <= CLICK_PX
-                for a, b in zip(self.points, own, strict=True)
+                for a, b in zip(self.points, pair, strict=True)
             )
-            for own in (other.points, other.points[::-1])
+            for pair in (other.points, other.points[::-1])
         )
 
     def agrees(self, other: "ToldLength") -> bool:
@@ -58,15 +58,15 @@ def contradicting_lengths(
         operations: a person's.
     """
     before = scale.points is not None and scale.length_mm is not None
-    told = [ToldLength(scale.points, scale.length_mm)] if before else []
-    for own in operations:
-        if not isinstance(own, ScaleOperation):
+    lengths = [ToldLength(scale.points, scale.length_mm)] if before else []
+    for operation in operations:
+        if not isinstance(operation, ScaleOperation):
             continue
-        if own.points is None or own.length_mm is None:
-            told = []
+        if operation.points is None or operation.length_mm is None:
+            lengths = []
             continue
-        new = ToldLength(own.points, own.length_mm)
+        new = ToldLength(operation.points, operation.length_mm)
         if new.apart > CLICK_PX:
-            told = [*(one for one in told if not one.is_of(new)), new]
-    *earlier, last = told or [None]
+            lengths = [*(one for one in lengths if not one.is_of(new)), new]
+    *earlier, last = lengths or [None]
     return next(((one, last) for one in earlier if not one.agrees(last)), None)

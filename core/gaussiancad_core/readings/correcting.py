@@ -83,7 +83,7 @@ class Ink:
         trace: finds the stroke at a place.
     """
 
-    fill: Callable[[SheetReading], SheetReading] = lambda own: own
+    fill: Callable[[SheetReading], SheetReading] = lambda reading: reading
     trace: Trace = lambda _at, _box: None
 
 
@@ -102,20 +102,22 @@ def corrected(
         if isinstance(operation, _OF_STROKES):
             found = replace(found, reading=ink.fill(found.reading))
         if isinstance(operation, TraceOperation):
-            own = _traced(found.reading, operation, ink.trace)
+            traced = _traced(found.reading, operation, ink.trace)
         elif isinstance(operation, ProjectionOperation):
-            own = _with_projection(found.reading, operation, _named(operations[: number - 1]))
+            traced = _with_projection(found.reading, operation, _named(operations[: number - 1]))
         else:
-            own = _APPLIED[type(operation)](found.reading, operation)
-        if own is None:
+            traced = _APPLIED[type(operation)](found.reading, operation)
+        if traced is None:
             found = replace(found, unmatched=(*found.unmatched, number))
         else:
-            found = replace(found, reading=changed(own, corrected=1 + found.reading.corrected))
+            found = replace(found, reading=changed(traced, corrected=1 + found.reading.corrected))
     return found
 
 
 def _traced(reading: SheetReading, operation: TraceOperation, trace: Trace) -> SheetReading | None:
-    view = next((own for own in reading.views if own.id == operation.view), None)
+    view = next(
+        (view_entry for view_entry in reading.views if view_entry.id == operation.view), None
+    )
     shape = trace(operation.at, view.box) if view is not None else None
     if shape is None:
         return None
@@ -123,11 +125,13 @@ def _traced(reading: SheetReading, operation: TraceOperation, trace: Trace) -> S
 
 
 def _with_view(reading: SheetReading, operation: ViewOperation) -> SheetReading | None:
-    known = next((own for own in reading.views if own.id == operation.id), None)
+    known = next(
+        (view_entry for view_entry in reading.views if view_entry.id == operation.id), None
+    )
     if known is None and operation.box is None:
         return None
     box = operation.box or known.box
-    views = [own for own in reading.views if own.id != operation.id]
+    views = [view_entry for view_entry in reading.views if view_entry.id != operation.id]
     source = known.source if known and known.source and operation.box is None else ""
     view = ViewEntry(
         id=operation.id,
@@ -140,32 +144,36 @@ def _with_view(reading: SheetReading, operation: ViewOperation) -> SheetReading 
     if operation.box is None:
         return changed(reading, views=(*views, view))
     # A group of lines in the box, or one that the box was cut out of, is no longer left out.
-    views = [own for own in views if own.kind != LINES or own.used or not _nested(box, own.box)]
-    strokes = tuple(_in_view(own, view.id, box) for own in reading.strokes)
+    views = [
+        view_entry
+        for view_entry in views
+        if view_entry.kind != LINES or view_entry.used or not _nested(box, view_entry.box)
+    ]
+    strokes = tuple(_in_view(stroke, view.id, box) for stroke in reading.strokes)
     return changed(reading, views=(*views, view), strokes=strokes)
 
 
 def _in_view(stroke: StrokeEntry, view: str, box: Box) -> StrokeEntry:
-    own = box_of(stroke)
-    inside = own is not None and _holds(box, own)
+    this_box = box_of(stroke)
+    inside = this_box is not None and _holds(box, this_box)
     if inside and (stroke.kind in DRAWN or stroke.view is not None):
         return changed(stroke, view=view)
     return changed(stroke, view=None) if stroke.view == view else stroke
 
 
-def _nested(box: Box, own: Box) -> bool:
+def _nested(box: Box, pair: Box) -> bool:
     """Whether one of two boxes holds the other."""
-    return _holds(box, own) or _holds(own, box)
+    return _holds(box, pair) or _holds(pair, box)
 
 
-def _holds(box: Box, own: Box) -> bool:
-    low = all(a - _MARGIN_PX <= b for a, b in zip(box[:2], own[:2], strict=True))
-    return low and all(b <= a + _MARGIN_PX for a, b in zip(box[2:], own[2:], strict=True))
+def _holds(box: Box, pair: Box) -> bool:
+    low = all(a - _MARGIN_PX <= b for a, b in zip(box[:2], pair[:2], strict=True))
+    return low and all(b <= a + _MARGIN_PX for a, b in zip(box[2:], pair[2:], strict=True))
 
 
 def _found(reading: SheetReading, target: Target) -> StrokeEntry | None:
     """The stroke that a person pointed at: by its id where it still runs there, else by place."""
-    named = next((own for own in reading.strokes if own.id == target.id), None)
+    named = next((stroke for stroke in reading.strokes if stroke.id == target.id), None)
     if all(shape is None for shape in (target.line, target.arc, target.ellipse)):
         return named
     if named is not None and matching(target, [named]) is not None:
@@ -180,22 +188,24 @@ def _with_kind(reading: SheetReading, operation: KindOperation) -> SheetReading 
     view = target.view
     if view is None and operation.to in DRAWN:
         view = _around(reading, target)
-    own = changed(target, kind=operation.to, view=view, confidence=1.0, source=GIVEN, why=None)
-    return _with_stroke(reading, target, own)
+    stroke_entry = changed(
+        target, kind=operation.to, view=view, confidence=1.0, source=GIVEN, why=None
+    )
+    return _with_stroke(reading, target, stroke_entry)
 
 
 def _around(reading: SheetReading, stroke: StrokeEntry) -> str | None:
     """The view in whose box a stroke lies."""
-    own = box_of(stroke)
-    if own is None:
+    box = box_of(stroke)
+    if box is None:
         return None
-    return next((view.id for view in reading.views if view.used and _holds(view.box, own)), None)
+    return next((view.id for view in reading.views if view.used and _holds(view.box, box)), None)
 
 
 def _with_stroke(
-    reading: SheetReading, target: StrokeEntry, own: StrokeEntry | None
+    reading: SheetReading, target: StrokeEntry, stroke_entry: StrokeEntry | None
 ) -> SheetReading:
-    kept = (stroke if stroke is not target else own for stroke in reading.strokes)
+    kept = (stroke if stroke is not target else stroke_entry for stroke in reading.strokes)
     return changed(reading, strokes=tuple(stroke for stroke in kept if stroke is not None))
 
 
@@ -205,10 +215,12 @@ def _erased(reading: SheetReading, operation: EraseOperation) -> SheetReading | 
 
 
 def _drawn(reading: SheetReading, operation: DrawOperation) -> SheetReading | None:
-    if all(own.id != operation.view for own in reading.views):
+    if all(view.id != operation.view for view in reading.views):
         return None
-    number = 1 + max((int(own.id[1:]) for own in reading.strokes if _PERSONAL(own.id)), default=0)
-    own = StrokeEntry(
+    number = 1 + max(
+        (int(stroke.id[1:]) for stroke in reading.strokes if _PERSONAL(stroke.id)), default=0
+    )
+    stroke_entry = StrokeEntry(
         id=f"p{number}",
         view=operation.view,
         kind=operation.kind,
@@ -217,25 +229,29 @@ def _drawn(reading: SheetReading, operation: DrawOperation) -> SheetReading | No
         ellipse=operation.ellipse,
         source=GIVEN,
     )
-    if box_of(own) is None:
+    if box_of(stroke_entry) is None:
         return None
     # Drawn again over what was drawn before, it is no second line.
     twice = any(
-        stroke.view == own.view and stroke.kind is own.kind and are_one(own, stroke)
+        stroke.view == stroke_entry.view
+        and stroke.kind is stroke_entry.kind
+        and are_one(stroke_entry, stroke)
         for stroke in reading.strokes
         if stroke.source == GIVEN
     )
-    return reading if twice else changed(reading, strokes=(*reading.strokes, own))
+    return reading if twice else changed(reading, strokes=(*reading.strokes, stroke_entry))
 
 
 def _with_dimension(reading: SheetReading, operation: DimensionOperation) -> SheetReading | None:
-    known = next((own for own in reading.dimensions if own.id == operation.id), None)
+    known = next(
+        (dimension for dimension in reading.dimensions if dimension.id == operation.id), None
+    )
     if known is None:
         return None
-    own = _told(known, operation)
+    dimension_entry = _told(known, operation)
     return changed(
         reading,
-        dimensions=tuple(own if each is known else each for each in reading.dimensions),
+        dimensions=tuple(dimension_entry if each is known else each for each in reading.dimensions),
     )
 
 
@@ -254,8 +270,8 @@ def _told(known: DimensionEntry, operation: DimensionOperation) -> DimensionEntr
 
 
 def _with_scale(reading: SheetReading, operation: ScaleOperation) -> SheetReading | None:
-    own = _told_scale(reading, operation)
-    return None if own is None else changed(reading, scale=own)
+    scale = _told_scale(reading, operation)
+    return None if scale is None else changed(reading, scale=scale)
 
 
 def _told_scale(reading: SheetReading, operation: ScaleOperation) -> ReadScale | None:
@@ -294,7 +310,7 @@ def _between_points(operation: ScaleOperation) -> float | None:
 def is_unseen(reading: SheetReading, axis: str) -> bool:
     """Whether the reading has one view, which looks along an axis."""
     known = {role.value: role for role in Role}
-    roles = [known[own.role.value] for own in reading.views if own.role.value in known]
+    roles = [known[view.role.value] for view in reading.views if view.role.value in known]
     return len(roles) == 1 and roles[0].frame.look_axis[0].name.lower() == axis
 
 
@@ -309,22 +325,22 @@ def _with_unit(reading: SheetReading, operation: UnitOperation) -> SheetReading:
         reading,
         unit=ReadUnit(value=operation.value, source=GIVEN),
         scale=scale,
-        dimensions=tuple(_times(own, factor) for own in reading.dimensions),
+        dimensions=tuple(_times(dimension, factor) for dimension in reading.dimensions),
     )
 
 
-def _times(own: DimensionEntry, factor: float) -> DimensionEntry:
+def _times(dimension_entry: DimensionEntry, factor: float) -> DimensionEntry:
     lengths = {
         name: factor * value
         for name in ("value_mm", "mm_per_px", "told_mm", "digit_mm")
-        if (value := getattr(own, name)) is not None
+        if (value := getattr(dimension_entry, name)) is not None
     }
-    return changed(own, **lengths)
+    return changed(dimension_entry, **lengths)
 
 
 def _named(operations: Sequence[Operation]) -> set[str]:
     """Views of which a person said what they show."""
-    return {own.id for own in operations if isinstance(own, ViewOperation)}
+    return {operation.id for operation in operations if isinstance(operation, ViewOperation)}
 
 
 def _with_projection(
@@ -332,36 +348,37 @@ def _with_projection(
 ) -> SheetReading:
     """The same views under a projection: those beside the front are named anew, but for those that
     a person named."""
-    own = ReadProjection(value=operation.value, source=GIVEN)
+    projection = ReadProjection(value=operation.value, source=GIVEN)
     if reading.projection.value == operation.value:
-        return changed(reading, projection=own)
+        return changed(reading, projection=projection)
     views = tuple(
         view
         if view.id in named or view.source == GIVEN
         else changed(view, role=_opposite(view.role))
         for view in reading.views
     )
-    return changed(reading, projection=own, views=views)
+    return changed(reading, projection=projection, views=views)
 
 
 def _opposite(role: ViewRole) -> ViewRole:
-    principal = role.value in {own.value for own in Role}
+    principal = role.value in {this_role.value for this_role in Role}
     return ViewRole(opposite(Role(role.value)).value) if principal else role
 
 
 def _with_region(reading: SheetReading, operation: RegionOperation) -> SheetReading:
     polygon = np.array(operation.polygon, np.float32).reshape(-1, 1, 2)
-    told = {"kind": operation.kind, "confidence": 1.0, "source": GIVEN, "why": None}
+    stated = {"kind": operation.kind, "confidence": 1.0, "source": GIVEN, "why": None}
     return changed(
         reading,
         strokes=tuple(
-            changed(own, **told) if _is_within(polygon, own) else own for own in reading.strokes
+            changed(stroke, **stated) if _is_within(polygon, stroke) else stroke
+            for stroke in reading.strokes
         ),
     )
 
 
-def _is_within(polygon: np.ndarray, own: StrokeEntry) -> bool:
-    points = points_of(own)
+def _is_within(polygon: np.ndarray, stroke_entry: StrokeEntry) -> bool:
+    points = points_of(stroke_entry)
     return len(points) > 0 and all(
         cv2.pointPolygonTest(polygon, (float(x), float(y)), False) >= 0 for x, y in points
     )

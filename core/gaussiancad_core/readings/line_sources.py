@@ -39,17 +39,17 @@ def given_reading(
         _tell(Corrected(reading), notes)
         return reading
     path = job.corrections
-    told = open_corrections(path)
-    if told.sheet_sha256 != sheet_sha256:
+    corrections = open_corrections(path)
+    if corrections.sheet_sha256 != sheet_sha256:
         raise UsageError(
             "corrections-of-another-sheet",
             "{path} corrects another sheet, or another version of it: remove it, or correct the "
             "sheet again",
             path=path,
         )
-    found = corrected(reading, told.ops, ink)
+    found = corrected(reading, corrections.ops, ink)
     _tell(found, notes)
-    _tell_lengths(contradicting_lengths(reading.scale, told.ops), notes)
+    _tell_lengths(contradicting_lengths(reading.scale, corrections.ops), notes)
     return found.reading
 
 

@@ -37,7 +37,10 @@ def _file_strokes(sheet: OpenedSheet) -> tuple[Stroke, ...]:
     if found is None:
         return ()
     strokes = [
-        *(stroke_along(own.curve) for own in with_whole_edges(found.of(Label.VISIBLE))),
-        *(stroke_along(own.curve, Linetype.HIDDEN) for own in found.of(Label.HIDDEN)),
+        *(
+            stroke_along(with_whole_edge.curve)
+            for with_whole_edge in with_whole_edges(found.of(Label.VISIBLE))
+        ),
+        *(stroke_along(stroke.curve, Linetype.HIDDEN) for stroke in found.of(Label.HIDDEN)),
     ]
     return tuple(stroke for stroke in strokes if stroke is not None)

@@ -49,7 +49,7 @@ def tracer(sheet: OpenedSheet) -> Callable[[Point, Box], Mapping[str, Any] | Non
 
 
 def _nearest(strokes: Sequence[Stroke], at: Point, reach: float) -> Stroke | None:
-    away = [np.hypot(*(own.sample(_STEP_PX) - at).T).min() for own in strokes]
+    away = [np.hypot(*(stroke.sample(_STEP_PX) - at).T).min() for stroke in strokes]
     if not away or min(away) > reach:
         return None
     return strokes[int(np.argmin(away))]
@@ -74,9 +74,9 @@ def _of_file(sheet: OpenedSheet, box: Box) -> list[Stroke]:
         return []
     x0, y0, x1, y1 = turn.box_to_upright(box)
     found = []
-    for own in vectors.strokes:
-        points = own.curve.sample(_STEP_PX)
+    for vector_stroke in vectors.strokes:
+        points = vector_stroke.curve.sample(_STEP_PX)
         inside = (points >= (x0, y0)) & (points <= (x1, y1))
-        if inside.all(1).any() and (stroke := stroke_along(own.curve)) is not None:
+        if inside.all(1).any() and (stroke := stroke_along(vector_stroke.curve)) is not None:
             found.append(stroke)
     return found

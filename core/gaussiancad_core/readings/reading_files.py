@@ -57,18 +57,18 @@ def open_corrections(path: Path) -> Corrections:
             form; the message names the place.
         LimitError: ``too-many-elements``: it has more corrections than are taken.
     """
-    told = open_typed(path, Corrections, "corrections-not-read")
-    if len(told.ops) > _MOST_OPERATIONS:
+    corrections = open_typed(path, Corrections, "corrections-not-read")
+    if len(corrections.ops) > _MOST_OPERATIONS:
         raise LimitError(
             "too-many-elements",
             "{path} has {count:,} corrections, at most {most:,} are taken: remove those that no "
             "longer matter",
             case="corrections",
             path=path,
-            count=len(told.ops),
+            count=len(corrections.ops),
             most=_MOST_OPERATIONS,
         )
-    return told
+    return corrections
 
 
 def open_typed(path: Path, kind: type[Kind], code: str) -> Kind:

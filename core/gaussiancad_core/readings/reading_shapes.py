@@ -27,7 +27,7 @@ def shape_of(stroke: Stroke, turn: Turn) -> Mapping[str, Any]:
     if isinstance(stroke, Arc):
         radius = _size(stroke.radius * turn.scale)
         return {"arc": (*centre, radius, _angle(stroke.start_angle + turned), _sweep(stroke.sweep))}
-    axes = (_size(own * turn.scale) for own in (stroke.semi_major, stroke.semi_minor))
+    axes = (_size(value * turn.scale) for value in (stroke.semi_major, stroke.semi_minor))
     angles = _angle(stroke.rotation + turned), _angle(stroke.start), _sweep(stroke.sweep)
     return {"ellipse": (*centre, *axes, *angles)}
 

@@ -131,21 +131,21 @@ def taken_lines(
     with notes.stage("lines"):
         drawn = _drawn(reading, clean, reread)
         scale = _scale(reading, turn)
-        told = in_worked_px(_told_axis(job, reading).reading, turn)
-        options = tell_scale(told, scale, drawn, notes)
+        reading_options = in_worked_px(_told_axis(job, reading).reading, turn)
+        options = tell_scale(reading_options, scale, drawn, notes)
         notes.tell(dimensions=scale.dimensions)
         for problem in reading.problems:
             if problem.code in _CARRIED:
                 tell = notes.doubt if problem.severity == "doubt" else notes.warn
                 tell(problem.code, filled(problem.message, problem.args))
-        found = tuple(_note(own, turn) for own in reading.notes)
+        found = tuple(_note(note, turn) for note in reading.notes)
         tell_notes(notes, found, turn)
-        sections = tuple(_section(own, turn) for own in reading.sections)
-        beside = _beside(reading, clean)
+        sections = tuple(_section(section, turn) for section in reading.sections)
+        views = _beside(reading, clean)
         labels = entry_labels(reading.strokes, turn, clean.stroke_width)
         _tell_labels(notes, reading, labels, layout, turn)
-    told = marks, scale, options, found, sections
-    return SheetLines(layout, drawn, *told, beside=beside, labels=labels)
+    reading_options = marks, scale, options, found, sections
+    return SheetLines(layout, drawn, *reading_options, adjacent_sections=views, labels=labels)
 
 
 def _check_places(reading: SheetReading, size: tuple[int, int]) -> None:
@@ -168,7 +168,7 @@ def _tell_labels(
 ) -> None:
     """Say which lines may be edges or annotation: as the reading does, or, where a person
     corrected it, those that are still in doubt."""
-    read = next((own for own in reading.problems if own.code == DOUBTFUL), None)
+    read = next((problem for problem in reading.problems if problem.code == DOUBTFUL), None)
     if read is not None and not reading.corrected:
         notes.doubt(DOUBTFUL, filled(read.message, read.args, read.at))
     else:
@@ -178,14 +178,19 @@ def _tell_labels(
 def _told_axis(job: Job, reading: SheetReading) -> Job:
     """The job with the length that the reading was told, unless the user tells another scale;
     one that no view shows tells none, and is taken beside it."""
-    own, scale = job.reading, reading.scale
+    reading_options, scale = job.reading, reading.scale
     if scale.axis is None or scale.length_mm is None:
         return job
     axis = Axis[scale.axis.upper()]
-    is_told = own.lengths or own.mm_per_pixel
-    if own.length_along(axis) or (is_told and not is_unseen(reading, scale.axis)):
+    is_told = reading_options.lengths or reading_options.mm_per_pixel
+    if reading_options.length_along(axis) or (is_told and not is_unseen(reading, scale.axis)):
         return job
-    return replace(job, reading=replace(own, lengths=(*own.lengths, (axis, scale.length_mm))))
+    return replace(
+        job,
+        reading=replace(
+            reading_options, lengths=(*reading_options.lengths, (axis, scale.length_mm))
+        ),
+    )
 
 
 def _principal(reading: SheetReading) -> dict[Role, ViewEntry]:
@@ -208,14 +213,22 @@ def _principal(reading: SheetReading) -> dict[Role, ViewEntry]:
 
 
 def _layout(job: Job, reading: SheetReading, turn: Turn) -> Layout:
-    told = reading.projection
+    read_projection = reading.projection
     asked = job.reading.projection
-    projection = asked or Projection(told.value)
-    alternatives = () if asked else tuple(Projection(own) for own in told.alternatives)
+    projection = asked or Projection(read_projection.value)
+    alternatives = (
+        ()
+        if asked
+        else tuple(Projection(alternative) for alternative in read_projection.alternatives)
+    )
     return Layout(
         boxes={role: turn.box_to_upright(view.box) for role, view in _principal(reading).items()},
         projection=projection,
-        source="given" if asked else "inferred" if told.source == "symbol" else told.source,
+        source="given"
+        if asked
+        else "inferred"
+        if read_projection.source == "symbol"
+        else read_projection.source,
         alternatives=alternatives,
         left_out=tuple(
             turn.box_to_upright(view.box)
@@ -233,7 +246,7 @@ def _layout(job: Job, reading: SheetReading, turn: Turn) -> Layout:
             for view in reading.views
             if view.kind in _SPECIAL and not _is_settled(view)
         ),
-        symbol=projection if told.source == "symbol" and not asked else None,
+        symbol=projection if read_projection.source == "symbol" and not asked else None,
     )
 
 
@@ -255,8 +268,8 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
     strokes = {role: _strokes_of(reading, view, clean.turn) for role, view in views.items()}
     empty = [
         role
-        for role, own in strokes.items()
-        if not any(stroke.linetype is Linetype.VISIBLE for stroke in own)
+        for role, this_strokes in strokes.items()
+        if not any(stroke.linetype is Linetype.VISIBLE for stroke in this_strokes)
     ]
     known = {entry.view for entry in reading.strokes}
     for role in empty:
@@ -271,7 +284,7 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
     found = {view.role: view for view in (reread(boxes) if empty else ())}
     for role in empty:
         strokes[role] = found[role].strokes
-    part = painted([own for view in strokes.values() for own in view], clean)
+    part = painted([item for view in strokes.values() for item in view], clean)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in map(visible_bounds, strokes.values()))
     factor = supersampling_for(largest)
     drawn = []
@@ -279,11 +292,11 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
         if role in empty:
             drawn.append(found[role])
             continue
-        own = view_by_strokes(
+        read_view = view_by_strokes(
             role, strokes[role], part, factor, (_source(view), view.dash, view.step)
         )
-        own = replace(own, labels=_labels_of(reading, view, clean))
-        drawn.append(_cut_open(own, view, clean.turn))
+        read_view = replace(read_view, labels=_labels_of(reading, view, clean))
+        drawn.append(_cut_open(read_view, view, clean.turn))
     return tuple(drawn)
 
 
@@ -295,7 +308,7 @@ def _beside(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
         strokes = _strokes_of(reading, view, clean.turn)
         if role is None or view.role is not ViewRole.SECTION or not strokes:
             continue
-        own = ReadView(
+        read_view = ReadView(
             role,
             visible_bounds(strokes),
             strokes,
@@ -305,13 +318,13 @@ def _beside(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
             view.step,
             labels=_labels_of(reading, view, clean),
         )
-        found.append(_cut_open(own, view, clean.turn))
-    return tuple(own for own in found if own.hatched)
+        found.append(_cut_open(read_view, view, clean.turn))
+    return tuple(this_view for this_view in found if this_view.hatched)
 
 
 def _labels_of(reading: SheetReading, view: ViewEntry, clean: CleanSheet) -> SheetLabels:
-    own = (entry for entry in reading.strokes if entry.view == view.id and entry.kind in DRAWN)
-    return entry_labels(own, clean.turn, clean.stroke_width)
+    entries = (entry for entry in reading.strokes if entry.view == view.id and entry.kind in DRAWN)
+    return entry_labels(entries, clean.turn, clean.stroke_width)
 
 
 def _strokes_of(reading: SheetReading, view: ViewEntry, turn: Turn) -> tuple[Stroke, ...]:
@@ -324,9 +337,9 @@ def _strokes_of(reading: SheetReading, view: ViewEntry, turn: Turn) -> tuple[Str
     )
 
 
-def _cut_open(own: ReadView, view: ViewEntry, turn: Turn) -> ReadView:
+def _cut_open(read_view: ReadView, view: ViewEntry, turn: Turn) -> ReadView:
     rings = tuple(_upright(ring, turn) for ring in view.hatch if len(ring) > 2)
-    return replace(own, hatched=rings, opened=_upright(view.opened, turn))
+    return replace(read_view, hatched=rings, opened=_upright(view.opened, turn))
 
 
 def _upright(ring: Sequence[tuple[float, float]], turn: Turn) -> Ring:
@@ -353,60 +366,73 @@ def _mark(stroke: StrokeEntry, turn: Turn) -> Mark | None:
 
 
 def _scale(reading: SheetReading, turn: Turn) -> SheetScale:
-    told = reading.scale
-    dimensions = tuple(_dimension(own, turn) for own in reading.dimensions)
+    scale = reading.scale
+    dimensions = tuple(_dimension(dimension, turn) for dimension in reading.dimensions)
     return SheetScale(
-        None if told.mm_per_px is None else told.mm_per_px * turn.scale,
-        ScaleSource(told.source),
+        None if scale.mm_per_px is None else scale.mm_per_px * turn.scale,
+        ScaleSource(scale.source),
         dimensions,
-        measures=tuple(own.measure for own in dimensions if own.measure),
+        measures=tuple(dimension.measure for dimension in dimensions if dimension.measure),
         unit=Unit(reading.unit.value),
         unit_noted=reading.unit.source in ("sheet", "given"),
     )
 
 
-def _note(own: NoteEntry, turn: Turn) -> SheetNote:
+def _note(note_entry: NoteEntry, turn: Turn) -> SheetNote:
     callout = Callout(
-        own.kind,
-        own.value_mm,
-        own.count,
-        own.depth_mm,
-        own.through,
-        reference=own.reference,
+        note_entry.kind,
+        note_entry.value_mm,
+        note_entry.count,
+        note_entry.depth_mm,
+        note_entry.through,
+        reference=note_entry.reference,
         unit=Unit.MILLIMETRE,
     )
-    box = turn.box_to_upright(own.box)
-    circle = None if own.circle is None else _circle(own.circle, turn)
-    return SheetNote(own.text, box, callout, own.value_mm, own.depth_mm, circle)
-
-
-def _dimension(own: DimensionEntry, turn: Turn) -> ReadDimension:
-    place = _place(own, turn)
-    measure = None
-    if place is not None and own.told_mm is not None and own.digit_mm is not None:
-        measure = Measure(place, own.told_mm, own.digit_mm)
-    sign = Sign.LENGTH if own.type == "linear" else Sign(own.type)
-    return ReadDimension(
-        own.text, own.value_mm, own.box, own.mm_per_px, own.used, sign, place, measure
+    box = turn.box_to_upright(note_entry.box)
+    circle = None if note_entry.circle is None else _circle(note_entry.circle, turn)
+    return SheetNote(
+        note_entry.text, box, callout, note_entry.value_mm, note_entry.depth_mm, circle
     )
 
 
-def _section(own: SectionEntry, turn: Turn) -> NamedSection:
-    title = Title(TitleKind.SECTION, own.label)
-    box = turn.box_to_upright(own.box)
-    if own.line is None or own.way is None:
+def _dimension(dimension_entry: DimensionEntry, turn: Turn) -> ReadDimension:
+    place = _place(dimension_entry, turn)
+    measure = None
+    if (
+        place is not None
+        and dimension_entry.told_mm is not None
+        and dimension_entry.digit_mm is not None
+    ):
+        measure = Measure(place, dimension_entry.told_mm, dimension_entry.digit_mm)
+    sign = Sign.LENGTH if dimension_entry.type == "linear" else Sign(dimension_entry.type)
+    return ReadDimension(
+        dimension_entry.text,
+        dimension_entry.value_mm,
+        dimension_entry.box,
+        dimension_entry.mm_per_px,
+        dimension_entry.used,
+        sign,
+        place,
+        measure,
+    )
+
+
+def _section(section_entry: SectionEntry, turn: Turn) -> NamedSection:
+    title = Title(TitleKind.SECTION, section_entry.label)
+    box = turn.box_to_upright(section_entry.box)
+    if section_entry.line is None or section_entry.way is None:
         return NamedSection(title, box)
-    tip = np.add(own.line[0], own.way)
-    start, end, ahead = turn.to_upright(np.array([*own.line, tip])).tolist()
+    tip = np.add(section_entry.line[0], section_entry.way)
+    start, end, ahead = turn.to_upright(np.array([*section_entry.line, tip])).tolist()
     away = np.subtract(ahead, start)
     way = tuple((away / np.hypot(*away)).tolist())
     ends = tuple(start), tuple(end)
-    path = ends if own.straight else ()
-    if own.path:
-        path = tuple(map(tuple, turn.to_upright(np.array(own.path)).tolist()))
-    trace = Trace(own.label, ends, way, path)
-    cut_in = _ROLES.get(own.in_view.value) if own.in_view else None
-    looks = _ROLES.get(own.looks.value) if own.looks else None
+    path = ends if section_entry.straight else ()
+    if section_entry.path:
+        path = tuple(map(tuple, turn.to_upright(np.array(section_entry.path)).tolist()))
+    trace = Trace(section_entry.label, ends, way, path)
+    cut_in = _ROLES.get(section_entry.in_view.value) if section_entry.in_view else None
+    looks = _ROLES.get(section_entry.looks.value) if section_entry.looks else None
     axis = None
     if cut_in is not None:
         frame = cut_in.frame
@@ -414,16 +440,16 @@ def _section(own: SectionEntry, turn: Turn) -> NamedSection:
     return NamedSection(title, box, trace, cut_in, looks, axis)
 
 
-def _place(own: DimensionEntry, turn: Turn) -> Span | Arc | None:
-    if own.measures is None:
+def _place(dimension_entry: DimensionEntry, turn: Turn) -> Span | Arc | None:
+    if dimension_entry.measures is None:
         return None
-    if own.measures.span is not None:
-        (x0, y0), (x1, y1) = turn.to_upright(np.array(own.measures.span)).tolist()
+    if dimension_entry.measures.span is not None:
+        (x0, y0), (x1, y1) = turn.to_upright(np.array(dimension_entry.measures.span)).tolist()
         level = abs(x1 - x0) > abs(y1 - y0)
         low, high = sorted((x0, x1) if level else (y0, y1))
         return Span(level, low, high)
-    if own.measures.circle is not None:
-        return _circle(own.measures.circle, turn)
+    if dimension_entry.measures.circle is not None:
+        return _circle(dimension_entry.measures.circle, turn)
     return None
 
 

@@ -46,36 +46,40 @@ class Shaped(Protocol):
         """Of an ellipse."""
 
 
-def points_of(own: Shaped) -> npt.NDArray[np.float64]:
+def points_of(shaped: Shaped) -> npt.NDArray[np.float64]:
     """(n, 2) px along a shape, evenly; (0, 2) where there is none."""
     share = np.linspace(0.0, 1.0, _SAMPLES)
-    if own.line is not None:
-        start, end = np.array(own.line)
+    if shaped.line is not None:
+        start, end = np.array(shaped.line)
         return start + share[:, None] * (end - start)
-    if own.arc is not None:
-        x, y, radius, first, sweep = own.arc
+    if shaped.arc is not None:
+        x, y, radius, first, sweep = shaped.arc
         angles = first + share * sweep
         return np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], 1)
-    if own.ellipse is not None:
-        x, y, major, minor, rotation, first, sweep = own.ellipse
+    if shaped.ellipse is not None:
+        x, y, major, minor, rotation, first, sweep = shaped.ellipse
         return WholeEllipse((x, y), major, minor, rotation).at(first + share * sweep)
     return np.empty((0, 2))
 
 
-def box_of(own: Shaped) -> Box | None:
+def box_of(shaped: Shaped) -> Box | None:
     """The box around a shape."""
-    points = points_of(own)
+    points = points_of(shaped)
     if not len(points):
         return None
     (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
     return x0, y0, x1, y1
 
 
-def overlap(own: Shaped, other: Shaped) -> float:
+def overlap(shaped: Shaped, other: Shaped) -> float:
     """Share of both shapes that lies at the other; 0 where they are of different kinds."""
-    if _kind(own) != _kind(other) or _kind(own) is None or _are_apart(own.line, other.line):
+    if (
+        _kind(shaped) != _kind(other)
+        or _kind(shaped) is None
+        or _are_apart(shaped.line, other.line)
+    ):
         return 0.0
-    first, last = points_of(own), points_of(other)
+    first, last = points_of(shaped), points_of(other)
     apart = np.hypot(*(first[:, None, :] - last[None, :, :]).transpose(2, 0, 1))
     # Samples are at most one step apart; what lies between two of them is near both.
     steps = [np.hypot(*np.diff(points, axis=0).T).max() / 2.0 for points in (first, last)]
@@ -83,12 +87,12 @@ def overlap(own: Shaped, other: Shaped) -> float:
     return min(shares)
 
 
-def _are_apart(own: LineShape | None, other: LineShape | None) -> bool:
+def _are_apart(pair: LineShape | None, other: LineShape | None) -> bool:
     """Whether two lines have no place in common, nor one that is near: most have none, and telling
     so by their boxes is quick."""
-    if own is None or other is None:
+    if pair is None or other is None:
         return False
-    (x0, y0), (x1, y1) = own
+    (x0, y0), (x1, y1) = pair
     (u0, v0), (u1, v1) = other
     reach = _NEAR_PX + _HALF_STEP * max(abs(x1 - x0) + abs(y1 - y0), abs(u1 - u0) + abs(v1 - v0))
     return (
@@ -99,10 +103,10 @@ def _are_apart(own: LineShape | None, other: LineShape | None) -> bool:
     )
 
 
-def are_one(own: Shaped, other: Shaped) -> bool:
+def are_one(shaped: Shaped, other: Shaped) -> bool:
     """Whether two shapes lie at each other all along: lines whose boxes differ do not."""
-    if own.line is not None and other.line is not None:
-        (x0, y0), (x1, y1) = own.line
+    if shaped.line is not None and other.line is not None:
+        (x0, y0), (x1, y1) = shaped.line
         (u0, v0), (u1, v1) = other.line
         reach = _NEAR_PX + _HALF_STEP * (abs(x1 - x0) + abs(y1 - y0) + abs(u1 - u0) + abs(v1 - v0))
         if (
@@ -112,20 +116,20 @@ def are_one(own: Shaped, other: Shaped) -> bool:
             or abs(max(y0, y1) - max(v0, v1)) > reach
         ):
             return False
-    return overlap(own, other) > _WHOLE
+    return overlap(shaped, other) > _WHOLE
 
 
 def matching(anchor: Shaped, candidates: Iterable[StrokeEntry]) -> StrokeEntry | None:
     """The shape that is the anchor's, if there is one."""
     best = max(
-        ((overlap(anchor, own), own) for own in candidates),
+        ((overlap(anchor, candidate), candidate) for candidate in candidates),
         key=lambda found: found[0],
         default=(0.0, None),
     )
     return best[1] if best[0] >= _SHARE else None
 
 
-def _kind(own: Shaped) -> str | None:
+def _kind(shaped: Shaped) -> str | None:
     return next(
-        (name for name in ("line", "arc", "ellipse") if getattr(own, name) is not None), None
+        (name for name in ("line", "arc", "ellipse") if getattr(shaped, name) is not None), None
     )

@@ -54,7 +54,7 @@ OF_FILE: Certainty = {"source": StrokesSource.VECTOR.value, "why": Why(by=Eviden
 
 def view_certainty(view: ReadView) -> list[tuple[Stroke, Certainty]]:
     """The strokes of a view, each with what is known of it."""
-    return [(own, _certainty(own, view.source, view.labels)) for own in view.strokes]
+    return [(stroke, _certainty(stroke, view.source, view.labels)) for stroke in view.strokes]
 
 
 def _certainty(stroke: Stroke, source: StrokesSource, labels: SheetLabels) -> Certainty:
@@ -72,12 +72,12 @@ def _certainty(stroke: Stroke, source: StrokesSource, labels: SheetLabels) -> Ce
             "why": Why(by=Evidence.LINETYPE, otherwise=other),
             "source": source.value,
         }
-    told = Why(by=Evidence.FILE) if source is not StrokesSource.RASTER else None
-    return {"confidence": 1.0, "why": told, "source": source.value}
+    why = Why(by=Evidence.FILE) if source is not StrokesSource.RASTER else None
+    return {"confidence": 1.0, "why": why, "source": source.value}
 
 
 def read_entry(
-    name: str, view: str | None, stroke: Stroke, turn: Turn, told: Certainty
+    name: str, view: str | None, stroke: Stroke, turn: Turn, stated: Certainty
 ) -> StrokeEntry:
     """The entry of a stroke of the part.
 
@@ -86,11 +86,11 @@ def read_entry(
         view: the id of its view.
         stroke: px of the upright sheet.
         turn: of the sheet.
-        told: how sure it is, and why.
+        stated: how sure it is, and why.
     """
     hidden = stroke.linetype is Linetype.HIDDEN
     kind = StrokeKind.HIDDEN if hidden else StrokeKind.VISIBLE
-    return StrokeEntry(id=name, view=view, kind=kind, **told, **shape_of(stroke, turn))
+    return StrokeEntry(id=name, view=view, kind=kind, **stated, **shape_of(stroke, turn))
 
 
 def mark_certainty(mark: Mark, labels: SheetLabels) -> Certainty:
@@ -127,11 +127,11 @@ def entry_labels(entries: Iterable[StrokeEntry], turn: Turn, stroke_width: float
         if stroke is None:
             continue
         ink = _INKS[entry.kind]
-        told = (entry.confidence, why.by) if why and not by_person else (1.0, Evidence.PERSON)
+        stated = (entry.confidence, why.by) if why and not by_person else (1.0, Evidence.PERSON)
         other = _INKS[why.otherwise] if why and why.otherwise else _opposite(ink)
         margin = why.margin if why and why.margin is not None else 0.0
         points = np.asarray(stroke.sample(_STEP_PX))
-        found.append(LabelledLine(points, stroke.length, ink, other, margin, *told))
+        found.append(LabelledLine(points, stroke.length, ink, other, margin, *stated))
     return SheetLabels(tuple(found), stroke_width)
 
 

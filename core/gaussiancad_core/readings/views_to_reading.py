@@ -8,7 +8,7 @@ import numpy as np
 
 from gaussiancad_core import __version__
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.messages import args_of, told
+from gaussiancad_core.messages import args_of, event_fields
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.views import Stroke
 from gaussiancad_core.readings.reading_schema import (
@@ -118,9 +118,13 @@ def sheet_reading(
     """
     scale = lines.scale
     doubts = [
-        Problem(**told(own.code, own.message), severity=severity, offers=_offers(own.code))
+        Problem(
+            **event_fields(remark.code, remark.message),
+            severity=severity,
+            offers=_offers(remark.code),
+        )
         for remarks, severity in ((report.reasons, "doubt"), (report.warnings, "warning"))
-        for own in remarks
+        for remark in remarks
     ]
     return SheetReading(
         schema=SCHEMA,
@@ -134,23 +138,23 @@ def sheet_reading(
         projection=ReadProjection(
             value=lines.layout.projection.value,
             source="symbol" if lines.layout.symbol else lines.layout.source,
-            alternatives=tuple(own.value for own in lines.layout.alternatives),
+            alternatives=tuple(alternative.value for alternative in lines.layout.alternatives),
         ),
         unit=_unit(scale),
         scale=_scale(lines, turn),
         views=(
-            *(_view(own, turn) for own in lines.drawn),
+            *(_view(view, turn) for view in lines.drawn),
             *_specials(lines, turn),
-            *(_left_out(n, own, turn) for n, own in enumerate(lines.layout.left_out, start=1)),
+            *(_left_out(n, pair, turn) for n, pair in enumerate(lines.layout.left_out, start=1)),
         ),
         strokes=tuple(_strokes(lines, turn)),
         dimensions=tuple(
-            _dimension(number, own, turn)
-            for number, own in enumerate(scale.dimensions if scale else (), start=1)
-            if own.value_mm <= LARGEST
+            _dimension(number, dimension, turn)
+            for number, dimension in enumerate(scale.dimensions if scale else (), start=1)
+            if dimension.value_mm <= LARGEST
         ),
-        notes=tuple(_note(own, turn) for own in lines.notes),
-        sections=tuple(_section(own, turn) for own in lines.sections),
+        notes=tuple(_note(note, turn) for note in lines.notes),
+        sections=tuple(_section(section, turn) for section in lines.sections),
         problems=(*refused, *doubts),
     )
 
@@ -161,7 +165,7 @@ def refusal(code: str, message: str) -> Problem:
     if code == "one-view" and "axis" in args_of(message):
         # A length along an axis that no view shows is the thickness.
         offers = ("scale", *offers)
-    return Problem(**told(code, message), severity="refused", offers=offers)
+    return Problem(**event_fields(code, message), severity="refused", offers=offers)
 
 
 def write_reading(reading: SheetReading, folder: Path) -> None:
@@ -176,26 +180,26 @@ def _offers(code: str) -> tuple[str, ...]:
 def _unit(scale: SheetScale | None) -> ReadUnit:
     if scale is None:
         return ReadUnit()
-    told = "sheet" if scale.unit_noted else "dimension" if scale.dimensions else "default"
-    return ReadUnit(value=scale.unit.value, source=told)
+    text = "sheet" if scale.unit_noted else "dimension" if scale.dimensions else "default"
+    return ReadUnit(value=scale.unit.value, source=text)
 
 
-def _note(own: SheetNote, turn: Turn) -> NoteEntry:
-    said = own.callout
+def _note(note: SheetNote, turn: Turn) -> NoteEntry:
+    said = note.callout
     return NoteEntry(
-        text=own.text[:1000],
+        text=note.text[:1000],
         kind=said.kind,
-        box=stored_box(own.box, turn),
-        value_mm=own.value_mm if (own.value_mm or 0.0) <= LARGEST else None,
+        box=stored_box(note.box, turn),
+        value_mm=note.value_mm if (note.value_mm or 0.0) <= LARGEST else None,
         count=said.count,
-        depth_mm=own.depth_mm if (own.depth_mm or 0.0) <= LARGEST else None,
+        depth_mm=note.depth_mm if (note.depth_mm or 0.0) <= LARGEST else None,
         through=said.through,
         reference=said.reference,
     )
 
 
-def _section(own: NamedSection, turn: Turn) -> SectionEntry:
-    trace = own.trace
+def _section(section: NamedSection, turn: Turn) -> SectionEntry:
+    trace = section.trace
     line = way = None
     if trace is not None:
         start, end, tip = stored_points([*trace.ends, np.add(trace.ends[0], trace.way)], turn)
@@ -203,14 +207,14 @@ def _section(own: NamedSection, turn: Turn) -> SectionEntry:
         away = np.subtract(tip, start)
         way = tuple((away / np.hypot(*away)).round(6).tolist())
     return SectionEntry(
-        label=own.title.label,
-        box=stored_box(own.box, turn),
-        in_view=ViewRole(own.cut_in.value) if own.cut_in else None,
+        label=section.title.label,
+        box=stored_box(section.box, turn),
+        in_view=ViewRole(section.cut_in.value) if section.cut_in else None,
         line=line,
         way=way,
         straight=trace is None or trace.straight,
         path=_corners(trace, turn),
-        looks=ViewRole(own.looks.value) if own.looks else None,
+        looks=ViewRole(section.looks.value) if section.looks else None,
     )
 
 
@@ -224,16 +228,16 @@ def _corners(trace: Trace | None, turn: Turn) -> tuple[tuple[float, float], ...]
 def _scale(lines: SheetLines, turn: Turn) -> ReadScale:
     options, scale = lines.options, lines.scale
     given = options.mm_per_pixel is not None or bool(options.lengths)
-    told = scale is not None and options.mm_per_pixel == scale.mm_per_pixel
-    source = scale.source if told else ScaleSource.GIVEN if given else ScaleSource.DEFAULT
+    is_given = scale is not None and options.mm_per_pixel == scale.mm_per_pixel
+    source = scale.source if is_given else ScaleSource.GIVEN if given else ScaleSource.DEFAULT
     per_pixel, lengths = options.mm_per_pixel, options.lengths
     if per_pixel is None and len(lengths) > 1:
         # A reading has one length: that which no view shows, beside the scale that the other tells.
         extents = shown_extents(lines.drawn)
-        told = options.scaling_length(extents)
-        if told is not None:
-            per_pixel = told[1] / extents[told[0]]
-            lengths = tuple(own for own in lengths if own[0] not in extents)
+        is_given = options.scaling_length(extents)
+        if is_given is not None:
+            per_pixel = is_given[1] / extents[is_given[0]]
+            lengths = tuple(this_length for this_length in lengths if this_length[0] not in extents)
     axis, length = lengths[0] if lengths else (None, None)
     return ReadScale(
         source=source.value,
@@ -252,17 +256,17 @@ def _view(view: ReadView, turn: Turn) -> ViewEntry:
         hidden_lines="drawn" if view.has_hidden_lines else "none",
         dash=view.dash,
         step=view.step,
-        hatch=tuple(stored_ring(own, turn) for own in view.hatched),
+        hatch=tuple(stored_ring(items, turn) for items in view.hatched),
         opened=stored_ring(view.opened, turn),
     )
 
 
 def _specials(lines: SheetLines, turn: Turn) -> Iterator[ViewEntry]:
-    beside = iter(lines.beside)
-    for number, own in enumerate(lines.layout.special, start=1):
-        entry = _special(number, own, turn)
-        if own.beside:
-            view = _view(next(beside), turn)
+    views = iter(lines.adjacent_sections)
+    for number, special_view in enumerate(lines.layout.special, start=1):
+        entry = _special(number, special_view, turn)
+        if special_view.adjacent:
+            view = _view(next(views), turn)
             more = {
                 name: getattr(view, name) for name in ("source", "dash", "step", "hatch", "opened")
             }
@@ -298,10 +302,10 @@ def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
         for view in lines.drawn
         for stroke, sure in view_certainty(view)
     ]
-    names = [own.id for own in _specials(lines, turn) if own.looks is not None]
+    names = [special.id for special in _specials(lines, turn) if special.looks is not None]
     owned += [
         (name, sure, stroke)
-        for name, view in zip(names, lines.beside, strict=True)
+        for name, view in zip(names, lines.adjacent_sections, strict=True)
         for stroke, sure in view_certainty(view)
     ]
     owned += [(None, OF_FILE, stroke) for stroke in lines.loose]
@@ -311,35 +315,35 @@ def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
         yield _marked(f"s{number}", mark, turn, mark_certainty(mark, lines.labels))
 
 
-def _marked(name: str, mark: Mark, turn: Turn, told: Certainty) -> StrokeEntry:
+def _marked(name: str, mark: Mark, turn: Turn, stated: Certainty) -> StrokeEntry:
     kind = _KINDS.get(mark.kind, StrokeKind.IGNORE)
     line = None if mark.line is None else tuple(stored_points(mark.line, turn))
     box = stored_box(mark.box, turn)
-    return StrokeEntry(id=name, view=None, kind=kind, line=line, box=box, **told)
+    return StrokeEntry(id=name, view=None, kind=kind, line=line, box=box, **stated)
 
 
-def _dimension(number: int, own: ReadDimension, turn: Turn) -> DimensionEntry:
-    measure = own.measure
+def _dimension(number: int, dimension: ReadDimension, turn: Turn) -> DimensionEntry:
+    measure = dimension.measure
     return DimensionEntry(
         id=f"d{number}",
-        text=own.text[:1000],
-        value_mm=own.value_mm,
-        box=tuple(round(float(value), 2) for value in own.box),
-        type=own.sign.value or "linear",
-        mm_per_px=own.mm_per_pixel if (own.mm_per_pixel or 0.0) <= LARGEST else None,
-        used=own.used,
-        measures=_measured(own, turn),
+        text=dimension.text[:1000],
+        value_mm=dimension.value_mm,
+        box=tuple(round(float(value), 2) for value in dimension.box),
+        type=dimension.sign.value or "linear",
+        mm_per_px=dimension.mm_per_pixel if (dimension.mm_per_pixel or 0.0) <= LARGEST else None,
+        used=dimension.used,
+        measures=_measured(dimension, turn),
         told_mm=measure.value_mm if measure else None,
         digit_mm=measure.digit_mm if measure else None,
     )
 
 
-def _measured(own: ReadDimension, turn: Turn) -> Measured | None:
-    place = own.place
+def _measured(dimension: ReadDimension, turn: Turn) -> Measured | None:
+    place = dimension.place
     if place is None:
         return None
     if isinstance(place, Span):
-        x0, y0, x1, y1 = turn.box_to_upright(own.box)
+        x0, y0, x1, y1 = turn.box_to_upright(dimension.box)
         across = (y0 + y1) / 2.0 if place.level else (x0 + x1) / 2.0
         ends = np.array([(at, across) for at in (place.low, place.high)])
         return Measured(span=tuple(stored_points(ends if place.level else ends[:, ::-1], turn)))

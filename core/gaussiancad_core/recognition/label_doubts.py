@@ -29,8 +29,8 @@ def weighed_views(drawn: Sequence[ReadView], labels: SheetLabels) -> tuple[ReadV
         return tuple(drawn)
     found = []
     for view in drawn:
-        own = labels.within(view.box)
-        found.append(replace(view, strokes=own.weighed(view.strokes), labels=own))
+        within = labels.within(view.box)
+        found.append(replace(view, strokes=within.weighed(view.strokes), labels=within))
     return tuple(found)
 
 

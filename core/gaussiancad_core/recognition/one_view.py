@@ -108,13 +108,13 @@ def _thickness(axis: Axis, notes: Sequence[SheetNote], options: ReadingOptions) 
     """mm that the user says, else a note."""
     if said := options.length_along(axis):
         return said
-    noted = (own.value_mm for own in notes if own.callout.kind is NoteKind.THICKNESS)
-    return next((own for own in noted if own), None)
+    noted = (note.value_mm for note in notes if note.callout.kind is NoteKind.THICKNESS)
+    return next((value for value in noted if value), None)
 
 
 def _is_scaled(axis: Axis, options: ReadingOptions) -> bool:
     """Whether anything tells the scale of what the view shows."""
-    shown = [own for own in Axis if own is not axis]
+    shown = [this_axis for this_axis in Axis if this_axis is not axis]
     return options.scaling_length(shown) is not None or options.mm_per_pixel is not None
 
 
@@ -131,10 +131,10 @@ def _turned_about(view: ReadView, scale: SheetScale) -> Axis | None:
 def _has_diameter(scale: SheetScale, across: int) -> bool:
     """Whether a diameter is written at a width along a coordinate of the sheet."""
     return any(
-        own.sign is Sign.DIAMETER
-        and isinstance(own.place, Span)
-        and own.place.level is (across == 0)
-        for own in scale.dimensions
+        dimension.sign is Sign.DIAMETER
+        and isinstance(dimension.place, Span)
+        and dimension.place.level is (across == 0)
+        for dimension in scale.dimensions
     )
 
 
@@ -147,7 +147,7 @@ def _is_alike(view: ReadView, across: int) -> bool:
         inside = mask[rows.min() : rows.max() + 1, columns.min() : columns.max() + 1]
         image = np.flip(inside, axis=1 - across)
         return bool((inside & image).sum() >= _ALIKE * (inside | image).sum())
-    points = np.concatenate([own.sample(_NEAR_PX) for own in view.strokes])
+    points = np.concatenate([stroke.sample(_NEAR_PX) for stroke in view.strokes])
     images = points.copy()
     images[:, across] = view.box[across] + view.box[across + 2] - images[:, across]
     away, _ = cKDTree(points).query(images)

@@ -74,10 +74,10 @@ def picture_views(
     seen = replace(clean, hidden_odds=labels.hidden_odds()) if problem is None else clean
     separated = separate_by_labels(seen, labels, _upright_tint(sheet.image.tint, sheet.turn))
     written = read_texts(sheet, separated.marks)
-    told = symbol.projection if symbol else projection
+    stated_projection = symbol.projection if symbol else projection
     request = LayoutRequest(
         given,
-        told,
+        stated_projection,
         STUB * separated.part.stroke_width,
         captions=() if given else captions_of(written.texts),
     )

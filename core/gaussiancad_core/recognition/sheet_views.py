@@ -68,14 +68,14 @@ def sheet_views(
     boxes = dict(given or {})
     drawing = sheet.image.vectors if finder is Finder.RIDGES else None
     symbol = None if projection is not None else find_symbol(sheet) or noted_projection(sheet)
-    told = projection, symbol
+    stated = projection, symbol
     try:
-        return _found(sheet, boxes, told, drawing)
+        return _found(sheet, boxes, stated, drawing)
     except NoModelError:
         # A box alone fixes one view; what is found without it stands where it is that view there.
         if len(boxes) != 1:
             raise
-        found = _holding(sheet, boxes, told, drawing)
+        found = _holding(sheet, boxes, stated, drawing)
         if found is None:
             raise
         return found
@@ -84,18 +84,18 @@ def sheet_views(
 def _holding(
     sheet: OpenedSheet,
     given: dict[Role, Box],
-    told: tuple[Projection | None, ProjectionSymbol | None],
+    stated: tuple[Projection | None, ProjectionSymbol | None],
     drawing: VectorDrawing | None,
 ) -> SheetViews | None:
     """What is found without the only given box, if that is one of its views and has its name there,
     or is the only one."""
     try:
-        found = _found(sheet, {}, told, drawing)
+        found = _found(sheet, {}, stated, drawing)
     except NoModelError:
         return None
     ((role, given_box),) = given.items()
     layout = found.layout
-    held = [own for own, box in layout.boxes.items() if _is_middle_in(box, given_box)]
+    held = [this_role for this_role, box in layout.boxes.items() if _is_middle_in(box, given_box)]
     if held == [role]:
         return found
     if not held or len(layout.boxes) != 1:
@@ -111,11 +111,11 @@ def _is_middle_in(box: Box, around: Box) -> bool:
 def _found(
     sheet: OpenedSheet,
     boxes: dict[Role, Box],
-    told: tuple[Projection | None, ProjectionSymbol | None],
+    stated: tuple[Projection | None, ProjectionSymbol | None],
     drawing: VectorDrawing | None,
 ) -> SheetViews:
     """The views by the pens of a file, where they tell them; else by the picture."""
-    projection, symbol = told
+    projection, symbol = stated
     by_pens = None
     if drawing is not None:
         by_pens = graph_views(drawing, sheet, boxes, projection, symbol)

@@ -67,7 +67,7 @@ class SheetLines:
         notes: what texts say of features.
         sections: those that have a title.
         loose: lines of the part that belong to no view, where none was found.
-        beside: sections that stand beside plain views of their directions.
+        adjacent_sections: sections that stand beside plain views of their directions.
         labels: what the lines of the sheet were taken for; nothing where no labels told it.
         unseen: what is known of the axis that the only view does not show; None of several views,
             and until :func:`with_unseen` asks.
@@ -81,7 +81,7 @@ class SheetLines:
     notes: tuple[SheetNote, ...] = ()
     sections: tuple[NamedSection, ...] = ()
     loose: tuple[Stroke, ...] = ()
-    beside: tuple[ReadView, ...] = ()
+    adjacent_sections: tuple[ReadView, ...] = ()
     labels: SheetLabels = NO_LABELS
     unseen: Unseen | None = None
 
@@ -108,20 +108,24 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         scale = _sheet_scale(job, sheet, (found, drawn), notes)
         sections = _sections(sheet, scale, layout) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
-        drawn, layout = with_named_sections(drawn, layout, [own.box for own in sections], hatched)
+        drawn, layout = with_named_sections(
+            drawn, layout, [section.box for section in sections], hatched
+        )
 
-        def read(own: Layout) -> tuple[ReadView, ...]:
-            more = read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)
+        def read(this_layout: Layout) -> tuple[ReadView, ...]:
+            more = read_views(
+                separated.part, this_layout, finder=reading.finder, vectors=found.vectors
+            )
             return weighed_views(more, separated.labels)
 
-        looks = [(own.box, own.looks) for own in sections]
-        layout, beside = sections_beside(layout, looks, hatched, read)
+        looks = [(section.box, section.looks) for section in sections]
+        layout, views = sections_beside(layout, looks, hatched, read)
         said = _notes(sheet.image, scale)
         tell_layout(notes, layout, turn, frame_guessed=found.frame_guessed)
         options = tell_scale(reading, scale, drawn, notes)
         tell_notes(notes, said, turn)
-    told = separated.marks, scale, options, said, sections
-    return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels)
+    stated = separated.marks, scale, options, said, sections
+    return SheetLines(layout, drawn, *stated, adjacent_sections=views, labels=separated.labels)
 
 
 def with_unseen(lines: SheetLines, notes: RunNotes) -> SheetLines:
@@ -158,10 +162,10 @@ def _strokes_in(
     separated, layout = found.separated, found.layout
     drawn = read_views(separated.part, layout, notes.progress, reading.finder, found.vectors)
     if found.vectors is not None:
-        beside = _arcs(sheet.image, sheet.turn)
+        arcs = _arcs(sheet.image, sheet.turn)
     else:
-        beside = arcs_of(separated.told) if separated.told is not None else []
-    drawn, threads = without_threads(drawn, beside)
+        arcs = arcs_of(separated.strokes_known) if separated.strokes_known is not None else []
+    drawn, threads = without_threads(drawn, arcs)
     layout = replace(layout, special=(*layout.special, *threads))
     if found.vectors is not None:
         drawn, smooth = without_tangent_edges(drawn)
@@ -175,12 +179,12 @@ def _strokes_in(
 def _sections(sheet: OpenedSheet, scale: SheetScale, layout: Layout) -> tuple[NamedSection, ...]:
     drawing = sheet.image.vectors
     strokes = drawing.strokes if drawing is not None else ()
-    others = [*(own.box for own in layout.special), *layout.left_out]
+    others = [*(view.box for view in layout.special), *layout.left_out]
     return named_sections(
         scale.texts,
         sheet.heads,
         file_lines(strokes, sheet.turn),
-        (layout.boxes, others, [own.box for own in layout.special if own.kind in SECTIONS]),
+        (layout.boxes, others, [view.box for view in layout.special if view.kind in SECTIONS]),
         sheet.turn,
     )
 
@@ -193,17 +197,17 @@ def _by_arrows(
     if not layout.alternatives or layout.symbol is not None:
         return layout, drawn
     roles = {box: role for role, box in layout.boxes.items()}
-    told = {
-        own.looks is role
-        for own in sections
-        if own.looks is not None
-        for role in [_role_at(roles, own.box)]
-        if role is not None and own.looks in (role, opposite(role))
+    stated = {
+        section.looks is role
+        for section in sections
+        if section.looks is not None
+        for role in [_role_at(roles, section.box)]
+        if role is not None and section.looks in (role, opposite(role))
     }
-    if len(told) != 1:
+    if len(stated) != 1:
         return layout, drawn
     known = replace(layout, source="inferred", alternatives=())
-    if told == {True}:
+    if stated == {True}:
         return known, drawn
     boxes = {opposite(role): box for role, box in layout.boxes.items()}
     turned = tuple(replace(view, role=opposite(view.role)) for view in drawn)
@@ -216,8 +220,8 @@ def _role_at(roles: dict[Box, Role], box: Box) -> Role | None:
     return next(
         (
             role
-            for own, role in roles.items()
-            if own[0] <= middle[0] <= own[2] and own[1] <= middle[1] <= own[3]
+            for pair, role in roles.items()
+            if pair[0] <= middle[0] <= pair[2] and pair[1] <= middle[1] <= pair[3]
         ),
         None,
     )
@@ -233,9 +237,9 @@ def _arcs(image: SheetImage, turn: Turn) -> list[Arc]:
         return []
     curves = (stroke.curve for stroke in image.vectors.strokes)
     return [
-        Arc(own.centre, own.radius, own.start_angle, own.sweep, Linetype.VISIBLE)
-        for own in curves
-        if isinstance(own, CircularArc)
+        Arc(curve.centre, curve.radius, curve.start_angle, curve.sweep, Linetype.VISIBLE)
+        for curve in curves
+        if isinstance(curve, CircularArc)
     ]
 
 
@@ -257,7 +261,7 @@ def _sheet_scale(
     if _is_given(job.reading, drawn) and job.result is ResultKind.SURFACE:
         return None
     unit = _number_unit(job.reading.unit)
-    scale = find_scale(sheet, found.separated.marks, drawn, found.written, told=unit)
+    scale = find_scale(sheet, found.separated.marks, drawn, found.written, stated_unit=unit)
     notes.tell(dimensions=scale.dimensions)
     for note in scale.contradictions:
         notes.doubt(note.code, note.message)
@@ -271,15 +275,18 @@ def _notes(image: SheetImage, scale: SheetScale | None) -> tuple[SheetNote, ...]
     return notes_of(scale.texts, scale.unit, bare_point_is_inch=file_unit(image.vectors) is None)
 
 
-def _number_unit(told: FileUnit | None) -> Unit | None:
+def _number_unit(unit: FileUnit | None) -> Unit | None:
     """The unit that numbers are in as the user says; None of units that no dimension is in."""
-    return next((own for own in Unit if told is not None and own.value == told.value), None)
+    return next(
+        (this_unit for this_unit in Unit if unit is not None and this_unit.value == unit.value),
+        None,
+    )
 
 
 def _is_given(reading: ReadingOptions, drawn: Sequence[ReadView]) -> bool:
     """Whether the user says a scale: an extent that no view shows says none."""
-    told = reading.scaling_length(shown_extents(drawn))
-    return told is not None or reading.mm_per_pixel is not None
+    stated = reading.scaling_length(shown_extents(drawn))
+    return stated is not None or reading.mm_per_pixel is not None
 
 
 def tell_scale(
@@ -290,12 +297,12 @@ def tell_scale(
     Raises:
         UsageError: the user says it in two ways.
     """
-    told = reading.scaling_length(shown_extents(drawn))
-    if reading.mm_per_pixel is not None and told is not None:
+    stated = reading.scaling_length(shown_extents(drawn))
+    if reading.mm_per_pixel is not None and stated is not None:
         raise UsageError(
             "wrong-usage",
             "--mm-per-pixel and --length along {axis} both tell the scale: leave one out",
-            axis=told[0].name.lower(),
+            axis=stated[0].name.lower(),
         )
     if scale is None or _is_given(reading, drawn):
         notes.tell(scale_source=ScaleSource.GIVEN.value)
@@ -345,19 +352,19 @@ def tell_marks(notes: RunNotes, marks: tuple[Mark, ...], turn: Turn) -> None:
 
 def tell_notes(notes: RunNotes, found: Sequence[SheetNote], turn: Turn) -> None:
     """Put what texts say of features into the report."""
-    told = tuple(
+    reports = tuple(
         NoteReport(
-            own.text,
-            own.callout.kind.value,
-            own.value_mm,
-            turn.box_to_stored(own.box),
-            own.callout.count,
-            own.depth_mm,
-            own.callout.through,
+            note.text,
+            note.callout.kind.value,
+            note.value_mm,
+            turn.box_to_stored(note.box),
+            note.callout.count,
+            note.depth_mm,
+            note.callout.through,
         )
-        for own in found
+        for note in found
     )
-    notes.tell(notes=told)
+    notes.tell(notes=reports)
 
 
 def tell_layout(
@@ -372,8 +379,8 @@ def tell_layout(
         views={role: ViewReport(turn.box_to_stored(box)) for role, box in layout.boxes.items()},
         special_views=special,
     )
-    for told in tellings(special):
-        (notes.doubt if told.doubt else notes.warn)(told.code, told.message)
+    for telling in tellings(special):
+        (notes.doubt if telling.doubt else notes.warn)(telling.code, telling.message)
     left_out = [turn.box_to_stored(box) for box in layout.left_out]
     view_like = [turn.box_to_stored(box) for box in may_be_views(layout.left_out)]
     if left_out:

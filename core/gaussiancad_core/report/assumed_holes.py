@@ -36,25 +36,27 @@ def assumed_holes(reading: Reading, shape: TopoDS_Shape, turn: Turn) -> Iterator
     tolerance = _FINE * max(reading.registered.views.size)
     for view in reading.registered.views.views:
         if view.role in reading.cuts or any(
-            own.linetype is Linetype.HIDDEN for own in view.strokes
+            stroke.linetype is Linetype.HIDDEN for stroke in view.strokes
         ):
             continue
         circles = [
-            own for own in view.strokes if _is_whole(own) and not _is_noted(own, view.role, reading)
+            stroke
+            for stroke in view.strokes
+            if _is_whole(stroke) and not _is_noted(stroke, view.role, reading)
         ]
         if not circles:
             continue
         sights = SightLines(shape, view.role.frame, tolerance)
         inside, outside = (
-            sights.columns(np.array([_beside(own, share) for own in circles]))
+            sights.columns(np.array([_beside(circle, share) for circle in circles]))
             for share in (1.0 - _BESIDE, 1.0 + _BESIDE)
         )
         alike: dict[float, list[Arc]] = {}
-        for own, within, around in zip(circles, inside, outside, strict=True):
+        for this_circle, within, around in zip(circles, inside, outside, strict=True):
             if not len(within.depth) and len(around.depth):
-                alike.setdefault(round(own.radius, 3), []).append(own)
+                alike.setdefault(round(this_circle.radius, 3), []).append(this_circle)
         for holes in alike.values():
-            boxes = tuple(_box(own, reading, view.role, turn) for own in holes)
+            boxes = tuple(_box(hole, reading, view.role, turn) for hole in holes)
             yield _assumed(holes[0], view.role, boxes)
 
 
@@ -88,8 +90,8 @@ def _is_whole(stroke: object) -> bool:
 def _is_noted(circle: Arc, role: Role, reading: Reading) -> bool:
     near = _SAME * circle.radius
     return any(
-        own.role is role and np.hypot(*np.subtract(own.centre, circle.centre)) <= near
-        for own in reading.holes
+        hole.role is role and np.hypot(*np.subtract(hole.centre, circle.centre)) <= near
+        for hole in reading.holes
     )
 
 

@@ -16,37 +16,37 @@ def construction_in_words(construction: Values) -> list[str]:
     """
     axis = construction["axis"]
     lines = [
-        f"- from {own['low']:.4g} to {own['high']:.4g} mm along {axis}: "
-        f"{sum(not loop['is_hole'] for loop in own['loops'])} outline(s) with "
-        f"{sum(loop['is_hole'] for loop in own['loops'])} hole(s){_fixed(own)}"
-        for own in construction["slabs"]
+        f"- from {item['low']:.4g} to {item['high']:.4g} mm along {axis}: "
+        f"{sum(not loop['is_hole'] for loop in item['loops'])} outline(s) with "
+        f"{sum(loop['is_hole'] for loop in item['loops'])} hole(s){_fixed(item)}"
+        for item in construction["slabs"]
     ]
-    holes = sorted(construction["holes"], key=lambda own: -own["diameter"])
+    holes = sorted(construction["holes"], key=lambda item: -item["diameter"])
     lines += _holes(holes[:_MOST])
     if len(holes) > _MOST:
         lines.append(f"- and {len(holes) - _MOST} more holes")
     lines += [
-        f"- a countersink of {own['diameter']:.4g} mm on the hole of {own['hole']:.4g} mm at "
-        f"({own['centre'][0]:.4g}, {own['centre'][1]:.4g})"
-        for own in construction["countersinks"]
+        f"- a countersink of {item['diameter']:.4g} mm on the hole of {item['hole']:.4g} mm at "
+        f"({item['centre'][0]:.4g}, {item['centre'][1]:.4g})"
+        for item in construction["countersinks"]
     ]
     lines += [
-        f"- edges at {own['at']:.4g} mm {'rounded' if own['is_round'] else 'chamfered'}, "
-        f"{own['width']:.3g} by {abs(own['height']):.3g} mm"
-        for own in construction["breaks"]
+        f"- edges at {item['at']:.4g} mm {'rounded' if item['is_round'] else 'chamfered'}, "
+        f"{item['width']:.3g} by {abs(item['height']):.3g} mm"
+        for item in construction["breaks"]
     ]
-    lines += [_turned(own) for own in construction["turned"]]
+    lines += [_turned(item) for item in construction["turned"]]
     lines += [
-        f"- a hole of {own['diameter']:.4g} mm along {own['axis']} at "
-        f"({own['centre'][0]:.4g}, {own['centre'][1]:.4g}), {_reach(own)}"
-        for own in construction["cross_holes"]
+        f"- a hole of {item['diameter']:.4g} mm along {item['axis']} at "
+        f"({item['centre'][0]:.4g}, {item['centre'][1]:.4g}), {_reach(item)}"
+        for item in construction["cross_holes"]
     ]
     return lines
 
 
-def _turned(own: Values) -> str:
-    x, y = own["centre"]
-    places = [at for edge in own["edges"] for at, _ in (edge["start"], edge["end"])]
+def _turned(entry: Values) -> str:
+    x, y = entry["centre"]
+    places = [at for edge in entry["edges"] for at, _ in (edge["start"], edge["end"])]
     return (
         f"- a slope turned about the axis at ({x:.4g}, {y:.4g}), from {min(places):.4g} to "
         f"{max(places):.4g} mm"
@@ -65,12 +65,12 @@ def _reach(hole: Values) -> str:
 
 def _fixed(slab: Values) -> str:
     numbers = sorted({value for loop in slab["loops"] for value in loop["numbers"]})
-    return f"; by the numbers {', '.join(f'{own:g}' for own in numbers)}" if numbers else ""
+    return f"; by the numbers {', '.join(f'{number:g}' for number in numbers)}" if numbers else ""
 
 
 def _holes(holes: list[Values]) -> Iterator[str]:
-    for own in holes:
-        x, y = own["centre"]
-        depth = "through" if own["is_through"] else f"{own['low']:.4g} to {own['high']:.4g} mm"
-        told = "" if not own["numbers"] else ", as a number tells"
-        yield f"- a hole of {own['diameter']:.4g} mm at ({x:.4g}, {y:.4g}), {depth}{told}"
+    for hole in holes:
+        x, y = hole["centre"]
+        depth = "through" if hole["is_through"] else f"{hole['low']:.4g} to {hole['high']:.4g} mm"
+        text = "" if not hole["numbers"] else ", as a number tells"
+        yield f"- a hole of {hole['diameter']:.4g} mm at ({x:.4g}, {y:.4g}), {depth}{text}"

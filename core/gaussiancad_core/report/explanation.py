@@ -77,8 +77,8 @@ def is_size_known(report: Values) -> bool:
     if report.get("scale_source") == "default":
         return False
     return not any(
-        own["code"] == "full-scale-assumed" and own.get("args", {}).get("case") != "file"
-        for own in report.get("warnings", ())
+        item["code"] == "full-scale-assumed" and item.get("args", {}).get("case") != "file"
+        for item in report.get("warnings", ())
     )
 
 
@@ -88,7 +88,7 @@ def are_measures_told(report: Values) -> bool:
     They do not where the sheet was photographed at a slant, however well it was straightened.
     """
     remarks = (*report.get("reasons", ()), *report.get("warnings", ()))
-    return not any(own["code"] in _NO_ONE_SCALE for own in remarks)
+    return not any(remark["code"] in _NO_ONE_SCALE for remark in remarks)
 
 
 def explained(report: Values) -> list[str]:
@@ -104,7 +104,8 @@ def explained(report: Values) -> list[str]:
     if report.get("assumptions"):
         lines += ["", "What was assumed:"]
         lines += [
-            f"- {own['message']}; otherwise: {own['alternative']}" for own in report["assumptions"]
+            f"- {item['message']}; otherwise: {item['alternative']}"
+            for item in report["assumptions"]
         ]
     lines += ["", "What was read:", *_read(report)]
     if report.get("trace"):
@@ -130,8 +131,10 @@ def explained_view(report: Values, reading: Values, role: str) -> list[str]:
     """
     view = report["views"][role]
     box = _box(view["box"])
-    own = [stroke for stroke in reading["strokes"] if stroke["view"] == role]
-    kinds = {kind: sum(stroke["kind"] == kind for stroke in own) for kind in ("visible", "hidden")}
+    strokes = [stroke for stroke in reading["strokes"] if stroke["view"] == role]
+    kinds = {
+        kind: sum(stroke["kind"] == kind for stroke in strokes) for kind in ("visible", "hidden")
+    }
     lines = [
         f"The {role} view at {box} px has {kinds['visible']} visible and {kinds['hidden']} hidden "
         "lines."
@@ -142,10 +145,10 @@ def explained_view(report: Values, reading: Values, role: str) -> list[str]:
             f"hidden ones {percent(view['hidden_recall'])}; of the result's lines it has "
             f"{percent(view['visible_precision'])} and {percent(view['hidden_precision'])}."
         )
-    lines += [_disagreement(own) for own in report["disagreements"] if own["view"] == role]
-    lines += [_conflict(own) for own in report["conflict"] if own["view"] == role]
+    lines += [_disagreement(item) for item in report["disagreements"] if item["view"] == role]
+    lines += [_conflict(item) for item in report["conflict"] if item["view"] == role]
     for attempt in report["trace"]:
-        places = [own for own in attempt["given_up"] if own["view"] == role]
+        places = [item for item in attempt["given_up"] if item["view"] == role]
         if places:
             lines.append(f"Given up with {_MODELS[attempt['model']]}:")
             lines += _named(map(_given_up, places))
@@ -164,19 +167,19 @@ def explained_place(report: Values, reading: Values, at: tuple[float, float]) ->
     for role, view in report["views"].items():
         if holds(view["box"], at):
             lines.append(f"It lies within the {role} view.")
-    for own in report["unused"]:
-        if holds(own["box"], at):
-            lines.append(f"It lies within a {own['kind']} that was not used: {own['why']}.")
+    for item in report["unused"]:
+        if holds(item["box"], at):
+            lines.append(f"It lies within a {item['kind']} that was not used: {item['why']}.")
     for attempt in report["trace"]:
-        for own in attempt["given_up"]:
-            if hypot(own["at"][0] - at[0], own["at"][1] - at[1]) <= 2.0 * _NEAR_PX:
-                lines.append(f"With {_MODELS[attempt['model']]}: {_given_up(own)} was given up.")
-    for own in report["disagreements"]:
-        if hypot(own["at"][0] - at[0], own["at"][1] - at[1]) <= 2.0 * _NEAR_PX:
-            lines.append(_disagreement(own))
-    for own in report["conflict"]:
-        if holds(own["box"], at, _NEAR_PX):
-            lines.append(_conflict(own))
+        for entry in attempt["given_up"]:
+            if hypot(entry["at"][0] - at[0], entry["at"][1] - at[1]) <= 2.0 * _NEAR_PX:
+                lines.append(f"With {_MODELS[attempt['model']]}: {_given_up(entry)} was given up.")
+    for element in report["disagreements"]:
+        if hypot(element["at"][0] - at[0], element["at"][1] - at[1]) <= 2.0 * _NEAR_PX:
+            lines.append(_disagreement(element))
+    for member in report["conflict"]:
+        if holds(member["box"], at, _NEAR_PX):
+            lines.append(_conflict(member))
     return lines
 
 
@@ -184,18 +187,20 @@ def read_place(reading: Values, at: tuple[float, float]) -> list[str]:
     """What was read at a place on the sheet, px of the sheet as stored."""
     where = f"({at[0]:.0f}, {at[1]:.0f})"
     near = sorted(
-        ((distance(stroke, at), stroke) for stroke in reading["strokes"]), key=lambda own: own[0]
+        ((distance(stroke, at), stroke) for stroke in reading["strokes"]), key=lambda pair: pair[0]
     )
     found = [stroke for away, stroke in near if away <= _NEAR_PX]
     lines = [stroke_in_words(stroke) for stroke in found[:_MOST]]
     if not found:
         away = f"; the nearest is {near[0][0]:.0f} px away" if near else ""
         lines.append(f"No line was read at {where} px{away}.")
-    lines += [_number(own) for own in reading.get("dimensions", ()) if holds(own["box"], at, 2.0)]
-    for own in reading.get("notes", ()):
-        if holds(own["box"], at, 2.0):
-            through = ", through" if own.get("through") else ""
-            lines.append(f"The note {own['text']!r} speaks of: {own['kind']}{through}.")
+    lines += [
+        _number(item) for item in reading.get("dimensions", ()) if holds(item["box"], at, 2.0)
+    ]
+    for entry in reading.get("notes", ()):
+        if holds(entry["box"], at, 2.0):
+            through = ", through" if entry.get("through") else ""
+            lines.append(f"The note {entry['text']!r} speaks of: {entry['kind']}{through}.")
     return lines
 
 
@@ -208,20 +213,20 @@ def read_sheet_in_words(reading: Values) -> list[str]:
         for view in reading["views"]
     ]
     lines += [
-        f"Section {own['label']}-{own['label']} at {_box(own['box'])} px"
-        + (f", cut in the {own['in_view']} view." if own.get("in_view") else ".")
-        for own in reading.get("sections", ())
+        f"Section {item['label']}-{item['label']} at {_box(item['box'])} px"
+        + (f", cut in the {item['in_view']} view." if item.get("in_view") else ".")
+        for item in reading.get("sections", ())
     ]
     scale = reading["scale"].get("mm_per_px")
     if scale:
         lines.append(f"Scale {scale:.4g} mm a pixel ({reading['scale']['source']}).")
-    return lines + [f"{own['severity']}: {own['message']}" for own in reading["problems"]]
+    return lines + [f"{item['severity']}: {item['message']}" for item in reading["problems"]]
 
 
-def _number(own: Values) -> str:
-    used = "the scale rests on it" if own.get("used") else "the scale does not rest on it"
-    found = "" if own.get("measures") else ", and what it measures was not found"
-    return f"The number {own['text']!r} is {own['value_mm']:g} mm: {used}{found}."
+def _number(entry: Values) -> str:
+    used = "the scale rests on it" if entry.get("used") else "the scale does not rest on it"
+    found = "" if entry.get("measures") else ", and what it measures was not found"
+    return f"The number {entry['text']!r} is {entry['value_mm']:g} mm: {used}{found}."
 
 
 def _first_reason(report: Values) -> str:
@@ -241,8 +246,8 @@ def _read(report: Values) -> list[str]:
     if scale:
         lines.append(f"- scale {scale:.4g} mm a pixel ({report['scale_source']})")
     lines += [
-        f"- not used: {own['kind']} at {_box(own['box'])} px, {own['why']}"
-        for own in report["unused"]
+        f"- not used: {item['kind']} at {_box(item['box'])} px, {item['why']}"
+        for item in report["unused"]
     ]
     return lines
 
@@ -278,27 +283,27 @@ def _named(sentences: Iterable[str]) -> list[str]:
     return [*(f"- {sentence}" for sentence in every[:_MOST]), *more]
 
 
-def _given_up(own: Values) -> str:
-    kind = f"a {own['drawn']} line" if own["drawn"] else "a stretch where nothing is drawn"
+def _given_up(entry: Values) -> str:
+    kind = f"a {entry['drawn']} line" if entry["drawn"] else "a stretch where nothing is drawn"
     return (
-        f"{kind} of {own['length_mm']:.1f} mm in the {own['view']} view at "
-        f"({own['at'][0]:.0f}, {own['at'][1]:.0f}) px"
+        f"{kind} of {entry['length_mm']:.1f} mm in the {entry['view']} view at "
+        f"({entry['at'][0]:.0f}, {entry['at'][1]:.0f}) px"
     )
 
 
-def _disagreement(own: Values) -> str:
-    what = "the solid lacks" if own["missing"] else "the sheet lacks"
+def _disagreement(entry: Values) -> str:
+    what = "the solid lacks" if entry["missing"] else "the sheet lacks"
     return (
-        f"{what} {own['length_mm']:.1f} mm of line in the {own['view']} view, at "
-        f"({own['at'][0]:.0f}, {own['at'][1]:.0f}) px"
+        f"{what} {entry['length_mm']:.1f} mm of line in the {entry['view']} view, at "
+        f"({entry['at'][0]:.0f}, {entry['at'][1]:.0f}) px"
     )
 
 
-def _conflict(own: Values) -> str:
-    kind = f"a {own['drawn']} line" if own["drawn"] else "a stretch where nothing is drawn"
-    fitting = f"as {own['fitting']}" if own["fitting"] else "not at all"
-    suspect = f": all others agree where it is drawn {fitting}" if own["suspect"] else ""
-    return f"{kind} in the {own['view']} view at {_box(own['box'])} px{suspect}"
+def _conflict(entry: Values) -> str:
+    kind = f"a {entry['drawn']} line" if entry["drawn"] else "a stretch where nothing is drawn"
+    fitting = f"as {entry['fitting']}" if entry["fitting"] else "not at all"
+    suspect = f": all others agree where it is drawn {fitting}" if entry["suspect"] else ""
+    return f"{kind} in the {entry['view']} view at {_box(entry['box'])} px{suspect}"
 
 
 def _box(box: Sequence[float]) -> str:

@@ -85,7 +85,7 @@ class Job:
     def settings(self) -> dict[str, Any]:
         """What determines the result beside the sheet, as JSON values."""
         reading = self.reading
-        beside = {
+        adjacent = {
             name: sha256(path)
             for name, path in (
                 ("reading_sha256", self.given),
@@ -94,7 +94,7 @@ class Job:
             if path is not None and path.is_file()
         }
         return {
-            **beside,
+            **adjacent,
             "projection": reading.projection.value if reading.projection else "auto",
             "views": {role.value: list(box) for role, box in reading.views},
             "lengths": {axis.name.lower(): length for axis, length in reading.lengths},

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
-from gaussiancad_core.messages import told
+from gaussiancad_core.messages import event_fields
 from gaussiancad_core.processes.events import Progress
 from gaussiancad_core.report.run_report import Report
 
@@ -40,7 +40,7 @@ class RunNotes:
     def warn(self, code: str, message: str) -> None:
         """Put a warning into the report, and send it; a :class:`.Message` with its values."""
         self.report = self.report.warned(code, message)
-        self.progress.listener.send("warning", **told(code, message))
+        self.progress.listener.send("warning", **event_fields(code, message))
 
     def doubt(self, code: str, message: str) -> None:
         """Put a reason into the report why its result is not sure; values as of :meth:`warn`."""

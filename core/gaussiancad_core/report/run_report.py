@@ -11,7 +11,7 @@ import psutil
 
 from gaussiancad_core import __version__
 from gaussiancad_core.lines.line_agreement import Agreement
-from gaussiancad_core.messages import told
+from gaussiancad_core.messages import event_fields
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.modes import Status
 from gaussiancad_core.report.explanation import are_measures_told, explained, is_size_known, verdict
@@ -410,8 +410,8 @@ class Report:
         return {
             "schema": SCHEMA,
             "status": self.status.value,
-            "reasons": [told(own.code, own.message) for own in self.reasons],
-            "warnings": [told(own.code, own.message) for own in self.warnings],
+            "reasons": [event_fields(reason.code, reason.message) for reason in self.reasons],
+            "warnings": [event_fields(warning.code, warning.message) for warning in self.warnings],
             "stage": self.stage,
             "projection": self.projection.value,
             "projection_source": self.projection_source,
@@ -434,26 +434,29 @@ class Report:
                 }
                 for view in self.special_views
             ],
-            "sections": [_with_box(asdict(own), "box") for own in self.sections],
-            "notes": [_with_box(asdict(own), "at") for own in self.notes],
-            "unused": [_with_box(asdict(own), "box") for own in self.unused],
+            "sections": [_with_box(asdict(section), "box") for section in self.sections],
+            "notes": [_with_box(asdict(note), "at") for note in self.notes],
+            "unused": [_with_box(asdict(unused), "box") for unused in self.unused],
             "assumptions": [
-                {**_with_box(asdict(own), "at"), **told(own.code, own.message)}
-                for own in self.assumptions
+                {
+                    **_with_box(asdict(assumption), "at"),
+                    **event_fields(assumption.code, assumption.message),
+                }
+                for assumption in self.assumptions
             ],
             "tolerance_px": self.tolerance_px,
             "scale_mm_per_pixel": self.scale_mm_per_pixel,
             "scale_source": self.scale_source,
             "dimensions": [
                 {
-                    "text": own.text,
-                    "type": own.sign.value or "linear",
-                    "value_mm": own.value_mm,
-                    "box": [round(value, 1) for value in own.box],
-                    "mm_per_pixel": own.mm_per_pixel,
-                    "used": own.used,
+                    "text": dimension.text,
+                    "type": dimension.sign.value or "linear",
+                    "value_mm": dimension.value_mm,
+                    "box": [round(value, 1) for value in dimension.box],
+                    "mm_per_pixel": dimension.mm_per_pixel,
+                    "used": dimension.used,
                 }
-                for own in self.dimensions
+                for dimension in self.dimensions
             ],
             "bounding_box_mm": self.bounding_box_mm,
             "measures": asdict(self.measures) if self.measures else None,
@@ -464,7 +467,8 @@ class Report:
                 for line in self.conflict
             ],
             "disagreements": [
-                {**asdict(own), "length_mm": round(own.length_mm, 2)} for own in self.disagreements
+                {**asdict(disagreement), "length_mm": round(disagreement.length_mm, 2)}
+                for disagreement in self.disagreements
             ],
             "hull": asdict(self.hull) if self.hull else None,
             "surface": asdict(self.surface) if self.surface else None,

@@ -30,20 +30,20 @@ def section_reports(
     found, used = [], []
     boxes = {view.role: view.box for view in reading.registered.drawn}
     for role, cut in cuts_in(reading):
-        box = boxes[role] if isinstance(role, Role) else reading.beside[role].box
-        title = next((own for own in named if overlap(own.box, box)), None)
+        box = boxes[role] if isinstance(role, Role) else reading.adjacent_sections[role].box
+        title = next((section for section in named if overlap(section.box, box)), None)
         used.append(title)
         label = title.title.label if title is not None else ""
-        own = SectionReport(label, _direction(role), turn.box_to_stored(box), _plane(role, cut))
-        found.append(own)
-    rest = [own for own in named if not any(own is each for each in used)]
+        report = SectionReport(label, _direction(role), turn.box_to_stored(box), _plane(role, cut))
+        found.append(report)
+    rest = [section for section in named if not any(section is each for each in used)]
     found += [
         SectionReport(
-            own.title.label,
-            own.looks.value if own.looks is not None else "",
-            turn.box_to_stored(own.box),
+            section.title.label,
+            section.looks.value if section.looks is not None else "",
+            turn.box_to_stored(section.box),
         )
-        for own in rest
+        for section in rest
     ]
     return tuple(found)
 
@@ -51,7 +51,9 @@ def section_reports(
 def cuts_in(reading: Reading) -> Iterator[tuple[Role | SectionRole, Cut]]:
     """Views that are cut, and sections beside plain views."""
     yield from reading.cuts.items()
-    yield from ((role, own.cut) for role, own in reading.beside.items())
+    yield from (
+        (role, adjacent_section.cut) for role, adjacent_section in reading.adjacent_sections.items()
+    )
 
 
 def with_agreement(
@@ -79,15 +81,15 @@ def assumed_planes(sections: Sequence[SectionReport]) -> tuple[Assumption, ...]:
             Message(
                 "the {view} section {label} was taken to cut through the middle of the part, as "
                 "nothing tells where",
-                view=own.role,
-                label=own.label or "without a title",
-                **({} if own.label else {"case": "untitled"}),
+                view=section.role,
+                label=section.label or "without a title",
+                **({} if section.label else {"case": "untitled"}),
             ),
-            own.box,
+            section.box,
             "it cuts elsewhere: draw its cutting line",
         )
-        for own in sections
-        if own.plane is not None and own.plane.source == "symmetry"
+        for section in sections
+        if section.plane is not None and section.plane.source == "symmetry"
     )
 
 
@@ -99,5 +101,5 @@ def _plane(role: Role | SectionRole, cut: Cut) -> PlaneReport | None:
     """The plane; nothing where the cut has several."""
     if len(cut.openings) != 1:
         return None
-    (own,) = cut.openings
-    return PlaneReport(role.frame.look_axis[0].name.lower(), round(own.at, 4), own.source)
+    (opening,) = cut.openings
+    return PlaneReport(role.frame.look_axis[0].name.lower(), round(opening.at, 4), opening.source)

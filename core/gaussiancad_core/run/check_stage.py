@@ -123,7 +123,7 @@ def overlay_picture(
     checked: CheckedModel,
     registered: RegisteredSheet,
     clean: CleanSheet,
-    beside: tuple[tuple[Mark, ...], tuple[SpecialView, ...]],
+    adjacent: tuple[tuple[Mark, ...], tuple[SpecialView, ...]],
     conflict: Conflict | None = None,
 ) -> bytes:
     """PNG of the sheet with the model's lines over it, and what else was found on it."""
@@ -137,7 +137,7 @@ def overlay_picture(
         )
         for view in registered.views.views
     ]
-    return png_bytes(draw_overlay(clean.picture, overlays, *beside))
+    return png_bytes(draw_overlay(clean.picture, overlays, *adjacent))
 
 
 def preview_picture(checked: CheckedModel, colour: tuple[int, int, int]) -> bytes:

@@ -94,7 +94,7 @@ class ExactModel:
 
 
 def find_exact(
-    own: Reading,
+    this_reading: Reading,
     other: Reading | None,
     limits: Limits | None = None,
     *,
@@ -104,7 +104,7 @@ def find_exact(
     """The exact solid of a sheet.
 
     Args:
-        own: the reading that was told, inferred or assumed.
+        this_reading: the reading that was told, inferred or assumed.
         other: the other one, if it is possible.
         limits: of the search.
         by_symbol: whether the sheet's projection symbol tells the first: the other is tried only
@@ -112,28 +112,28 @@ def find_exact(
         way: the sketch alone, or all ways.
     """
     limits = limits or Limits()
-    readings = _Readings(own, other, by_symbol)
-    if own.is_alone or way is SolidWay.SKETCH:
+    readings = _Readings(this_reading, other, by_symbol)
+    if this_reading.is_alone or way is SolidWay.SKETCH:
         # Cells take two views.
         failed = ExactResult(Status.FAILED, None, None, (), (UNBUILT,), {})
-        return readings.sketched or ExactModel(own, failed, False)
-    if not has_hidden_lines(own.drawn):
+        return readings.sketched or ExactModel(this_reading, failed, False)
+    if not has_hidden_lines(this_reading.drawn):
         # Nothing can be certain of such a sheet.
         sketched = _told_by_sketches(readings)
         if sketched is not None:
             return sketched
     strict = replace(limits, relaxed=False)
-    result, model = _solved(own, strict)
+    result, model = _solved(this_reading, strict)
     if result.explains and (other is None or by_symbol):
-        return ExactModel(own, result, by_symbol)
+        return ExactModel(this_reading, result, by_symbol)
     contrary, model_of_other = _solved(other, strict) if other is not None else (None, None)
     if contrary is None or not (result.explains or contrary.explains):
         return _not_strictly(readings, limits, (model, model_of_other))
     if result.explains and contrary.explains:
-        return _told_apart((own, result), (other, contrary))
+        return _told_apart((this_reading, result), (other, contrary))
     # The reading that has no solid must have none for certain, for the other one to be.
     loser = contrary if result.explains else result
-    reading, winner = (own, result) if result.explains else (other, contrary)
+    reading, winner = (this_reading, result) if result.explains else (other, contrary)
     return ExactModel(reading, winner if loser.is_settled else winner.doubted(_UNSETTLED), True)
 
 
@@ -147,14 +147,14 @@ class _Readings:
         by_symbol: whether a projection symbol tells the first.
     """
 
-    own: Reading
+    assumed: Reading
     other: Reading | None
     by_symbol: bool
 
     @cached_property
     def weighed(self) -> Weighed:
         """How well they are sketched."""
-        return weigh((self.own,) if self.other is None else (self.own, self.other))
+        return weigh((self.assumed,) if self.other is None else (self.assumed, self.other))
 
     @property
     def likelier(self) -> int:
@@ -175,7 +175,7 @@ class _Readings:
     @property
     def taken(self) -> Reading:
         """The one that is taken, where no solid has all lines."""
-        return self.own if self.likelier == 0 or self.other is None else self.other
+        return self.assumed if self.likelier == 0 or self.other is None else self.other
 
     @cached_property
     def sketched(self) -> ExactModel | None:
@@ -185,7 +185,7 @@ class _Readings:
     def sketch_of(self, number: int) -> ExactModel | None:
         """The sketch of a reading, drawn again; None where there is none."""
         sketch = self.weighed.sketches[number]
-        reading = self.own if number == 0 or self.other is None else self.other
+        reading = self.assumed if number == 0 or self.other is None else self.other
         result = checked(sketch, reading.drawn) if sketch is not None else None
         if result is None:
             return None
@@ -201,12 +201,12 @@ def _told_by_sketches(readings: _Readings) -> ExactModel | None:
             return None
         return replace(sketched, decided=sketched.decided or readings.by_symbol)
     contrary = readings.sketch_of(1 - readings.likelier)
-    found = [own for own in (sketched, contrary) if own is not None and own.result.explains]
+    found = [model for model in (sketched, contrary) if model is not None and model.result.explains]
     if len(found) < 2:
         # The other one has lines that nothing explains, if it was sketched at all.
         is_told = sketched is not None and contrary is not None
         return replace(found[0], decided=is_told) if found else None
-    first, second = ((own.reading, own.result) for own in found)
+    first, second = ((model.reading, model.result) for model in found)
     return replace(_beside(first, second), sketched=found[0].sketched)
 
 
@@ -219,8 +219,8 @@ def _told_apart(
 
 def _beside(first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]) -> ExactModel:
     """A solid, and that of the other reading beside it, if it is another one."""
-    (own, result), (_, contrary) = first, second
-    indistinct = own.drawn.indistinct
+    (reading, result), (_, contrary) = first, second
+    indistinct = reading.drawn.indistinct
     further = [
         (shape, share)
         for shape, share in zip(
@@ -231,26 +231,26 @@ def _beside(first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResu
         if not same_solid(shape, result.shape, indistinct)
     ]
     if not further:
-        return ExactModel(own, result, False)
+        return ExactModel(reading, result, False)
     result = replace(
         result,
         alternatives=(*result.alternatives, *(shape for shape, _ in further)),
         agreements=(*result.agreements, *(share for _, share in further)),
         contrary=len(further),
     )
-    return ExactModel(own, result.doubted(_AMBIGUOUS), False)
+    return ExactModel(reading, result.doubted(_AMBIGUOUS), False)
 
 
-def _is_likelier(other: tuple[Reading, ExactResult], own: tuple[Reading, ExactResult]) -> bool:
+def _is_likelier(other: tuple[Reading, ExactResult], pair: tuple[Reading, ExactResult]) -> bool:
     """Whether the other reading of two that fit alike is to be taken: whose solid is clearly more
     usual, where hidden lines are left out; else whose sketch explains more."""
-    result, contrary = own[1], other[1]
+    result, contrary = pair[1], other[1]
     if result.unusual is not None and contrary.unusual is not None:
         if contrary.unusual < _MORE_USUAL * result.unusual:
             return True
         if result.unusual < _MORE_USUAL * contrary.unusual:
             return False
-    return weigh((own[0], other[0])).likelier == 1
+    return weigh((pair[0], other[0])).likelier == 1
 
 
 def _not_strictly(
@@ -268,12 +268,12 @@ def _not_strictly(
     share = _BESIDE_FIRM if is_firm else _RELAXED
     less = replace(limits, work=share * limits.work)
     relaxed, _ = _solved(reading, less, models[readings.likelier])
-    told = readings.is_decided, None, readings.is_contradicted
+    stated = readings.is_decided, None, readings.is_contradicted
     if sketched is None or relaxed.status is Status.VERIFIED:
-        return ExactModel(reading, relaxed, *told)
+        return ExactModel(reading, relaxed, *stated)
     result = sketched.result
     if relaxed.shape is not None and _is_better(relaxed, result, is_firm=is_firm):
-        return ExactModel(reading, relaxed, *told)
+        return ExactModel(reading, relaxed, *stated)
     result = replace(
         result,
         conflict=relaxed.conflict,
@@ -285,7 +285,7 @@ def _not_strictly(
 
 def _costs(sketch: Sketch, reading: Reading) -> float:
     """What a sketch costs as a share of the lines' length."""
-    drawn = sum(own.length for strokes in reading.drawn.strokes.values() for own in strokes)
+    drawn = sum(stroke.length for strokes in reading.drawn.strokes.values() for stroke in strokes)
     return sketch.energy / drawn
 
 
@@ -302,13 +302,13 @@ def _wrong(verification: Verification) -> float:
     return sum(flaw.length for flaw in verification.flaws)
 
 
-def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
+def find_for_hull(reading: Reading, other: Reading | None) -> ExactModel | None:
     """The exact solid as far as it is found quickly, for the depths of its surfaces alone.
 
     Returns:
         What :func:`find_exact` finds with a quarter of the effort; None for sheets of many lines.
     """
-    strokes = sum(map(len, own.drawn.strokes.values()))
+    strokes = sum(map(len, reading.drawn.strokes.values()))
     if strokes > _MOST_BRIEF:
         return None
     usual = Effort()
@@ -320,7 +320,7 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
         work=_BRIEF_WORK,
         conflict=_BRIEF * Limits().conflict,
     )
-    return find_exact(own, other, limits)
+    return find_exact(reading, other, limits)
 
 
 def _solved(

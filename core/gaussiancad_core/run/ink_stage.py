@@ -35,7 +35,7 @@ def compared_with_ink(
             sheet.clean,
         )
     ]
-    worst = max(found, key=lambda own: own.offset, default=None)
+    worst = max(found, key=lambda offset: offset.offset, default=None)
     if worst is None or worst.offset <= APART_PX:
         return result
     return result.doubted(beside_ink(worst, registered.mm_per_pixel))

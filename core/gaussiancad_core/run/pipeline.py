@@ -154,18 +154,18 @@ class _Run:
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self.notes.stage("solid"):
                 found, exact = self._find_solid(found, sheet)
-        own = exact.reading if exact else found.own
-        tell_symbol(self.notes, found, own.projection)
+        reading = exact.reading if exact else found.assumed
+        tell_symbol(self.notes, found, reading.projection)
         asked = exact is not None and self.job.result is not ResultKind.SURFACE
         solid = exact if asked and exact.result.shape is not None else None
         if solid:
             self._publish(solid, self._status(solid))
-        models = self._make_models(own.registered, exact, solid, turn)
+        models = self._make_models(reading.registered, exact, solid, turn)
         with self.notes.stage("check"):
-            checked = self._check(own.registered, models, solid, turn)
+            checked = self._check(reading.registered, models, solid, turn)
             conflict = exact.result.conflict if asked else None
-            beside = found.marks, found.special
-            overlay = overlay_picture(checked, own.registered, sheet.clean, beside, conflict)
+            adjacent = found.marks, found.special
+            overlay = overlay_picture(checked, reading.registered, sheet.clean, adjacent, conflict)
             self._write_pictures(overlay, preview_picture(checked, self.job.reading.colour))
         with self.notes.stage("write"):
             if models:
@@ -310,9 +310,9 @@ class _Run:
         while way is not SolidWay.NONE:
             try:
                 if surface_alone:
-                    return find_for_hull(found.own, found.other)
+                    return find_for_hull(found.assumed, found.other)
                 by_symbol = found.symbol is not None
-                return find_exact(found.own, found.other, by_symbol=by_symbol, way=way)
+                return find_exact(found.assumed, found.other, by_symbol=by_symbol, way=way)
             except KERNEL_FAILURES:
                 way = SolidWay.NONE if surface_alone else way.less
                 if way is SolidWay.NONE and self.job.result is ResultKind.SOLID:
@@ -338,8 +338,8 @@ class _Run:
             from gaussiancad_core.sketch.constructing import construction_of
             from gaussiancad_core.sketch.construction import write_construction
 
-            told = solid.reading.numbered.told
-            write_construction(construction_of(solid.sketched, told), self.folder.staging)
+            dimensions = solid.reading.numbered.dimensions
+            write_construction(construction_of(solid.sketched, dimensions), self.folder.staging)
         self.folder.publish()
         self._send("solid", SOLID_FILE, status=status.value)
 

@@ -123,8 +123,8 @@ def sheet_ink(job: Job, sheet: OpenedSheet) -> Ink:
     """What corrections ask of a sheet."""
     reread = reread_in(job, sheet)
 
-    def fill(own: SheetReading) -> SheetReading:
-        return with_read_views(own, reread, sheet.turn)
+    def fill(reading: SheetReading) -> SheetReading:
+        return with_read_views(reading, reread, sheet.turn)
 
     return Ink(fill, tracer(sheet))
 

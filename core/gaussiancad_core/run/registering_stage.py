@@ -29,8 +29,8 @@ class SheetFindings:
     """What was read on a sheet.
 
     Attributes:
-        own: the views on shared axes, as they are named; once the readings are weighed, under the
-            likelier projection.
+        assumed: the views on shared axes, as they are named; once the readings are weighed,
+            under the likelier projection.
         other: the same under the other projection, where that is possible.
         marks: annotations, in px of the upright sheet.
         special: views that are no plain projections.
@@ -38,7 +38,7 @@ class SheetFindings:
         contradicted: whether the lines fit the other projection better than the symbol's.
     """
 
-    own: Reading
+    assumed: Reading
     other: Reading | None
     marks: tuple[Mark, ...]
     special: tuple[SpecialView, ...]
@@ -68,16 +68,16 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
             found = _both(lines, options, notes)
         else:
             registered = register_views(lines.drawn, options, lines.unseen)
-            own = Reading(registered, notes.report.projection)
-            found = SheetFindings(own, None, (), ())
+            reading = Reading(registered, notes.report.projection)
+            found = SheetFindings(reading, None, (), ())
         found = _with_measures(found, lines.scale, notes)
         found = _with_cuts(found, lines)
         found = _with_notes(found, lines, turn, notes)
         if found.other and job.result is ResultKind.SURFACE:
             found = weigh_readings(found, notes)
-        _tell_views(notes, found.own.registered, turn)
-        _tell_registration(notes, found.own.registered, turn)
-        notes.tell(sections=section_reports(found.own, lines.sections, turn))
+        _tell_views(notes, found.assumed.registered, turn)
+        _tell_registration(notes, found.assumed.registered, turn)
+        notes.tell(sections=section_reports(found.assumed, lines.sections, turn))
     return replace(found, marks=lines.marks, special=layout.special)
 
 
@@ -118,52 +118,54 @@ def weigh_readings(found: SheetFindings, notes: RunNotes) -> SheetFindings:
     """
     from gaussiancad_core.sketch.projection_by_sketch import weigh
 
-    own, other = found.own, found.other
-    weighed = weigh((own, other))
+    reading, other = found.assumed, found.other
+    weighed = weigh((reading, other))
     is_other = weighed.likelier == 1
     contradicted = found.symbol is not None and is_other and weighed.is_clear
     if is_other and found.symbol is None:
-        own, other = other, own
-    tell_projection(notes, own.projection, weighed.is_clear or found.symbol is not None)
-    return replace(found, own=own, other=other, contradicted=contradicted)
+        reading, other = other, reading
+    tell_projection(notes, reading.projection, weighed.is_clear or found.symbol is not None)
+    return replace(found, assumed=reading, other=other, contradicted=contradicted)
 
 
 def _both(lines: SheetLines, options: ReadingOptions, notes: RunNotes) -> SheetFindings:
     """The views as they are named, and as the other projection names them where that may be."""
     layout = lines.layout
     registered, contrary = both_readings(lines.drawn, options)
-    own = Reading(registered, layout.projection)
+    reading = Reading(registered, layout.projection)
     other = Reading(contrary, layout.projection.other) if contrary else None
     if other is None:
-        tell_projection(notes, own.projection, inferred=True)
-    return SheetFindings(own, other, (), (), layout.symbol)
+        tell_projection(notes, reading.projection, inferred=True)
+    return SheetFindings(reading, other, (), (), layout.symbol)
 
 
 def _with_measures(
     found: SheetFindings, scale: SheetScale | None, notes: RunNotes
 ) -> SheetFindings:
     """The readings with what the dimensions say of lengths, where they fit the scale."""
-    if contradicts(found.own.registered, scale):
+    if contradicts(found.assumed.registered, scale):
         notes.doubt(
             "scale-contradicts-dimensions",
             Message(
                 "the dimensions on the sheet agree on {sheet:.4g} mm a pixel, but {told:.4g} was "
                 "told: check --length or --mm-per-pixel; their numbers were not used",
                 sheet=scale.mm_per_pixel,
-                told=found.own.registered.mm_per_pixel,
+                told=found.assumed.registered.mm_per_pixel,
             ),
         )
     measured = [
         reading and replace(reading, measures=trusted(reading.registered, scale))
-        for reading in (found.own, found.other)
+        for reading in (found.assumed, found.other)
     ]
-    return replace(found, own=measured[0], other=measured[1])
+    return replace(found, assumed=measured[0], other=measured[1])
 
 
 def _with_cuts(found: SheetFindings, lines: SheetLines) -> SheetFindings:
     """The readings with their sections and the planes of these."""
-    own, other = (reading and _cut(reading, lines) for reading in (found.own, found.other))
-    return replace(found, own=own, other=other)
+    this_reading, other = (
+        reading and _cut(reading, lines) for reading in (found.assumed, found.other)
+    )
+    return replace(found, assumed=this_reading, other=other)
 
 
 def _with_notes(
@@ -171,32 +173,32 @@ def _with_notes(
 ) -> SheetFindings:
     """The readings with the holes that notes speak of."""
     dimensions = [
-        replace(own, box=turn.box_to_upright(own.box))
-        for own in (lines.scale.dimensions if lines.scale is not None else ())
+        replace(dimension, box=turn.box_to_upright(dimension.box))
+        for dimension in (lines.scale.dimensions if lines.scale is not None else ())
     ]
-    told = [
+    stated = [
         reading and hole_notes(reading.registered, lines.notes, dimensions)
-        for reading in (found.own, found.other)
+        for reading in (found.assumed, found.other)
     ]
-    for code, message in told[0].doubts:
+    for code, message in stated[0].doubts:
         notes.doubt(code, message)
-    used = {turn.box_to_stored(box) for _, box in told[0].used}
-    notes.tell(notes=tuple(replace(own, used=own.at in used) for own in notes.report.notes))
-    own, other = (
+    used = {turn.box_to_stored(box) for _, box in stated[0].used}
+    notes.tell(notes=tuple(replace(note, used=note.at in used) for note in notes.report.notes))
+    this_reading, other = (
         reading and replace(reading, holes=its.holes)
-        for reading, its in zip((found.own, found.other), told, strict=True)
+        for reading, its in zip((found.assumed, found.other), stated, strict=True)
     )
-    return replace(found, own=own, other=other)
+    return replace(found, assumed=this_reading, other=other)
 
 
 def _cut(reading: Reading, lines: SheetLines) -> Reading:
     sections = lines.sections
     if reading.projection is not lines.layout.projection:
-        sections = tuple(_turned(own) for own in sections)
+        sections = tuple(_turned(section) for section in sections)
     return replace(
         reading,
         cuts=cuts_of(reading.registered, sections),
-        beside=sections_of(reading.registered, lines.beside, sections),
+        adjacent_sections=sections_of(reading.registered, lines.adjacent_sections, sections),
     )
 
 

@@ -142,8 +142,8 @@ class Desk:
     def _reread(self, request: Request) -> dict[str, Any]:
         """The same with corrections, the views read that they box."""
         kept = self._opened(request)
-        told = open_corrections(Path(request.corrections))
-        found = corrected(kept.read(), told.ops, kept.ink).reading
+        corrections = open_corrections(Path(request.corrections))
+        found = corrected(kept.read(), corrections.ops, kept.ink).reading
         return self._written(request, kept.ink.fill(found))
 
     def _trace(self, request: Request) -> dict[str, Any]:
@@ -197,7 +197,7 @@ class Desk:
         return RunNotes(Report("", job.settings()), Progress(self._listener, len(STAGES)))
 
     def _written(self, request: Request, reading: SheetReading) -> dict[str, Any]:
-        refused = sum(own.severity == "refused" for own in reading.problems)
+        refused = sum(problem.severity == "refused" for problem in reading.problems)
         content = msgspec.json.encode(reading) + b"\n"
         return {"reading": self._write(request, READING_FILE, content), "refused": refused}
 

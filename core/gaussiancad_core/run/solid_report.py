@@ -60,10 +60,10 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
             else report.sections
         ),
         disagreements=tuple(
-            _disagreement(own, sheet)
-            for own in (verification.flaws if verification is not None else ())
+            _disagreement(flaw, sheet)
+            for flaw in (verification.flaws if verification is not None else ())
         ),
-        trace=tuple(_attempt(own, sheet) for own in result.trace),
+        trace=tuple(_attempt(attempt, sheet) for attempt in result.trace),
     )
     conflict = result.conflict
     if conflict is None:
@@ -82,7 +82,7 @@ class _Sheet:
 
     def __init__(self, reading: Reading, turn: Turn) -> None:
         self._views = reading.registered.views
-        self._beside = reading.beside
+        self._beside = reading.adjacent_sections
         self._turn = turn
 
     def points(self, role: Role | SectionRole, points: np.ndarray) -> np.ndarray:
@@ -99,10 +99,10 @@ class _Sheet:
         return round(x, 1), round(y, 1)
 
 
-def _disagreement(own: Flaw, sheet: _Sheet) -> Disagreement:
-    line = tuple(sheet.place(own.role, end) for end in own.ends) if own.ends else None
-    at, kind = sheet.place(own.role, own.place), own.linetype.value
-    return Disagreement(own.role.value, at, own.length, own.missing, kind, line)
+def _disagreement(flaw: Flaw, sheet: _Sheet) -> Disagreement:
+    line = tuple(sheet.place(flaw.role, end) for end in flaw.ends) if flaw.ends else None
+    at, kind = sheet.place(flaw.role, flaw.place), flaw.linetype.value
+    return Disagreement(flaw.role.value, at, flaw.length, flaw.missing, kind, line)
 
 
 def _of_sheet(report: Report, model: ExactModel, turn: Turn) -> Iterator[Assumption]:
@@ -119,9 +119,9 @@ def _of_sheet(report: Report, model: ExactModel, turn: Turn) -> Iterator[Assumpt
 def _second_view(report: Report) -> Iterator[Assumption]:
     """That a second view would have shown what was taken for it."""
     yield from (
-        Assumption("second-view", own.message, None, "another part with the same view")
-        for own in report.reasons
-        if own.code == "second-view-assumed"
+        Assumption("second-view", reason.message, None, "another part with the same view")
+        for reason in report.reasons
+        if reason.code == "second-view-assumed"
     )
 
 
@@ -134,16 +134,16 @@ def _measures(measures: Measures) -> MeasuresReport:
     return MeasuresReport(float(f"{measures.uncertainty:.4g}"), measures.source.value, along)
 
 
-def _attempt(own: Attempt, sheet: _Sheet) -> dict[str, Any]:
+def _attempt(attempt: Attempt, sheet: _Sheet) -> dict[str, Any]:
     """An attempt as JSON values."""
     return {
-        "model": own.model.value,
-        "outcome": own.outcome.value,
-        "taken": own.taken,
-        "rules": own.rules,
-        "cells": own.cells,
-        "work": round(own.work, 3),
-        "given_up_mm": round(own.cost, 2),
+        "model": attempt.model.value,
+        "outcome": attempt.outcome.value,
+        "taken": attempt.taken,
+        "rules": attempt.rules,
+        "cells": attempt.cells,
+        "work": round(attempt.work, 3),
+        "given_up_mm": round(attempt.cost, 2),
         "given_up": [
             {
                 "view": each.role.value,
@@ -151,25 +151,25 @@ def _attempt(own: Attempt, sheet: _Sheet) -> dict[str, Any]:
                 "length_mm": round(each.length, 2),
                 "drawn": _name(each.drawn),
             }
-            for each in own.given_up
+            for each in attempt.given_up
         ],
-        "faces": own.faces,
-        "agreement": round(own.share, 4),
-        "disagreements": own.flaws,
-        "others": own.others,
-        "open_at_mm": [[round(value, 2) for value in place] for place in own.open_at],
+        "faces": attempt.faces,
+        "agreement": round(attempt.share, 4),
+        "disagreements": attempt.flaws,
+        "others": attempt.others,
+        "open_at_mm": [[round(value, 2) for value in place] for place in attempt.open_at],
     }
 
 
 def _alternatives(model: ExactModel) -> tuple[AlternativeReport, ...]:
-    result, own = model.result, model.reading.projection
+    result, this_projection = model.result, model.reading.projection
     count = len(result.alternatives)
     reports = []
     for place, (shape, share) in enumerate(
         zip(result.alternatives, result.agreements, strict=True)
     ):
         facts = soundness(shape)
-        projection = own.other if place >= count - result.contrary else own
+        projection = this_projection.other if place >= count - result.contrary else this_projection
         reports.append(
             AlternativeReport(
                 alternative_file(place + 1),

@@ -71,7 +71,7 @@ class ReadingOptions:
 
     def length_along(self, axis: Axis) -> float | None:
         """mm that the part is long along an axis, if it was said."""
-        return next((length for own, length in self.lengths if own is axis), None)
+        return next((length for this_axis, length in self.lengths if this_axis is axis), None)
 
     def scaling_length(self, shown: Container[Axis]) -> tuple[Axis, float] | None:
         """The length that tells the scale of views, if one does.
@@ -79,4 +79,4 @@ class ReadingOptions:
         Args:
             shown: axes that the views show.
         """
-        return next((own for own in self.lengths if own[0] in shown), None)
+        return next((length for length in self.lengths if length[0] in shown), None)

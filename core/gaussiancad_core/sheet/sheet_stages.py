@@ -115,7 +115,7 @@ class RegisteredSheet:
         mm_per_pixel: mean over the axes, of sheet px.
         extents: of the axes in sheet px.
         opened: number of through holes opened in the masks.
-        told: the axis whose extent was told; None where none was, or the scale.
+        given_axis: the axis whose extent was told; None where none was, or the scale.
         unseen: what is known of the axis that the only view does not show; None of several views.
     """
 
@@ -125,7 +125,7 @@ class RegisteredSheet:
     mm_per_pixel: float
     extents: AxisExtents
     opened: int
-    told: Axis | None = None
+    given_axis: Axis | None = None
     unseen: Unseen | None = None
 
     @property
@@ -177,14 +177,14 @@ def read_views(
         else:
             strokes = classify_strokes(shapes[role], rhythm, pens)
         outline = find_outline(sheet, box, supersampling)
-        own = box
+        this_view_box = box
         if outline is not None:
             if source is StrokesSource.RASTER:
                 strokes = without_outside(strokes, outline)
-            own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
-        told = pens.told or source is not StrokesSource.RASTER
-        dash = None if told else rhythm.dash + _ALONE * rhythm.gap
-        drawn.append(ReadView(role, own, strokes, outline, source, dash, step))
+            this_view_box = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
+        is_given = pens.distinct or source is not StrokesSource.RASTER
+        dash = None if is_given else rhythm.dash + _ALONE * rhythm.gap
+        drawn.append(ReadView(role, this_view_box, strokes, outline, source, dash, step))
     return tuple(drawn)
 
 
@@ -242,8 +242,8 @@ def register_views(
     _check_size(max(size))
     placements = {}
     strokes = {}
-    for place, own, moved in zip(plain, shared.maps, shared.strokes, strict=True):
-        box = shared_placement(place, own, pixels).box
+    for place, view_map, moved in zip(plain, shared.maps, shared.strokes, strict=True):
+        box = shared_placement(place, view_map, pixels).box
         placements[place.role] = placement(place.role, box, size)
         strokes[place.role] = scaled(moved, scale)
     views = []
@@ -251,18 +251,18 @@ def register_views(
     for view in drawn:
         holes = _through_holes(view, drawn) if options.open_holes else ()
         opened += len(holes)
-        own = make_view(
+        this_view_map = make_view(
             placements[view.role],
             strokes[view.role],
             view.outline.without(holes),
             view.outline,
             scale / view.outline.supersampling,
         )
-        views.append(own)
-    told = _scaling(shared.extents, options)
+        views.append(this_view_map)
+    stated = _scaling(shared.extents, options)
     found = ViewSet(tuple(views), size)
     return RegisteredSheet(
-        found, placements, drawn, scale, extents, opened, told and told[0], unseen
+        found, placements, drawn, scale, extents, opened, stated and stated[0], unseen
     )
 
 
@@ -310,8 +310,8 @@ def _scale(extents: dict[Axis, float], options: ReadingOptions) -> float:
     """mm per sheet px, for a part whose extents are so many."""
     if options.mm_per_pixel is not None:
         return options.mm_per_pixel
-    if told := _scaling(extents, options):
-        axis, length = told
+    if stated := _scaling(extents, options):
+        axis, length = stated
         return length / extents[axis]
     return DEFAULT_LONGEST_MM / max(extents.values())
 

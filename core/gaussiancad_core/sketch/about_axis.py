@@ -36,7 +36,7 @@ def middle_of(axis: Axis, size: Sequence[float]) -> Point:
 
 def circles_about(
     axis: Axis,
-    beside: Iterable[tuple[int, int, Sequence[PlaneLine]]],
+    neighbours: Iterable[tuple[int, int, Sequence[PlaneLine]]],
     holes: Iterable[NotedHole],
     size: Sequence[float],
     grid: float,
@@ -45,7 +45,7 @@ def circles_about(
 
     Args:
         axis: that it is turned about.
-        beside: of each view from beside, which coordinate of the plan and of its own plane it has
+        neighbours: of each view from beside, which coordinate of the plan and of its plane it has
             in common with the plan, and its lines.
         holes: of which notes speak.
         size: (3,) mm of the part.
@@ -55,22 +55,22 @@ def circles_about(
     widest = min(middle)
     radii = [
         step.diameter / 2.0
-        for own in holes
-        if role_plane(own.role).normal is axis
-        for step in own.steps
+        for hole in holes
+        if role_plane(hole.role).normal is axis
+        for step in hole.steps
     ]
-    for column, across, lines in beside:
+    for column, across, lines in neighbours:
         radii += [abs(at - middle[column]) for at in _sides(lines, across, grid)]
     near = _NEAR * grid
     kept = [widest]
     for radius in radii:
-        if near < radius < widest and all(abs(radius - own) > near for own in kept):
+        if near < radius < widest and all(abs(radius - value) > near for value in kept):
             kept.append(radius)
-    return [whole_circle(CircleCurve(middle, own), False) for own in kept]
+    return [whole_circle(CircleCurve(middle, value), False) for value in kept]
 
 
 def _sides(lines: Sequence[PlaneLine], across: int, grid: float) -> Iterator[float]:
     """Where lines run along the axis, the longest first."""
-    for own in sorted(lines, key=lambda line: -line.length):
-        if own.constant(_STRAIGHT * grid) == across and own.length > _SHORTEST * grid:
-            yield float(own.points[:, across].mean())
+    for plane_line in sorted(lines, key=lambda line: -line.length):
+        if plane_line.constant(_STRAIGHT * grid) == across and plane_line.length > _SHORTEST * grid:
+            yield float(plane_line.points[:, across].mean())

@@ -93,12 +93,12 @@ def find_places(views: DrawnViews, grid: float) -> Places:
     """
     supports = find_supports(views)
     scale = supports.scale
-    values = {axis: np.array(own) / scale for axis, own in supports.values.items()}
+    values = {axis: np.array(this_values) / scale for axis, this_values in supports.values.items()}
     circles = {
         axis: [
             CircleCurve((x / scale, y / scale), curve.radius / scale)
-            for own in plane.supports
-            if isinstance(curve := own.curve, CircleCurve)
+            for support in plane.supports
+            if isinstance(curve := support.curve, CircleCurve)
             for x, y in [curve.centre]
         ]
         for axis, plane in supports.planes.items()

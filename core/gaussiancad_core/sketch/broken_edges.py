@@ -35,9 +35,9 @@ def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Ed
         plan: with the breaks of edges across its axis.
     """
     refused: list[EdgeBreak] = []
-    for own in _alike(plan.breaks, plan.grid):
-        loops = list(_loops(shape, own, plan))
-        whole = _broken(shape, own[0], [edge for loop in loops for edge in loop.edges])
+    for edge_breaks in _alike(plan.breaks, plan.grid):
+        loops = list(_loops(shape, edge_breaks, plan))
+        whole = _broken(shape, edge_breaks[0], [edge for loop in loops for edge in loop.edges])
         if whole is not None:
             shape = whole
             continue
@@ -45,13 +45,13 @@ def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Ed
         count = 0
         for place in [loop.place for loop in loops]:
             # What was broken before has made other edges of them.
-            left = _loops(shape, own, plan)
+            left = _loops(shape, edge_breaks, plan)
             near = min(left, key=lambda loop: loop.place.distance(place), default=None)
-            broken = _broken(shape, own[0], near.edges) if near is not None else None
+            broken = _broken(shape, edge_breaks[0], near.edges) if near is not None else None
             if broken is not None:
                 shape, count = broken, count + 1
         if not count:
-            refused += own
+            refused += edge_breaks
     return shape, tuple(refused)
 
 
@@ -66,8 +66,11 @@ class _Loop:
 def _alike(breaks: Sequence[EdgeBreak], grid: float) -> Iterator[list[EdgeBreak]]:
     """Breaks of one face, of one size."""
 
-    def key(own: EdgeBreak) -> tuple[int, int, int, bool]:
-        return (*(round(x / grid) for x in (own.at, own.width, own.height)), own.is_round)
+    def key(edge_break: EdgeBreak) -> tuple[int, int, int, bool]:
+        return (
+            *(round(x / grid) for x in (edge_break.at, edge_break.width, edge_break.height)),
+            edge_break.is_round,
+        )
 
     for _, group in groupby(sorted(breaks, key=key), key=key):
         yield list(group)
@@ -76,10 +79,10 @@ def _alike(breaks: Sequence[EdgeBreak], grid: float) -> Iterator[list[EdgeBreak]
 def _loops(shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], plan: Plan) -> Iterator[_Loop]:
     """Outlines of the faces that the breaks are of, and of their holes along bands of the plan."""
     near = _NEAR * plan.grid
-    own = breaks[0]
+    edge_break = breaks[0]
     bands = shapely.union_all([plan.regions.polygons[band].boundary for band in plan.regions.bands])
     for face in faces_of(shape):
-        if not _is_level(face, plan.axis, own.at, near):
+        if not _is_level(face, plan.axis, edge_break.at, near):
             continue
         low, high = bounding_box(face)
         reaches = any(
@@ -91,7 +94,9 @@ def _loops(shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], plan: Plan) -> Iter
             continue
         outer = BRepTools.OuterWire_s(face)
         for wire in subshapes(face, TopAbs_ShapeEnum.TopAbs_WIRE):
-            edges = [TopoDS.Edge(own) for own in subshapes(wire, TopAbs_ShapeEnum.TopAbs_EDGE)]
+            edges = [
+                TopoDS.Edge(subshape) for subshape in subshapes(wire, TopAbs_ShapeEnum.TopAbs_EDGE)
+            ]
             middles = [_middle(edge, plan.axis) for edge in edges]
             if wire.IsSame(outer) or all(at.distance(bands) <= near for at in middles):
                 place = shapely.MultiPoint(middles).centroid
@@ -116,19 +121,19 @@ def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
 
 
 def _broken(
-    shape: TopoDS_Shape, own: EdgeBreak, edges: Sequence[tuple[TopoDS_Edge, TopoDS_Face]]
+    shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Sequence[tuple[TopoDS_Edge, TopoDS_Face]]
 ) -> TopoDS_Shape | None:
     if not edges:
         return None
     try:
-        if own.is_round:
+        if edge_break.is_round:
             maker = BRepFilletAPI_MakeFillet(shape)
             for edge, _ in edges:
-                maker.Add(float(np.mean([own.width, abs(own.height)])), edge)
+                maker.Add(float(np.mean([edge_break.width, abs(edge_break.height)])), edge)
         else:
             maker = BRepFilletAPI_MakeChamfer(shape)
             for edge, face in edges:
-                maker.Add(own.width, abs(own.height), edge, face)
+                maker.Add(edge_break.width, abs(edge_break.height), edge, face)
         maker.Build()
         if not maker.IsDone():
             return None

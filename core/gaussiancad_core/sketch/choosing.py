@@ -86,7 +86,7 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
         if status not in FOUND:
             break
         filled = np.array([[bool(solver.value(x)) for x in row] for row in model.terms.filled])
-        sunk = tuple(own for own, is_sunk in model.rims.items() if solver.value(is_sunk))
+        sunk = tuple(rim for rim, is_sunk in model.rims.items() if solver.value(is_sunk))
         # Bodies are paid for once they are seen: to hold a part together takes many constraints.
         parted = model.price_bodies(filled)
         best = Choice(plan, filled, sunk, model.mm(solver.objective_value) + parted, at_least)
@@ -142,17 +142,21 @@ class _Model:
     def price_bodies(self, filled: npt.NDArray[np.bool_]) -> float:
         """mm that the bodies of a choice cost beside the largest, if they cost nothing yet; from
         now on they do."""
-        bodies = _bodies(filled, self.terms.beside)
-        fresh = [frozenset(own) for own in bodies[1:] if frozenset(own) not in self._priced]
+        bodies = _bodies(filled, self.terms.neighbours)
+        fresh = [
+            frozenset(this_bodies)
+            for this_bodies in bodies[1:]
+            if frozenset(this_bodies) not in self._priced
+        ]
         total = 0.0
-        for own in fresh:
-            self._priced.add(own)
+        for items in fresh:
+            self._priced.add(items)
             shadow = float(
-                self.terms.plan.regions.areas[sorted({region for region, _ in own})].sum()
+                self.terms.plan.regions.areas[sorted({region for region, _ in items})].sum()
             )
-            around = {cell for each in own for cell in self._next_to(each)} - own
+            around = {cell for each in items for cell in self._next_to(each)} - items
             is_body = self.terms.model.new_bool_var("")
-            inside = sum(1 - self.terms.filled[r][k] for r, k in own)
+            inside = sum(1 - self.terms.filled[r][k] for r, k in items)
             outside = sum(self.terms.filled[r][k] for r, k in around)
             self.terms.model.add(inside + outside + is_body >= 1)
             self.terms.cost(_BODY * shadow**0.5, is_body)
@@ -160,23 +164,23 @@ class _Model:
         if fresh:
             self.terms.model.minimize(sum(self.terms.costs))
             self.terms.model.clear_hints()
-            for row, own in zip(self.terms.filled, filled, strict=True):
-                for x, value in zip(row, own, strict=True):
+            for row, entries in zip(self.terms.filled, filled, strict=True):
+                for x, value in zip(row, entries, strict=True):
                     self.terms.model.add_hint(x, bool(value))
         return total
 
     def _next_to(self, cell: _Cell) -> set[_Cell]:
         region, slab = cell
         levels = {(region, k) for k in (slab - 1, slab + 1) if k in self.terms.plan.slabs}
-        return levels | {(other, slab) for other in self.terms.beside[region]}
+        return levels | {(other, slab) for other in self.terms.neighbours[region]}
 
 
 def _habit(plan: Plan) -> float:
     """mm that the holes across the slabs cost: most holes of a part are along its slabs' axis."""
-    return sum(plan.grid + _CROSS * sqrt(pi) * own.circle.radius for own in plan.cross_holes)
+    return sum(plan.grid + _CROSS * sqrt(pi) * hole.circle.radius for hole in plan.cross_holes)
 
 
-def _bodies(filled: npt.NDArray[np.bool_], beside: Mapping[int, set[int]]) -> list[set[_Cell]]:
+def _bodies(filled: npt.NDArray[np.bool_], adjacent: Mapping[int, set[int]]) -> list[set[_Cell]]:
     """The filled cells as bodies, those of most cells first."""
     left = {(int(r), int(k)) for r, k in np.argwhere(filled)}
     found = []
@@ -185,7 +189,7 @@ def _bodies(filled: npt.NDArray[np.bool_], beside: Mapping[int, set[int]]) -> li
         body = set(waiting)
         while waiting:
             region, slab = waiting.pop()
-            near = {(region, slab - 1), (region, slab + 1), *((r, slab) for r in beside[region])}
+            near = {(region, slab - 1), (region, slab + 1), *((r, slab) for r in adjacent[region])}
             near &= left
             left -= near
             body |= near

@@ -51,18 +51,18 @@ def with_whole_circles(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLin
         lines: mm.
         grid: mm of a step of the sheet's coordinates.
     """
-    found = [own for own in lines if own.circle is None or own.is_closed]
-    left = [own for own in lines if own.circle is not None and not own.is_closed]
+    found = [line for line in lines if line.circle is None or line.is_closed]
+    left = [line for line in lines if line.circle is not None and not line.is_closed]
     while left:
         first = left[0]
-        alike = [own for own in left if _is_same_circle(own.circle, first.circle, grid)]
-        turn = sum(own.length / own.circle.radius for own in alike)
+        alike = [line for line in left if _is_same_circle(line.circle, first.circle, grid)]
+        turn = sum(line.length / line.circle.radius for line in alike)
         if len(alike) > 1 and turn > _NEARLY_ROUND:
             found.append(_merged(alike))
         else:
             alike = [first]
             found.append(first)
-        left = [own for own in left if not any(own is other for other in alike)]
+        left = [line for line in left if not any(line is other for other in alike)]
     return found
 
 
@@ -74,21 +74,21 @@ def _is_same_circle(one: CircleCurve, other: CircleCurve, grid: float) -> bool:
 
 
 def _merged(arcs: Sequence[PlaneLine]) -> PlaneLine:
-    weights = [own.length for own in arcs]
-    x, y = np.average([own.circle.centre for own in arcs], axis=0, weights=weights).tolist()
-    radius = float(np.average([own.circle.radius for own in arcs], weights=weights))
-    visible = any(own.is_visible for own in arcs)
+    weights = [arc.length for arc in arcs]
+    x, y = np.average([arc.circle.centre for arc in arcs], axis=0, weights=weights).tolist()
+    radius = float(np.average([arc.circle.radius for arc in arcs], weights=weights))
+    visible = any(arc.is_visible for arc in arcs)
     return whole_circle(CircleCurve((x, y), radius), visible, arcs[0].stroke)
 
 
 def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine]:
-    chains = [own.points.copy() for own in lines]
-    ends = [(k, end) for k, own in enumerate(lines) if not own.is_closed for end in (0, -1)]
+    chains = [line.points.copy() for line in lines]
+    ends = [(k, end) for k, line in enumerate(lines) if not line.is_closed for end in (0, -1)]
     if not ends:
         return list(lines)
     places = np.array([chains[k][end] for k, end in ends])
     tails: list[PlaneLine] = []
-    shapes = np.array([shapely.LineString(own) for own in chains])
+    shapes = np.array([shapely.LineString(chain) for chain in chains])
     owners = [k for k, _ in ends]
     for group in _groups(places, owners, _to_others(places, owners, chains, grid), grid):
         if len(group) > 1:
@@ -99,11 +99,11 @@ def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine
                 shapes[k] = shapely.LineString(chains[k])
         else:
             k, end = ends[group[0]]
-            place, beside = chains[k][end].copy(), np.delete(shapes, k)
+            place, adjacent = chains[k][end].copy(), np.delete(shapes, k)
             chains[k][end] = _led_on(chains[k], end, grid)
             shapes[k] = shapely.LineString(chains[k])
-            tails += _tail(place, beside, lines[k].is_visible, grid)
-    moved = [replace(own, points=chain) for own, chain in zip(lines, chains, strict=True)]
+            tails += _tail(place, adjacent, lines[k].is_visible, grid)
+    moved = [replace(line, points=chain) for line, chain in zip(lines, chains, strict=True)]
     return moved + tails
 
 
@@ -130,7 +130,7 @@ def _to_others(
     places: Floats, owners: Sequence[int], chains: Sequence[Floats], grid: float
 ) -> Floats:
     """(n,) mm from each end to where another line runs by, its own ends left out."""
-    lines = [shapely.LineString(own) for own in chains]
+    lines = [shapely.LineString(chain) for chain in chains]
     tree = shapely.STRtree(lines)
     found = np.full(len(places), np.inf)
     for number, (place, owner) in enumerate(zip(places, owners, strict=True)):

@@ -37,27 +37,27 @@ _DIGITS = 6
 """Of coordinates, after the decimal point."""
 
 
-def construction_of(sketch: Sketch, told: ToldNumbers | None) -> Construction:
+def construction_of(sketch: Sketch, stated: ToldNumbers | None) -> Construction:
     """How a sketched part is put together.
 
     Args:
         sketch: with a part.
-        told: what the sheet's numbers say, mm.
+        stated: what the sheet's numbers say, mm.
     """
     plan, near = sketch.choice.plan, _NEAR * sketch.choice.plan.grid
-    numbers = told.lengths if told is not None else ()
-    lengths = [own for own in numbers if isinstance(own, ToldLength)]
-    radii = [own for own in numbers if isinstance(own, ToldRadius)]
+    numbers = stated.lengths if stated is not None else ()
+    lengths = [number for number in numbers if isinstance(number, ToldLength)]
+    radii = [number for number in numbers if isinstance(number, ToldRadius)]
     levels = tuple(
         Level(_rounded(at), _reaching(lengths, plan.axis, at, near), tuple(_at(plan, at, near)))
         for at in plan.levels
-        if any(near > abs(at - end) for own in sketch.slabs for end in (own.low, own.high))
+        if any(near > abs(at - end) for slab in sketch.slabs for end in (slab.low, slab.high))
     )
-    slabs = tuple(_loops_of(own, plan, (lengths, radii), near) for own in sketch.slabs)
+    slabs = tuple(_loops_of(slab, plan, (lengths, radii), near) for slab in sketch.slabs)
     holes = tuple(
-        replace(own, is_through=not any(slab.area.covers(at) for slab in sketch.slabs))
-        for own in _holes(slabs, near)
-        for at in [shapely.Point(own.centre)]
+        replace(hole, is_through=not any(slab.area.covers(at) for slab in sketch.slabs))
+        for hole in _holes(slabs, near)
+        for at in [shapely.Point(hole.centre)]
     )
     energy = _rounded(sketch.energy)
     sunk = tuple(
@@ -65,15 +65,18 @@ def construction_of(sketch: Sketch, told: ToldNumbers | None) -> Construction:
             _point(ring.centre),
             _rounded(2.0 * ring.outer),
             _rounded(2.0 * ring.inner),
-            _rounded(own.at),
-            own.rim.is_top,
+            _rounded(cone.at),
+            cone.rim.is_top,
         )
-        for own in cones_of(sketch.choice)
-        for ring in [own.rim.ring]
+        for cone in cones_of(sketch.choice)
+        for ring in [cone.rim.ring]
     )
     broken = dict.fromkeys(
-        Break(*(round(x, 3) for x in (own.at, own.width, own.height)), own.is_round)
-        for own in sketch.breaks
+        Break(
+            *(round(x, 3) for x in (edge_break.at, edge_break.width, edge_break.height)),
+            edge_break.is_round,
+        )
+        for edge_break in sketch.breaks
     )
     name = plan.axis.name.lower()
     turned = tuple(_turned(sketch))
@@ -85,9 +88,9 @@ def _reaching(
     lengths: Sequence[ToldLength], axis: Axis, at: float, near: float
 ) -> tuple[float, ...]:
     found = {
-        own.value
-        for own in lengths
-        if own.axis is axis and min(abs(own.low - at), abs(own.high - at)) <= near
+        length.value
+        for length in lengths
+        if length.axis is axis and min(abs(length.low - at), abs(length.high - at)) <= near
     }
     return tuple(sorted(found))
 
@@ -99,9 +102,9 @@ def _at(plan: Plan, at: float, near: float) -> Iterator[Source]:
         if plan.axis.value not in axes:
             continue
         along = axes.index(plan.axis.value)
-        for own in lines:
-            if own.constant(near) == along and abs(own.points[:, along].mean() - at) <= near:
-                yield _source(own, role)
+        for line in lines:
+            if line.constant(near) == along and abs(line.points[:, along].mean() - at) <= near:
+                yield _source(line, role)
 
 
 def _source(line: PlaneLine, role: Role) -> Source:
@@ -112,11 +115,13 @@ def _source(line: PlaneLine, role: Role) -> Source:
 def _loops_of(
     slab: Slab,
     plan: Plan,
-    told: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
+    stated: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
     near: float,
 ) -> SlabLoops:
     loops = [
-        Loop(edges, is_hole, _along(edges, plan.axis, told, near), tuple(_under(ring, plan, near)))
+        Loop(
+            edges, is_hole, _along(edges, plan.axis, stated, near), tuple(_under(ring, plan, near))
+        )
         for profile in profiles_of(slab.area, plan.regions, plan.grid)
         for ring, is_hole in _rings(profile)
         for edges in [tuple(_edges(ring, profile))]
@@ -126,50 +131,51 @@ def _loops_of(
 
 def _rings(profile: Profile) -> Iterator[tuple[Floats, bool]]:
     yield np.array(profile.area.exterior.coords)[:-1], False
-    for own in profile.area.interiors:
-        yield np.array(own.coords)[:-1], True
+    for interior in profile.area.interiors:
+        yield np.array(interior.coords)[:-1], True
 
 
 def _edges(ring: Floats, profile: Profile) -> Iterator[Edge]:
-    for own in edges_of(ring, profile):
-        start, end = _point(own.start), _point(own.end)
-        if own.arc is None:
+    for edge in edges_of(ring, profile):
+        start, end = _point(edge.start), _point(edge.end)
+        if edge.arc is None:
             yield Edge(start, end)
         else:
-            radius = _rounded(own.arc.radius)
-            yield Edge(start, end, _point(own.arc.centre), radius, _point(own.middle))
+            radius = _rounded(edge.arc.radius)
+            yield Edge(start, end, _point(edge.arc.centre), radius, _point(edge.middle))
 
 
 def _along(
     edges: Sequence[Edge],
     axis: Axis,
-    told: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
+    stated: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
     near: float,
 ) -> tuple[float, ...]:
     """Numbers that lie between two straight edges of an outline, or are the radius of an arc."""
-    lengths, radii = told
+    lengths, radii = stated
     found = set()
     for column, index in enumerate(IN_PLANE[axis]):
         places = np.array(
             [
-                own.start[column]
-                for own in edges
-                if own.centre is None and abs(own.start[column] - own.end[column]) <= near
+                edge.start[column]
+                for edge in edges
+                if edge.centre is None and abs(edge.start[column] - edge.end[column]) <= near
             ]
         )
-        for own in lengths:
-            if own.axis.value == index and all(
-                len(places) and np.abs(places - end).min() <= near for end in (own.low, own.high)
+        for length in lengths:
+            if length.axis.value == index and all(
+                len(places) and np.abs(places - end).min() <= near
+                for end in (length.low, length.high)
             ):
-                found.add(own.value)
-    arcs = [own for own in edges if own.centre is not None]
-    for own in radii:
-        if own.normal is axis and any(
-            np.hypot(*np.subtract(arc.centre, own.centre)) <= near
-            and abs(arc.radius - own.radius) <= near
+                found.add(length.value)
+    arcs = [edge for edge in edges if edge.centre is not None]
+    for radius in radii:
+        if radius.normal is axis and any(
+            np.hypot(*np.subtract(arc.centre, radius.centre)) <= near
+            and abs(arc.radius - radius.radius) <= near
             for arc in arcs
         ):
-            found.add(own.value)
+            found.add(radius.value)
     return tuple(sorted(found))
 
 
@@ -178,26 +184,28 @@ def _under(ring: Floats, plan: Plan, near: float) -> Iterator[Source]:
     band = shapely.LineString([*ring, ring[0]]).buffer(near)
     for role, lines in plan.lines.items():
         if role_plane(role).normal is plan.axis:
-            for own in lines:
-                if shapely.LineString(own.points).within(band):
-                    yield _source(own, role)
+            for line in lines:
+                if shapely.LineString(line.points).within(band):
+                    yield _source(line, role)
 
 
 def _holes(loops: Sequence[SlabLoops], near: float) -> Iterator[Hole]:
     """Round holes, each through all slabs on each other that have it."""
     open_ones: list[Hole] = []
-    for own in loops:
+    for slab_loops in loops:
         going_on = []
-        for loop in own.loops:
+        for loop in slab_loops.loops:
             arc = loop.edges[0]
             if not loop.is_hole or any(e.centre != arc.centre for e in loop.edges):
                 continue
             if arc.centre is None or arc.radius is None:
                 continue
-            below = next((h for h in open_ones if _is_same(h, arc, own.low, near)), None)
-            low = below.low if below is not None else own.low
+            below = next((h for h in open_ones if _is_same(h, arc, slab_loops.low, near)), None)
+            low = below.low if below is not None else slab_loops.low
             numbers = tuple(2.0 * value for value in loop.numbers)
-            going_on.append(Hole(arc.centre, 2.0 * arc.radius, low, own.high, False, numbers))
+            going_on.append(
+                Hole(arc.centre, 2.0 * arc.radius, low, slab_loops.high, False, numbers)
+            )
             if below is not None:
                 open_ones.remove(below)
         yield from open_ones
@@ -206,17 +214,17 @@ def _holes(loops: Sequence[SlabLoops], near: float) -> Iterator[Hole]:
 
 
 def _turned(sketch: Sketch) -> Iterator[Turning]:
-    for own in sketch.slopes:
-        profile = own.beyond(sketch.choice.plan.grid)
+    for slope in sketch.slopes:
+        profile = slope.beyond(sketch.choice.plan.grid)
         ring, _ = next(_rings(profile))
-        yield Turning(_point(own.centre), tuple(_edges(ring, profile)))
+        yield Turning(_point(slope.centre), tuple(_edges(ring, profile)))
 
 
 def _cross_holes(
     bores: Sequence[Bore], radii: Sequence[ToldRadius], near: float
 ) -> Iterator[SideHole]:
-    for own in bores:
-        hole, circle = own.hole, own.hole.circle
+    for bore in bores:
+        hole, circle = bore.hole, bore.hole.circle
         numbers = {
             2.0 * each.value
             for each in radii
@@ -225,7 +233,7 @@ def _cross_holes(
             and abs(each.radius - circle.radius) <= near
         }
         at = _point([a * sign for a, sign in zip(circle.centre, hole.plane.signs, strict=True)])
-        low, high = (_rounded(end) if isfinite(end) else None for end in (own.low, own.high))
+        low, high = (_rounded(end) if isfinite(end) else None for end in (bore.low, bore.high))
         is_noted = hole.depth is not None and isfinite(hole.depth)
         yield SideHole(
             hole.axis.name.lower(),

@@ -77,10 +77,10 @@ def without_cross_holes(
         grid: mm of a step of the sheet's coordinates.
         views: of which they are: what is cut, and holes of which notes speak.
     """
-    found = {role: with_whole_circles(own, grid) for role, own in lines.items()}
+    found = {role: with_whole_circles(plane_lines, grid) for role, plane_lines in lines.items()}
     # No view shows the walls of a hole along which the only view looks.
     draws_hidden = len(lines) > 1 and any(
-        not own.is_visible for drawn in lines.values() for own in drawn
+        not line.is_visible for drawn in lines.values() for line in drawn
     )
     holes: list[CrossHole] = []
     gone: set[int] = set()
@@ -88,26 +88,26 @@ def without_cross_holes(
         plane = role_plane(role)
         if plane.normal is axis or role in views.cuts:
             continue
-        for own in _circles(drawn, [size[k] for k in IN_PLANE[plane.normal]], grid):
-            hole = plane.normal, own.circle
+        for circle in _circles(drawn, [size[k] for k in IN_PLANE[plane.normal]], grid):
+            hole = plane.normal, circle.circle
             walls = list(_walls(found, hole, grid, views.cuts, hidden=True))
             depth, intervals = None, _least(walls, grid)
             if not intervals:
-                depth = _depth(views.holes, role, own.circle, grid)
+                depth = _depth(views.holes, role, circle.circle, grid)
                 is_boss = any(_walls(found, hole, grid, views.cuts, hidden=False))
-                is_open = depth is None and (is_boss or _is_around(own.circle, drawn, grid))
+                is_open = depth is None and (is_boss or _is_around(circle.circle, drawn, grid))
                 if draws_hidden or is_open:
                     continue
                 intervals = ((-inf, inf),)
             intervals = tuple(_opened(found, hole, each, grid) for each in intervals)
-            holes.append(CrossHole(plane.normal, own.circle, intervals, depth, role))
+            holes.append(CrossHole(plane.normal, circle.circle, intervals, depth, role))
             # Holes behind each other have walls in common.
-            gone |= {id(own), *(id(line) for pair in walls for line in pair)}
+            gone |= {id(circle), *(id(line) for pair in walls for line in pair)}
     for role, drawn in found.items():
         found[role] = [
-            own
-            for own in drawn
-            if id(own) not in gone and not any(_is_floor(own, role, hole, grid) for hole in holes)
+            line
+            for line in drawn
+            if id(line) not in gone and not any(_is_floor(line, role, hole, grid) for hole in holes)
         ]
     return found, tuple(_once(holes, grid))
 
@@ -115,14 +115,14 @@ def without_cross_holes(
 def _circles(lines: Sequence[PlaneLine], size: Sequence[float], grid: float) -> list[PlaneLine]:
     """Whole visible circles that stay away from the outline."""
     return [
-        own
-        for own in lines
-        if own.is_closed
-        and own.circle is not None
-        and own.is_visible
+        line
+        for line in lines
+        if line.is_closed
+        and line.circle is not None
+        and line.is_visible
         and all(
-            own.circle.radius + _INSIDE * grid < at < extent - own.circle.radius - _INSIDE * grid
-            for at, extent in zip(own.circle.centre, size, strict=True)
+            line.circle.radius + _INSIDE * grid < at < extent - line.circle.radius - _INSIDE * grid
+            for at, extent in zip(line.circle.centre, size, strict=True)
         )
     ]
 
@@ -146,11 +146,11 @@ def _walls(
         middle = circle.centre[IN_PLANE[normal].index(axes[across])]
         sides = [
             [
-                own
-                for own in drawn
-                if (role in cuts or own.is_visible is not hidden)
-                and own.constant(_STRAIGHT * grid) == across
-                and abs(own.points[:, across].mean() - middle - side) <= _NEAR * grid
+                line
+                for line in drawn
+                if (role in cuts or line.is_visible is not hidden)
+                and line.constant(_STRAIGHT * grid) == across
+                and abs(line.points[:, across].mean() - middle - side) <= _NEAR * grid
             ]
             for side in (-circle.radius, circle.radius)
         ]
@@ -161,8 +161,8 @@ def _walls(
 def _least(walls: Sequence[Sequence[PlaneLine]], grid: float) -> tuple[_Interval, ...]:
     """From and to along a hole of its walls, in the view that shows least: others may show walls
     of holes behind as well."""
-    spans = [_united([_span(own, grid) for own in each], grid) for each in walls]
-    return min(spans, key=lambda own: sum(b - a for a, b in own), default=())
+    spans = [_united([_span(line, grid) for line in each], grid) for each in walls]
+    return min(spans, key=lambda span: sum(b - a for a, b in span), default=())
 
 
 def _united(spans: Sequence[_Interval], grid: float) -> tuple[_Interval, ...]:
@@ -187,12 +187,12 @@ def _depth(
 ) -> float | None:
     """How deep a note says that the hole of a circle is, infinite for through; None without one."""
     signs = role_plane(role).signs
-    for own in noted:
-        centre = [at * sign for at, sign in zip(own.centre, signs, strict=True)]
+    for hole in noted:
+        centre = [at * sign for at, sign in zip(hole.centre, signs, strict=True)]
         off = max(abs(a - b) for a, b in zip(centre, circle.centre, strict=True))
-        if own.role is not role or off > _NEAR * grid:
+        if hole.role is not role or off > _NEAR * grid:
             continue
-        for step in own.steps:
+        for step in hole.steps:
             if abs(step.diameter - 2.0 * circle.radius) <= 2.0 * _NEAR * grid:
                 return inf if step.depth is None else step.depth
     return None
@@ -201,11 +201,11 @@ def _depth(
 def _is_around(circle: CircleCurve, lines: Sequence[PlaneLine], grid: float) -> bool:
     """Whether a smaller circle lies about the same centre: nothing tells then how deep it is."""
     return any(
-        own.circle is not None
-        and own.circle.radius < circle.radius - _NEAR * grid
-        and max(abs(a - b) for a, b in zip(own.circle.centre, circle.centre, strict=True))
+        line.circle is not None
+        and line.circle.radius < circle.radius - _NEAR * grid
+        and max(abs(a - b) for a, b in zip(line.circle.centre, circle.centre, strict=True))
         <= _NEAR * grid
-        for own in lines
+        for line in lines
     )
 
 
@@ -217,9 +217,9 @@ def _opened(
     normal, circle = hole
     low, high = (
         any(
-            _is_across(own, role, (normal, circle, at), grid)
+            _is_across(line, role, (normal, circle, at), grid)
             for role, drawn in lines.items()
-            for own in drawn
+            for line in drawn
         )
         for at in interval
     )
@@ -233,8 +233,8 @@ def _is_floor(line: PlaneLine, role: Role, hole: CrossHole, grid: float) -> bool
     return not line.is_visible and any(
         _is_across(line, role, (hole.axis, hole.circle, at), grid)
         and np.ptp(line.points, axis=0).max() <= 2.0 * (hole.circle.radius + near)
-        for own in hole.intervals
-        for at in own
+        for interval in hole.intervals
+        for at in interval
     )
 
 
@@ -260,9 +260,9 @@ def _is_across(
 def _once(holes: Sequence[CrossHole], grid: float) -> Iterator[CrossHole]:
     """Holes of which opposite views both show the circle, once."""
     kept: list[CrossHole] = []
-    for own in holes:
-        if not any(_is_same(own, other, grid) for other in kept):
-            kept.append(own)
+    for hole in holes:
+        if not any(_is_same(hole, other, grid) for other in kept):
+            kept.append(hole)
     yield from kept
 
 
@@ -270,7 +270,7 @@ def _is_same(one: CrossHole, other: CrossHole, grid: float) -> bool:
     apart = [abs(a - b) for a, b in zip(one.circle.centre, other.circle.centre, strict=True)]
     sizes = abs(one.circle.radius - other.circle.radius)
     # From opposite faces two holes may be as deep as notes say.
-    is_noted = any(own.depth is not None and own.depth < inf for own in (one, other))
+    is_noted = any(hole.depth is not None and hole.depth < inf for hole in (one, other))
     if is_noted and one.plane.looks_up is not other.plane.looks_up:
         return False
     return one.axis is other.axis and max(*apart, sizes) <= _NEAR * grid

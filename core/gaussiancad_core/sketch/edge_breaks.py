@@ -95,17 +95,17 @@ def without_breaks(
     """
     found: dict[Role, list[PlaneLine]] = {}
     breaks: list[EdgeBreak] = []
-    for role, own in lines.items():
+    for role, plane_lines in lines.items():
         axes = IN_PLANE[role_plane(role).normal]
         if axis.value not in axes:
-            found[role] = list(own)
+            found[role] = list(plane_lines)
             continue
         along = axes.index(axis.value)
         across = Axis(axes[1 - along])
         columns = [1 - along, along]
-        corners = list(_corners(own, columns, _MOST * extent, grid))
-        found[role] = _sharpened(own, corners, columns, grid)
-        breaks += [_break(each, own[each.stroke], across) for each in corners]
+        corners = list(_corners(plane_lines, columns, _MOST * extent, grid))
+        found[role] = _sharpened(plane_lines, corners, columns, grid)
+        breaks += [_break(each, plane_lines[each.stroke], across) for each in corners]
     return found, tuple(breaks)
 
 
@@ -119,12 +119,12 @@ def _corners(
     lines: Sequence[PlaneLine], columns: list[int], most: float, grid: float
 ) -> Iterator[_Corner]:
     near = _MEETS * grid
-    ends = [own.points[[0, -1]][:, columns] for own in lines]
+    ends = [line.points[[0, -1]][:, columns] for line in lines]
     walls, caps = (
         [
             number
-            for number, own in enumerate(lines)
-            if own.constant(_ALONG * grid) == columns[kind] and own.length > near
+            for number, line in enumerate(lines)
+            if line.constant(_ALONG * grid) == columns[kind] and line.length > near
         ]
         for kind in (0, 1)
     )
@@ -137,15 +137,21 @@ def _corners(
         far = ends[number][np.hypot(*(ends[number] - place).T).argmax()]
         return float((far - place) @ (place - corner)) > 0.0
 
-    for number, own in enumerate(lines):
+    for number, plane_line in enumerate(lines):
         size = np.ptp(ends[number], axis=0)
-        if not own.is_visible or own.is_closed or not _is_break(own, size, most, grid):
+        if (
+            not plane_line.is_visible
+            or plane_line.is_closed
+            or not _is_break(plane_line, size, most, grid)
+        ):
             continue
         for wall, cap in (ends[number], ends[number][::-1]):
             sharp = np.array([wall[0], cap[1]])
             joined = [k for k in at(walls, wall) if leads(k, wall, sharp)]
             covered = [k for k in at(caps, cap) if leads(k, cap, sharp)]
-            long = [max((lines[k].length for k in own), default=0.0) for own in (joined, covered)]
+            long = [
+                max((lines[k].length for k in items), default=0.0) for items in (joined, covered)
+            ]
             if min(long) < _LONGER * float(size.max()):
                 continue
             feet = (*at(caps, wall), *at(walls, cap))
@@ -167,21 +173,21 @@ def _sharpened(
     lines: Sequence[PlaneLine], corners: Sequence[_Corner], columns: list[int], grid: float
 ) -> list[PlaneLine]:
     """Lines led on to the sharp corners; breaks, and what stands at their feet, are gone."""
-    found = [own.points.copy() for own in lines]
+    found = [line.points.copy() for line in lines]
     gone: set[int] = set()
     moved: set[int] = set()
-    for own in corners:
-        gone |= {own.stroke, *own.feet}
-        for numbers, place, kept in ((own.walls, own.wall, 1), (own.caps, own.cap, 0)):
+    for corner in corners:
+        gone |= {corner.stroke, *corner.feet}
+        for numbers, place, kept in ((corner.walls, corner.wall, 1), (corner.caps, corner.cap, 0)):
             for number in numbers:
                 ends = lines[number].points[[0, -1]][:, columns]
                 away = np.hypot(*(ends - place).T)
                 if away.min() <= _MEETS * grid:
                     end = 0 if away.argmin() == 0 else -1
-                    found[number][end, columns[kept]] = own.sharp[kept]
+                    found[number][end, columns[kept]] = corner.sharp[kept]
                     moved.add(number)
     return [
-        replace(own, points=points)
-        for number, (own, points) in enumerate(zip(lines, found, strict=True))
+        replace(line, points=points)
+        for number, (line, points) in enumerate(zip(lines, found, strict=True))
         if number not in gone - moved
     ]

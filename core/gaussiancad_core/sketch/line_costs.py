@@ -62,7 +62,7 @@ def _add_uprights(terms: Terms, view: Sights) -> None:
     """Lines along the axis: where the nearest lies deeper on the next sight line."""
     visible, hidden = view.uprights
     count = len(view.places)
-    told: dict[tuple[object, ...], list[float]] = {}
+    stated: dict[tuple[object, ...], list[float]] = {}
     known: dict[tuple[object, ...], tuple[Expression, Expression | None]] = {}
     for index, even in enumerate(view.goes_on):
         one, other = (view.met[k].regions if 0 <= k < count else () for k in (index - 1, index))
@@ -77,11 +77,11 @@ def _add_uprights(terms: Terms, view: Sights) -> None:
                 if view.draws_hidden:
                     beneath = 0 if one == other else terms.more_runs(one, other, k)
                 known[key] = jump, beneath
-                told[key] = [0.0, 0.0, 0.0]
+                stated[key] = [0.0, 0.0, 0.0]
             height = float(terms.heights[k])
             kind = 0 if visible[index, k] else 1 if hidden[index, k] else 2
-            told[key][kind] += height
-    for key, (solid, dashed, blank) in told.items():
+            stated[key][kind] += height
+    for key, (solid, dashed, blank) in stated.items():
         jump, beneath = known[key]
         lacking = _UPRIGHT_SEEN * (blank + _KIND * dashed)
         terms.either(_UPRIGHT_DRAWN * solid, lacking, jump)
@@ -105,9 +105,11 @@ def _add_hatching(terms: Terms, view: Sights) -> None:
     for k in terms.plan.slabs:
         areas: dict[tuple[int, ...], list[float]] = {}
         for index, regions in enumerate(view.regions):
-            cut = tuple(r for r, own in zip(regions, view.met[index].is_cut, strict=True) if own)
-            told = areas.setdefault(cut, [0.0, 0.0])
-            told[0 if view.hatched[index, k] else 1] += float(view.widths[index] * terms.heights[k])
+            cut = tuple(r for r, item in zip(regions, view.met[index].is_cut, strict=True) if item)
+            stated = areas.setdefault(cut, [0.0, 0.0])
+            stated[0 if view.hatched[index, k] else 1] += float(
+                view.widths[index] * terms.heights[k]
+            )
         for cut, (hatched, plain) in areas.items():
             if cut:
                 void = terms.is_open(cut, k)
@@ -143,6 +145,6 @@ def _lacking(length: float, visible: float, hidden: float) -> float:
 def _grouped(regions: Iterable[tuple[int, ...]]) -> dict[tuple[int, ...], list[int]]:
     """Sight lines that meet the same regions in the same order."""
     groups: dict[tuple[int, ...], list[int]] = {}
-    for index, own in enumerate(regions):
-        groups.setdefault(own, []).append(index)
+    for index, this_regions in enumerate(regions):
+        groups.setdefault(this_regions, []).append(index)
     return groups

@@ -49,7 +49,7 @@ def floors(
         # A hole mostly begins at the face that is nearest to who looks at it.
         for face in levels if looks_up else reversed(levels):
             at = face + depth if looks_up else face - depth
-            known = min(abs(at - own) for own in (*levels, *found))
+            known = min(abs(at - level) for level in (*levels, *found))
             if levels[0] < at < levels[-1] and known > _NEAR * grid and len(found) < _MOST:
                 found.append(at)
     return found
@@ -70,23 +70,25 @@ def noted_steps(
         plane = role_plane(hole.role)
         if plane.normal is not axis:
             continue
-        centre = shapely.Point(*(own * s for own, s in zip(hole.centre, plane.signs, strict=True)))
+        centre = shapely.Point(
+            *(value * s for value, s in zip(hole.centre, plane.signs, strict=True))
+        )
         within: set[int] = set()
         for step in hole.steps:
             disc = centre.buffer(step.diameter / 2.0 + _NEAR * grid)
-            inside = {k for k, own in enumerate(polygons) if disc.covers(own)}
-            own = tuple(sorted(inside - within))
+            inside = {k for k, polygon in enumerate(polygons) if disc.covers(polygon)}
+            items = tuple(sorted(inside - within))
             least = step.diameter / 2.0 - 2.0 * _NEAR * grid
-            rim = tuple(k for k in own if polygons[k].hausdorff_distance(centre) >= least)
-            if own:
-                yield NotedStep(own, rim, step.depth, plane.looks_up)
+            rim = tuple(k for k in items if polygons[k].hausdorff_distance(centre) >= least)
+            if items:
+                yield NotedStep(items, rim, step.depth, plane.looks_up)
             within |= inside
 
 
 def _depths(holes: Iterable[NotedHole], axis: Axis) -> set[tuple[float, bool]]:
     return {
-        (step.depth, role_plane(own.role).looks_up)
-        for own in holes
-        for step in own.steps
-        if role_plane(own.role).normal is axis and step.depth is not None
+        (step.depth, role_plane(hole.role).looks_up)
+        for hole in holes
+        for step in hole.steps
+        if role_plane(hole.role).normal is axis and step.depth is not None
     }

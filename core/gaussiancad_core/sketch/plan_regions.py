@@ -94,7 +94,7 @@ class Regions:
     @property
     def areas(self) -> npt.NDArray[np.float64]:
         """(n,) mm2."""
-        return np.array([own.area for own in self.polygons])
+        return np.array([polygon.area for polygon in self.polygons])
 
 
 def find_regions(
@@ -119,11 +119,11 @@ def find_regions(
         return None
     # Where broken edges meet is a mitre, which bounds nothing.
     mitre = _MITRE * max(breaks, default=0.0)
-    longer = [own for own in (*from_above, *from_below) if own.length > mitre]
+    longer = [line for line in (*from_above, *from_below) if line.length > mitre]
     borders = _borders(polygons, (from_above, from_below), grid)
     around = _near(shapely.union_all(polygons).boundary, 0.5 * grid) if polygons else None
-    inner = np.array([not own.intersects(around) for own in polygons], dtype=bool)
-    rounds = np.array([is_disc(own) for own in polygons], dtype=bool)
+    inner = np.array([not polygon.intersects(around) for polygon in polygons], dtype=bool)
+    rounds = np.array([is_disc(polygon) for polygon in polygons], dtype=bool)
     return Regions(
         tuple(polygons),
         tuple(lines),
@@ -147,18 +147,20 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
     the others than anything is chosen from."""
     if not lines:
         return []
-    noded = shapely.union_all([shapely.LineString(own.points) for own in lines], grid_size=_ROUNDED)
+    noded = shapely.union_all(
+        [shapely.LineString(line.points) for line in lines], grid_size=_ROUNDED
+    )
     found = list(shapely.get_parts(shapely.polygonize(shapely.get_parts(noded))))
-    narrow = [2.0 * own.area / own.length < _SLIVER * grid for own in found]
-    kept = [own for own, sliver in zip(found, narrow, strict=True) if not sliver]
+    narrow = [2.0 * item.area / item.length < _SLIVER * grid for item in found]
+    kept = [item for item, sliver in zip(found, narrow, strict=True) if not sliver]
     if len(kept) > MOST_CELLS:
         return kept
-    slivers = [own for own, sliver in zip(found, narrow, strict=True) if sliver]
-    for own in sorted(slivers, key=lambda sliver: -sliver.area):
-        shared = [_common(own, other) for other in kept]
+    slivers = [item for item, sliver in zip(found, narrow, strict=True) if sliver]
+    for this_sliver in sorted(slivers, key=lambda sliver: -sliver.area):
+        shared = [_common(this_sliver, other) for other in kept]
         best = int(np.argmax(shared)) if shared else 0
-        if shared and shared[best] > _SHARED * own.length:
-            united = kept[best].union(own)
+        if shared and shared[best] > _SHARED * this_sliver.length:
+            united = kept[best].union(this_sliver)
             if united.geom_type == "Polygon":
                 kept[best] = united
     return kept
@@ -166,8 +168,8 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
 
 def _alien(lines: Sequence[PlaneLine], polygons: Sequence[shapely.Polygon], grid: float) -> float:
     """mm of lines that bound no polygon; half of it where they are hidden."""
-    bounds = _near(shapely.union_all([own.boundary for own in polygons]), _DRAWN * grid)
-    drawn = [(shapely.LineString(own.points), 1.0 if own.is_visible else 0.5) for own in lines]
+    bounds = _near(shapely.union_all([polygon.boundary for polygon in polygons]), _DRAWN * grid)
+    drawn = [(shapely.LineString(line.points), 1.0 if line.is_visible else 0.5) for line in lines]
     return float(sum((line.length - _within(line, bounds)) * share for line, share in drawn))
 
 
@@ -189,13 +191,13 @@ def _bands(
     polygons: Sequence[shapely.Polygon], widths: Collection[float], grid: float
 ) -> Iterator[int]:
     """Numbers of polygons that are as narrow as an edge break."""
-    for number, own in enumerate(polygons):
+    for number, polygon in enumerate(polygons):
         for width in widths:
-            mean = 2.0 * own.area / own.length
+            mean = 2.0 * polygon.area / polygon.length
             # The outline of a strip has its ends, too; that of a ring has none.
-            strip = own.area * width / (own.area + width**2)
+            strip = polygon.area * width / (polygon.area + width**2)
             fits = strip - _BAND * grid <= mean <= width + _BAND * grid
-            if fits and own.length > _ELONGATED * width:
+            if fits and polygon.length > _ELONGATED * width:
                 yield number
                 break
 
@@ -213,7 +215,7 @@ def _borders(
     grid: float,
 ) -> list[Border]:
     drawn = [
-        _band([own for own in side if own.is_visible is visible], grid)
+        _band([plane_line for plane_line in side if plane_line.is_visible is visible], grid)
         for side in lines
         for visible in (True, False)
     ]
@@ -222,15 +224,17 @@ def _borders(
     outline = shapely.union_all(polygons).boundary
     tree = shapely.STRtree(list(polygons))
     found = []
-    for one, own in enumerate(polygons):
-        near = [int(k) for k in tree.query(own) if k > one]
-        shared = [(other, own.boundary.intersection(polygons[other].boundary)) for other in near]
-        shared.append((OUTSIDE, own.boundary.intersection(outline)))
+    for one, polygon in enumerate(polygons):
+        near = [int(k) for k in tree.query(polygon) if k > one]
+        shared = [
+            (other, polygon.boundary.intersection(polygons[other].boundary)) for other in near
+        ]
+        shared.append((OUTSIDE, polygon.boundary.intersection(outline)))
         for other, line in shared:
             if line.length < _SHORTEST * grid:
                 continue
-            told = (_within(line, band) for band in drawn)
-            found.append(Border(one, other, float(line.length), *told))
+            withins = (_within(line, band) for band in drawn)
+            found.append(Border(one, other, float(line.length), *withins))
     return found
 
 
@@ -238,5 +242,5 @@ def _band(lines: Sequence[PlaneLine], grid: float) -> shapely.Geometry | None:
     """What is near a line."""
     if not lines:
         return None
-    chains = shapely.multilinestrings([shapely.LineString(own.points) for own in lines])
+    chains = shapely.multilinestrings([shapely.LineString(line.points) for line in lines])
     return _near(chains, _DRAWN * grid)

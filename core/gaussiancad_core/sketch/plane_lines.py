@@ -121,7 +121,7 @@ def arc_between(circle: CircleCurve, ends: tuple[Floats, Floats], sweep: float) 
         ends: (2,) each.
         sweep: radians that it turns, about; negative from the second axis to the first.
     """
-    first, last = (circle.parameter(tuple(own.tolist())) for own in ends)
+    first, last = (circle.parameter(tuple(end.tolist())) for end in ends)
     turn = 2.0 * pi
     sweep = (last - first) + turn * round((sweep - (last - first)) / turn)
     count = max(3, ceil(abs(sweep) / CHORD) + 1)
@@ -138,9 +138,9 @@ def profile_along(area: shapely.Polygon, lines: Iterable[PlaneLine], grid: float
         grid: mm of a step of the sheet's coordinates.
     """
     arcs = tuple(
-        Arc(own.circle.centre, own.circle.radius, 0.0, 2.0 * pi, Linetype.VISIBLE)
-        for own in lines
-        if own.circle is not None
+        Arc(line.circle.centre, line.circle.radius, 0.0, 2.0 * pi, Linetype.VISIBLE)
+        for line in lines
+        if line.circle is not None
     )
     return Profile(shapely.geometry.polygon.orient(area), arcs, _ON_ARC * grid)
 

@@ -78,8 +78,8 @@ def weigh(readings: Sequence[ReadViews]) -> Weighed:
     Args:
         readings: one or two, the first as the views are named.
     """
-    sketches = tuple(sketch(own.numbered, own.grid) for own in readings)
-    known = [number for number, own in enumerate(sketches) if own is not None]
+    sketches = tuple(sketch(reading.numbered, reading.grid) for reading in readings)
+    known = [number for number, sketch in enumerate(sketches) if sketch is not None]
     if len(known) < len(readings) or len(readings) == 1:
         return Weighed(sketches, min(known, default=0), is_clear=False)
     best = min(known, key=lambda number: sketches[number].energy)
@@ -88,7 +88,7 @@ def weigh(readings: Sequence[ReadViews]) -> Weighed:
     most = sketches[1 - best].at_least
     unusual = is_unusual(readings[best].drawn.roles)
     telling = least <= _TELLING * sum(
-        own.length for strokes in readings[best].drawn.strokes.values() for own in strokes
+        stroke.length for strokes in readings[best].drawn.strokes.values() for stroke in strokes
     )
     clear = telling and most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
     # A search that was not ended tells no unusual reading.

@@ -41,9 +41,9 @@ def add_habits(terms: Terms) -> None:
         more = terms.model.new_int_var(0, len(row), "")
         terms.model.add(more >= runs - 1)
         terms.cost(_MORE_RUNS * root + plan.grid, more)
-        for k, own in enumerate(row):
+        for k, variable in enumerate(row):
             share = float(shares[k])
-            terms.cost(_VOID * root * share, 1 - own)
+            terms.cost(_VOID * root * share, 1 - variable)
             views = list(seen.get((r, k), ()))
             if plan.is_seen[0]:
                 views.append(terms.tops[r][k])
@@ -51,7 +51,7 @@ def add_habits(terms: Terms) -> None:
                 views.append(terms.bottoms[r][k])
             any_view = terms.model.new_bool_var("")
             terms.model.add(any_view <= sum(views))
-            terms.cost(_UNSEEN * root * share, 1 - own - any_view)
+            terms.cost(_UNSEEN * root * share, 1 - variable - any_view)
         if plan.regions.is_inner[r] and r != largest and len(row) > 1:
             blind = terms.model.new_bool_var("")
             for one, other in pairwise(row):
@@ -62,10 +62,10 @@ def add_habits(terms: Terms) -> None:
 
 def add_notes(terms: Terms) -> None:
     """Let a choice cost holes that are not as notes say."""
-    for own in terms.plan.noted:
-        root = float(terms.plan.regions.areas[list(own.regions)].sum()) ** 0.5
-        filled, floor = ([terms.filled[r] for r in each] for each in (own.regions, own.rim))
-        if own.depth is None:
+    for step in terms.plan.noted:
+        root = float(terms.plan.regions.areas[list(step.regions)].sum()) ** 0.5
+        filled, floor = ([terms.filled[r] for r in each] for each in (step.regions, step.rim))
+        if step.depth is None:
             for row in filled:
                 for k, x in enumerate(row):
                     share = float(terms.heights[k]) / terms.plan.size[terms.plan.axis.value]
@@ -76,7 +76,7 @@ def add_notes(terms: Terms) -> None:
             terms.all_of(
                 [*(1 - row[k] for row in filled for k in void), *(row[end] for row in floor)]
             )
-            for void, end in _blind(terms.plan, own)
+            for void, end in _blind(terms.plan, step)
         ]
         terms.model.add(kept <= sum(fits))
         terms.cost(_NOTED * root, 1 - kept)
@@ -97,11 +97,11 @@ def _blind(plan: Plan, step: NotedStep) -> Iterator[tuple[range, int]]:
 def _column_runs(terms: Terms, row: list[Literal]) -> Expression:
     starts: list[Expression] = [row[0]]
     for before, after in pairwise(row):
-        own = terms.model.new_bool_var("")
-        terms.model.add(own <= after)
-        terms.model.add(own <= 1 - before)
-        terms.model.add(own >= after - before)
-        starts.append(own)
+        variable = terms.model.new_bool_var("")
+        terms.model.add(variable <= after)
+        terms.model.add(variable <= 1 - before)
+        terms.model.add(variable >= after - before)
+        starts.append(variable)
     return sum(starts)
 
 
@@ -115,10 +115,10 @@ def _seen_from_beside(terms: Terms) -> Mapping[tuple[int, int], Iterable[Express
             for r in set(regions):
                 before = regions[: regions.index(r) + 1]
                 widths[r] = widths.get(r, 0.0) + width
-                own = ways.setdefault(r, {})
-                own[before] = own.get(before, 0.0) + width
-        for r, own in ways.items():
-            for before, width in own.items():
+                entry = ways.setdefault(r, {})
+                entry[before] = entry.get(before, 0.0) + width
+        for r, way in ways.items():
+            for before, width in way.items():
                 if width >= _SEEN * widths[r]:
                     for k in terms.plan.slabs:
                         found.setdefault((r, k), []).append(terms.is_open(before, k))

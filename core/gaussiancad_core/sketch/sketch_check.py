@@ -45,8 +45,8 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
         reasons.append(
             ("several-bodies", Message("the part is {count} bodies", count=facts.solids))
         )
-    told = reasons_of(verification, 1, True, views)
-    reasons += [own for own in told if is_one_body or own[0] != "solid-unsound"]
+    stated_reasons = reasons_of(verification, 1, True, views)
+    reasons += [pair for pair in stated_reasons if is_one_body or pair[0] != "solid-unsound"]
     outcome = Outcome.ALL_LINES if verification.explains else Outcome.DEVIATES
     attempt = Attempt(
         ModelKind.SKETCH,

@@ -86,7 +86,7 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     best: Choice | None = None
     left, at_least = _EFFORT, inf
     # What is not made of slabs along an axis has many lines that nothing explains.
-    for plan in sorted(plans_of(views, places), key=lambda own: own.alien):
+    for plan in sorted(plans_of(views, places), key=lambda this_plan: this_plan.alien):
         least = inf if best is None else best.energy
         if left <= 0.0 or plan.alien >= least:
             at_least = min(at_least, plan.alien)
@@ -110,7 +110,7 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
             shape = turned_down(shape, plan)
             is_turned = True
             shape, bores = with_holes(shape, plan)
-    made = tuple(own for own in plan.breaks if own not in refused)
+    made = tuple(edge_break for edge_break in plan.breaks if edge_break not in refused)
     slopes = plan.slopes if is_turned else ()
     at_least = min(at_least, best.energy)
     return Sketch(best, slabs, made, slopes, bores, shape, places.supports, at_least)

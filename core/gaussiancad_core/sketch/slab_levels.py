@@ -18,30 +18,30 @@ _ONE = 0.9
 
 
 def find_levels(
-    beside: Iterable[tuple[int, list[PlaneLine]]], size: float, grid: float
+    neighbours: Iterable[tuple[int, list[PlaneLine]]], size: float, grid: float
 ) -> tuple[float, ...]:
     """Coordinates along an axis, in mm, the first 0 and the last the part's extent.
 
     Args:
-        beside: of each view from beside, which of its plane's coordinates runs along the axis, and
-            its lines.
+        neighbours: of each view from beside, which of its plane's coordinates runs along the axis,
+            and its lines.
         size: mm of the part along the axis.
         grid: mm of a step of the sheet's coordinates.
     """
-    told = [(0.0, 1.0), (size, 1.0)]
-    for along, lines in beside:
-        told += [
-            (float(own.points[:, along].mean()), own.length)
-            for own in lines
-            if own.constant(STRAIGHT * grid) == along and own.length > _SHORTEST * grid
+    stated = [(0.0, 1.0), (size, 1.0)]
+    for along, lines in neighbours:
+        stated += [
+            (float(line.points[:, along].mean()), line.length)
+            for line in lines
+            if line.constant(STRAIGHT * grid) == along and line.length > _SHORTEST * grid
         ]
-    told.sort()
-    groups = [[told[0]]]
-    for own in told[1:]:
-        if own[0] - groups[-1][-1][0] <= _ONE * grid:
-            groups[-1].append(own)
+    stated.sort()
+    groups = [[stated[0]]]
+    for pair in stated[1:]:
+        if pair[0] - groups[-1][-1][0] <= _ONE * grid:
+            groups[-1].append(pair)
         else:
-            groups.append([own])
+            groups.append([pair])
     if len(groups) > MOST:
         by_length = sorted(groups[1:-1], key=lambda g: -sum(weight for _, weight in g))
         kept = {id(g) for g in by_length[: MOST - 2]}

@@ -64,7 +64,7 @@ class Plan:
     @property
     def alien(self) -> float:
         """mm of line that nothing made of slabs explains."""
-        return self.regions.alien + sum(own.alien for own in self.sights)
+        return self.regions.alien + sum(sight.alien for sight in self.sights)
 
 
 def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
@@ -76,10 +76,10 @@ def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
         places: where their lines belong.
     """
     lines = {
-        role: [places.settled(own, role_plane(role).normal) for own in plane_lines(strokes, role)]
+        role: [places.settled(line, role_plane(role).normal) for line in plane_lines(strokes, role)]
         for role, strokes in views.strokes.items()
     }
-    draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
+    draws_hidden = any(not line.is_visible for drawn in lines.values() for line in drawn)
     for axis in Axis:
         plan = _plan(axis, lines, views, places, draws_hidden=draws_hidden)
         if plan is not None:
@@ -98,7 +98,7 @@ def _plan(
     size, cuts = places.size, views.cuts
     faces = {role: role_plane(role).normal is axis for role in lines}
     # What is said to be turned is no plate as thick as it is wide.
-    facing = any(own and role not in cuts for role, own in faces.items())
+    facing = any(face and role not in cuts for role, face in faces.items())
     is_alone = len(lines) == 1 and (facing if views.about is None else views.about is axis)
     if not is_alone and not (facing and not all(faces.values())):
         return None
@@ -167,7 +167,7 @@ class _Ready:
             for line in drawn
         ]
 
-    def beside(self) -> list[tuple[Role, int]]:
+    def side_views(self) -> list[tuple[Role, int]]:
         """The views that look across the axis, and which coordinate of each runs along it."""
         normals = {role: role_plane(role).normal for role in self.lines}
         return [
@@ -212,15 +212,15 @@ def _divided(
     axis = ready.axis
     size, grid = measures
     above, below = (ready.facing(looks_up=up) for up in (False, True))
-    widths = {own.width for own in ready.breaks}
-    beside = ready.beside()
+    widths = {edge_break.width for edge_break in ready.breaks}
+    side_views = ready.side_views()
     common = [
         (
             IN_PLANE[axis].index(IN_PLANE[role_plane(role).normal][1 - along]),
             1 - along,
             ready.lines[role],
         )
-        for role, along in beside
+        for role, along in side_views
     ]
     circles = (
         circles_about(axis, common, views.holes, size, grid) if ready.middle is not None else ()
@@ -228,7 +228,7 @@ def _divided(
     regions = find_regions(above, below, grid, widths, circles)
     if regions is None:
         return None
-    across = [(along, list(ready.lines[role])) for role, along in beside]
+    across = [(along, list(ready.lines[role])) for role, along in side_views]
     levels = find_levels(across, size[axis.value], grid)
     levels = tuple(sorted((*levels, *floors(views.holes, axis, levels, grid))))
     if not draws_hidden and ready.middle is None:

@@ -67,7 +67,7 @@ class Sights:
     @property
     def regions(self) -> tuple[tuple[int, ...], ...]:
         """n, what each sight line meets, the nearest first."""
-        return tuple(own.regions for own in self.met)
+        return tuple(item.regions for item in self.met)
 
 
 def sights_of(
@@ -106,7 +106,7 @@ def sights_of(
         if not plane.looks_up:
             found = [(depth - high, depth - low, k) for low, high, k in found]
         if at is not None:
-            found = [own for own in found if own[1] > at]
+            found = [pair for pair in found if pair[1] > at]
         found.sort()
         return Sight(
             tuple(k for _, _, k in found),
@@ -114,12 +114,12 @@ def sights_of(
             np.array([at is not None and low < at for low, _, _ in found], dtype=bool),
         )
 
-    met = tuple(look(own) for own in places)
+    met = tuple(look(place) for place in places)
     drawn = _drawn(lines, (along, across), places, levels, grid)
     alien = sum(
-        own.length * (1.0 if own.is_visible else 0.5)
-        for own in lines
-        if own.constant(DEEPER * grid) is None
+        line.length * (1.0 if line.is_visible else 0.5)
+        for line in lines
+        if line.constant(DEEPER * grid) is None
     )
     return Sights(
         role,
@@ -157,11 +157,11 @@ def _edges(
 ) -> list[float]:
     """Places across the view where what is met, or drawn, may change, and both ends."""
     column, across = coordinates
-    changes = [own.bounds[column + end] for own in polygons for end in (0, 2)]
-    for own in polygons:
-        for ring in own.interiors:
+    changes = [polygon.bounds[column + end] for polygon in polygons for end in (0, 2)]
+    for this_polygon in polygons:
+        for ring in this_polygon.interiors:
             changes += [ring.bounds[column], ring.bounds[column + 2]]
-    changes += [float(at) for own in lines if own.is_straight for at in own.points[:, across]]
+    changes += [float(at) for line in lines if line.is_straight for at in line.points[:, across]]
     edges = [0.0]
     for at in sorted(changes):
         if at - edges[-1] > _APART * grid and extent - at > _APART * grid:
@@ -184,11 +184,11 @@ def _met(
 ) -> list[tuple[float, float, int]]:
     """What a sight line at a place meets: from, to, and number of the region."""
     found = []
-    for number, own in enumerate(polygons):
-        low, high = own.bounds[column], own.bounds[column + 2]
+    for number, polygon in enumerate(polygons):
+        low, high = polygon.bounds[column], polygon.bounds[column + 2]
         if not low < place < high:
             continue
-        crossings = np.sort(np.concatenate([_crossed(r, place, column) for r in _rings(own)]))
+        crossings = np.sort(np.concatenate([_crossed(r, place, column) for r in _rings(polygon)]))
         found += [
             (float(a), float(b), number)
             for a, b in zip(crossings[::2], crossings[1::2], strict=False)
@@ -197,7 +197,7 @@ def _met(
 
 
 def _rings(polygon: shapely.Polygon) -> list[Floats]:
-    return [np.array(own.coords) for own in (polygon.exterior, *polygon.interiors)]
+    return [np.array(item.coords) for item in (polygon.exterior, *polygon.interiors)]
 
 
 def _crossed(ring: Floats, place: float, column: int) -> Floats:
@@ -222,22 +222,22 @@ def _drawn(
     middles = (heights[1:] + heights[:-1]) / 2.0
     at_level = tuple(np.zeros((len(places), len(heights)), bool) for _ in range(2))
     upright = tuple(np.zeros((len(places) + 1, len(middles)), bool) for _ in range(2))
-    for own in lines:
-        if not own.is_straight or own.length <= _SHORTEST * grid:
+    for line in lines:
+        if not line.is_straight or line.length <= _SHORTEST * grid:
             continue
-        kind = 0 if own.is_visible else 1
-        (low, high), (first, last) = (np.sort(own.points[:, k]) for k in (along, across))
-        runs = own.constant(STRAIGHT * grid)
+        kind = 0 if line.is_visible else 1
+        (low, high), (first, last) = (np.sort(line.points[:, k]) for k in (along, across))
+        runs = line.constant(STRAIGHT * grid)
         within = (middles > low) & (middles < high)
         if runs == along:
-            level = int(np.abs(heights - own.points[:, along].mean()).argmin())
-            if abs(heights[level] - own.points[:, along].mean()) <= _AT_LEVEL * grid:
+            level = int(np.abs(heights - line.points[:, along].mean()).argmin())
+            if abs(heights[level] - line.points[:, along].mean()) <= _AT_LEVEL * grid:
                 chosen = (places > first - 0.3 * grid) & (places < last + 0.3 * grid)
                 at_level[kind][chosen, level] = True
         elif runs == across:
-            between = int(np.searchsorted(places, own.points[:, across].mean()))
+            between = int(np.searchsorted(places, line.points[:, across].mean()))
             upright[kind][between, within] = True
-        elif own.is_visible:
+        elif line.is_visible:
             # An edge break stands for a step at either end of it.
             for at in (first, last):
                 upright[kind][int(np.searchsorted(places, at)), within] = True

@@ -83,10 +83,10 @@ def cones_of(choice: Choice) -> tuple[Cone, ...]:
     """What the sunk rims of a choice take away."""
     levels = choice.plan.levels
     found = []
-    for own in choice.sunk:
-        slabs = np.flatnonzero(choice.filled[own.ring.region])
+    for rim in choice.sunk:
+        slabs = np.flatnonzero(choice.filled[rim.ring.region])
         if len(slabs):
-            found.append(Cone(own, levels[slabs[-1] + 1] if own.is_top else levels[slabs[0]]))
+            found.append(Cone(rim, levels[slabs[-1] + 1] if rim.is_top else levels[slabs[0]]))
     return tuple(found)
 
 
@@ -103,13 +103,13 @@ def body_of(choice: Choice, slabs: Sequence[Slab], cones: Sequence[Cone]) -> Top
     """
     plan = choice.plan
     prisms = [
-        _prism(profile, plan.axis, (own.low, own.high))
-        for own in slabs
-        for profile in profiles_of(own.area, plan.regions, plan.grid)
+        _prism(profile, plan.axis, (slab.low, slab.high))
+        for slab in slabs
+        for profile in profiles_of(slab.area, plan.regions, plan.grid)
     ]
     body = fused(prisms)
     if cones:
-        body = without(body, [_cone(own, plan.axis) for own in cones])
+        body = without(body, [_cone(cone, plan.axis) for cone in cones])
     return unified(body)
 
 
@@ -122,15 +122,15 @@ def _prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS
     return prism(replace(profile, arcs=()), axis, between)
 
 
-def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:
+def _cone(cone: Cone, axis: Axis) -> TopoDS_Shape:
     """A cone that reaches a little beyond the face into which it is sunk, and into the hole."""
-    ring, way = own.rim.ring, -1.0 if own.rim.is_top else 1.0
+    ring, way = cone.rim.ring, -1.0 if cone.rim.is_top else 1.0
     height = ring.outer - ring.inner
     beyond = _BEYOND * height
     at, direction = [0.0] * 3, [0.0] * 3
     first, second = IN_PLANE[axis]
     at[first], at[second] = ring.centre
-    at[axis.value], direction[axis.value] = own.at - way * beyond, way
+    at[axis.value], direction[axis.value] = cone.at - way * beyond, way
     place = gp_Ax2(gp_Pnt(*at), gp_Dir(*direction))
     ends = ring.outer + beyond, max(0.0, ring.inner - beyond)
     maker = BRepPrimAPI_MakeCone(place, *ends, ends[0] - ends[1])
@@ -148,7 +148,7 @@ def turned_down(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
         RuntimeError: the kernel fails.
     """
     slopes = plan.slopes
-    tools = [turned(own.beyond(plan.grid), plan.axis, own.centre) for own in slopes]
+    tools = [turned(slope.beyond(plan.grid), plan.axis, slope.centre) for slope in slopes]
     return unified(without(shape, tools)) if tools else shape
 
 
@@ -176,10 +176,10 @@ def with_holes(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Bor
     Raises:
         RuntimeError: the kernel fails.
     """
-    bores = tuple(bore for own in plan.cross_holes for bore in _bores(shape, own, plan))
+    bores = tuple(bore for hole in plan.cross_holes for bore in _bores(shape, hole, plan))
     if not bores:
         return shape, ()
-    return unified(without(shape, [_cylinder(own, plan) for own in bores])), bores
+    return unified(without(shape, [_cylinder(bore, plan) for bore in bores])), bores
 
 
 def _bores(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[Bore]:
@@ -202,8 +202,10 @@ def _reaching(shape: TopoDS_Shape, bore: Bore, plan: Plan) -> Bore | None:
     """A hole from where it enters the material; None where no drill is as long."""
     hole = bore.hole
     runs = [
-        bounding_box(own)[:, hole.axis.value].tolist()
-        for own in subshapes(common(shape, _cylinder(bore, plan)), TopAbs_ShapeEnum.TopAbs_SOLID)
+        bounding_box(subshape)[:, hole.axis.value].tolist()
+        for subshape in subshapes(
+            common(shape, _cylinder(bore, plan)), TopAbs_ShapeEnum.TopAbs_SOLID
+        )
     ]
     if not runs:
         return None

@@ -73,11 +73,11 @@ class Terms:
         key = regions, slab
         if key not in self._open:
             before, last = self.is_open(regions[:-1], slab), self.filled[regions[-1]][slab]
-            own = self.model.new_bool_var("")
-            self.model.add(own <= before)
-            self.model.add(own <= 1 - last)
-            self.model.add(own >= before - last)
-            self._open[key] = own
+            variable = self.model.new_bool_var("")
+            self.model.add(variable <= before)
+            self.model.add(variable <= 1 - last)
+            self.model.add(variable >= before - last)
+            self._open[key] = variable
         return self._open[key]
 
     def first(self, regions: tuple[int, ...], slab: int) -> list[Expression]:
@@ -91,43 +91,43 @@ class Terms:
             return 1 - self.is_open(regions, min(level, len(self.plan.levels) - 2))
         key = regions, level
         if key not in self._changes:
-            own = self.model.new_bool_var("")
+            variable = self.model.new_bool_var("")
             for below, above in zip(
                 self.first(regions, level - 1), self.first(regions, level), strict=True
             ):
-                self.model.add(own >= below - above)
-                self.model.add(own >= above - below)
-                self.model.add(own <= 2 - below - above)
-            self._changes[key] = own
+                self.model.add(variable >= below - above)
+                self.model.add(variable >= above - below)
+                self.model.add(variable <= 2 - below - above)
+            self._changes[key] = variable
         return self._changes[key]
 
     def alters_at(self, regions: tuple[int, ...], level: int) -> Expression:
         """Whether any of some regions is filled on one side of a level only."""
         key = tuple(sorted(set(regions))), level
         if key not in self._alters:
-            own = self.model.new_bool_var("")
+            variable = self.model.new_bool_var("")
             xors = [self.differ(self.filled[r][level - 1], self.filled[r][level]) for r in key[0]]
             for each in xors:
-                self.model.add(own >= each)
-            self.model.add(own <= sum(xors))
-            self._alters[key] = own
+                self.model.add(variable >= each)
+            self.model.add(variable <= sum(xors))
+            self._alters[key] = variable
         return self._alters[key]
 
     def all_of(self, what: Sequence[Expression]) -> Literal:
         """A literal that holds only where all of some do."""
-        own = self.model.new_bool_var("")
+        variable = self.model.new_bool_var("")
         for each in what:
-            self.model.add(own <= each)
-        return own
+            self.model.add(variable <= each)
+        return variable
 
     def differ(self, one: Literal, other: Literal) -> Literal:
         """Whether one of two literals holds, and the other does not."""
-        own = self.model.new_bool_var("")
-        self.model.add(own >= one - other)
-        self.model.add(own >= other - one)
-        self.model.add(own <= one + other)
-        self.model.add(own <= 2 - one - other)
-        return own
+        variable = self.model.new_bool_var("")
+        self.model.add(variable >= one - other)
+        self.model.add(variable >= other - one)
+        self.model.add(variable <= one + other)
+        self.model.add(variable <= 2 - one - other)
+        return variable
 
     def jump(
         self,
@@ -137,36 +137,36 @@ class Terms:
         slab: int,
     ) -> Literal:
         """Whether the nearest of two sight lines beside each other is not one face."""
-        own = self.model.new_bool_var("")
+        variable = self.model.new_bool_var("")
         near, far = self.first(one, slab), self.first(other, slab)
         for a, first in enumerate(near):
             for b, second in enumerate(far):
                 both_none = a == len(one) and b == len(other)
                 if both_none or (a < len(one) and b < len(other) and even[a, b]):
-                    self.model.add(own <= 2 - first - second)
+                    self.model.add(variable <= 2 - first - second)
                 else:
-                    self.model.add(own >= first + second - 1)
-        return own
+                    self.model.add(variable >= first + second - 1)
+        return variable
 
     def more_runs(self, one: tuple[int, ...], other: tuple[int, ...], slab: int) -> Literal:
         """Whether two sight lines pass through the part a different number of times."""
-        own = self.model.new_bool_var("")
+        variable = self.model.new_bool_var("")
         a, b = self._runs_of(one, slab), self._runs_of(other, slab)
-        self.model.add(a == b).only_enforce_if(own.negated())
-        self.model.add(a != b).only_enforce_if(own)
-        return own
+        self.model.add(a == b).only_enforce_if(variable.negated())
+        self.model.add(a != b).only_enforce_if(variable)
+        return variable
 
     def _runs_of(self, regions: tuple[int, ...], slab: int) -> Expression:
         key = regions, slab
         if key not in self._runs:
             starts: list[Expression] = [self.filled[r][slab] for r in regions[:1]]
             for before, after in pairwise(regions):
-                own = self.model.new_bool_var("")
+                variable = self.model.new_bool_var("")
                 one, other = self.filled[before][slab], self.filled[after][slab]
-                self.model.add(own <= other)
-                self.model.add(own <= 1 - one)
-                self.model.add(own >= other - one)
-                starts.append(own)
+                self.model.add(variable <= other)
+                self.model.add(variable <= 1 - one)
+                self.model.add(variable >= other - one)
+                starts.append(variable)
             self._runs[key] = sum(starts)
         return self._runs[key]
 
@@ -183,14 +183,14 @@ class Terms:
     def _opened(self, row: list[Literal]) -> list[Literal]:
         """Of each of a region's slabs whether it and those before are void."""
         found: list[Literal] = []
-        for own in row:
+        for variable in row:
             opened = self.model.new_bool_var("")
-            self.model.add(opened <= 1 - own)
+            self.model.add(opened <= 1 - variable)
             if found:
                 self.model.add(opened <= found[-1])
-                self.model.add(opened >= found[-1] - own)
+                self.model.add(opened >= found[-1] - variable)
             else:
-                self.model.add(opened >= 1 - own)
+                self.model.add(opened >= 1 - variable)
             found.append(opened)
         return found
 
@@ -202,25 +202,25 @@ class Terms:
         key = is_top, border.one, border.other
         if key in self._ends:
             return self._ends[key]
-        own, other = self.model.new_bool_var(""), opened[border.other]
-        self.model.add(sum(one) == sum(other)).only_enforce_if(own)
-        self.model.add(sum(one) != sum(other)).only_enforce_if(own.negated())
-        self._ends[key] = own
-        return own
+        variable, other = self.model.new_bool_var(""), opened[border.other]
+        self.model.add(sum(one) == sum(other)).only_enforce_if(variable)
+        self.model.add(sum(one) != sum(other)).only_enforce_if(variable.negated())
+        self._ends[key] = variable
+        return variable
 
     def differs(self, one: int, other: int) -> Literal:
         """Whether two regions are filled in different slabs."""
-        own = self.model.new_bool_var("")
+        variable = self.model.new_bool_var("")
         each = [
             self.differ(a, b) for a, b in zip(self.filled[one], self.filled[other], strict=True)
         ]
         for differ in each:
-            self.model.add(own >= differ)
-        self.model.add(own <= sum(each))
-        return own
+            self.model.add(variable >= differ)
+        self.model.add(variable <= sum(each))
+        return variable
 
     @cached_property
-    def beside(self) -> dict[int, set[int]]:
+    def neighbours(self) -> dict[int, set[int]]:
         """Regions that have a border with each region."""
         found: dict[int, set[int]] = {r: set() for r in range(len(self.filled))}
         for border in self.plan.regions.borders:

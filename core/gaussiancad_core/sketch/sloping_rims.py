@@ -59,22 +59,22 @@ def rings_of(plan: Plan) -> tuple[Ring, ...]:
     """The rings of a plan between two circles about one centre."""
     polygons = plan.regions.polygons
     found = []
-    for number, own in enumerate(polygons):
-        if number in plan.regions.bands or len(own.interiors) != 1:
+    for number, polygon in enumerate(polygons):
+        if number in plan.regions.bands or len(polygon.interiors) != 1:
             continue
-        if not is_disc(shapely.Polygon(own.exterior)):
+        if not is_disc(shapely.Polygon(polygon.exterior)):
             continue
-        hole = shapely.Polygon(own.interiors[0])
-        around, middle = own.exterior.centroid, hole.centroid
+        hole = shapely.Polygon(polygon.interiors[0])
+        around, middle = polygon.exterior.centroid, hole.centroid
         if not is_disc(hole) or around.distance(middle) > _CONCENTRIC * plan.grid:
             continue
-        beside = {
+        neighbours = {
             border.other if border.one == number else border.one
             for border in plan.regions.borders
             if number in (border.one, border.other)
         } - {OUTSIDE}
-        within = {k for k in beside if hole.covers(polygons[k].representative_point())}
-        outer, inner = (_circle_of(ring, plan) for ring in (own.exterior, own.interiors[0]))
+        within = {k for k in neighbours if hole.covers(polygons[k].representative_point())}
+        outer, inner = (_circle_of(ring, plan) for ring in (polygon.exterior, polygon.interiors[0]))
         if within and outer is not None and inner is not None:
             sizes = outer.radius, inner.radius
             found.append(Ring(number, tuple(sorted(within)), inner.centre, *sizes))
@@ -85,11 +85,11 @@ def _circle_of(ring: shapely.LinearRing, plan: Plan) -> CircleCurve | None:
     """The circle of the plan's lines along which a round ring runs."""
     middle, radius = ring.centroid, ring.length / (2.0 * np.pi)
 
-    def away(own: CircleCurve) -> float:
-        off = float(np.hypot(own.centre[0] - middle.x, own.centre[1] - middle.y))
-        return max(off, abs(own.radius - radius))
+    def away(curve: CircleCurve) -> float:
+        off = float(np.hypot(curve.centre[0] - middle.x, curve.centre[1] - middle.y))
+        return max(off, abs(curve.radius - radius))
 
-    circles = [own.circle for own in plan.regions.lines if own.circle is not None]
+    circles = [line.circle for line in plan.regions.lines if line.circle is not None]
     nearest = min(circles, key=away, default=None)
     return nearest if nearest is not None and away(nearest) <= _CONCENTRIC * plan.grid else None
 
@@ -111,10 +111,10 @@ def add_rims(terms: Terms, rings: Sequence[Ring]) -> dict[SunkRim, Literal]:
         for is_top, opened in ((True, terms.tops), (False, terms.bottoms)):
             sunk = terms.model.new_bool_var("")
             found[SunkRim(ring, is_top)] = sunk
-            own = sum(opened[ring.region])
+            item = sum(opened[ring.region])
             for other in ring.within:
                 # What the ring encloses begins deeper.
-                terms.model.add(sum(opened[other]) >= own + 1).only_enforce_if(sunk)
+                terms.model.add(sum(opened[other]) >= item + 1).only_enforce_if(sunk)
             root = float(terms.roots[ring.region])
             terms.cost(_COST * root + plan.grid, sunk)
             for border in plan.regions.borders:
@@ -166,6 +166,6 @@ def add_bands(terms: Terms) -> None:
             terms.model.add(shown <= sides[band, other])
             terms.cost(-drawn, shown)
     for band in bands:
-        own = [side for (number, _), side in sides.items() if number == band]
-        if own:
-            terms.model.add_at_most_one(own)
+        int_vars = [side for (number, _), side in sides.items() if number == band]
+        if int_vars:
+            terms.model.add_at_most_one(int_vars)

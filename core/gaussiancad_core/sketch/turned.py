@@ -46,22 +46,22 @@ def without_slopes(
         centre: mm in the plane across that, where it is.
         grid: mm of a step of the sheet's coordinates.
     """
-    found = {role: list(own) for role, own in lines.items()}
-    beside = list(views_beside(lines, axis, centre, grid))
-    widest = shapely.union_all([_half(own, side) for own in beside for side in (1.0, -1.0)])
-    slopes = tuple(_slopes(beside, widest, centre, grid)) if not widest.is_empty else ()
+    found = {role: list(plane_lines) for role, plane_lines in lines.items()}
+    seens = list(views_beside(lines, axis, centre, grid))
+    widest = shapely.union_all([_half(seen, side) for seen in seens for side in (1.0, -1.0)])
+    slopes = tuple(_slopes(seens, widest, centre, grid)) if not widest.is_empty else ()
     if not slopes:
         return found, ()
-    for own in beside:
-        found[own.role] = _stepped(own, slopes, grid)
-    for role, own in found.items():
+    for this_seen in seens:
+        found[this_seen.role] = _stepped(this_seen, slopes, grid)
+    for role, item in found.items():
         if role_plane(role).normal is axis:
-            found[role] = [each for each in own if not _is_foot(each, centre, slopes, grid)]
+            found[role] = [each for each in item if not _is_foot(each, centre, slopes, grid)]
     return found, slopes
 
 
 def _slopes(
-    beside: Sequence[Seen],
+    seens: Sequence[Seen],
     widest: shapely.Geometry,
     centre: tuple[float, float],
     grid: float,
@@ -69,47 +69,53 @@ def _slopes(
     """What slopes in a view from beside on both sides of the axis, and is the outline of what all
     views from beside show together, each once."""
     near = NEAR * grid
-    sides = [(own, side) for own in beside for side in (1.0, -1.0)]
-    shown = [list(_sloping(own, side, grid)) for own, side in sides]
+    sides = [(seen, side) for seen in seens for side in (1.0, -1.0)]
+    shown = [list(_sloping(seen, side, grid)) for seen, side in sides]
     walls = [
-        own.away(line.points[[0, -1]], side)
-        for own, side in sides
-        for line in own.lines
-        if line.is_visible and line.constant(STRAIGHT * grid) == 1 - own.along
+        seen.away(line.points[[0, -1]], side)
+        for seen, side in sides
+        for line in seen.lines
+        if line.is_visible and line.constant(STRAIGHT * grid) == 1 - seen.along
     ]
 
     def ends_wall(place: Floats) -> bool:
         return any(np.hypot(*(ends - place).T).min() <= near for ends in walls)
 
     found: list[PlaneLine] = []
-    for line in sorted((own for each in shown for own in each), key=lambda own: -own.length):
+    for line in sorted(
+        (plane_line for each in shown for plane_line in each),
+        key=lambda plane_line: -plane_line.length,
+    ):
         points = line.points
         if any(lies_along(points, other.points, near) for other in found):
             continue
         even = any(
-            all(any(lies_along(own.points, points, near) for own in each) for each in pair)
+            all(
+                any(lies_along(plane_line.points, points, near) for plane_line in each)
+                for each in pair
+            )
             for pair in zip(shown[::2], shown[1::2], strict=True)
         )
         border = widest.boundary
         if even and all(border.distance(shapely.Point(at)) <= _ON * grid for at in points):
             found.append(line)
-    ends = [sorted(own.points[[0, -1]], key=lambda at: float(at[1])) for own in found]
+    ends = [sorted(plane_line.points[[0, -1]], key=lambda at: float(at[1])) for plane_line in found]
     for line, (small, large) in zip(found, ends, strict=True):
         falling = sum(np.hypot(*(other - small)) <= near for other, _ in ends)
-        told = not ends_wall(small), ends_wall(large), bool(falling > 1)
-        yield Slope(centre, small, large, line, *told)
+        stated = not ends_wall(small), ends_wall(large), bool(falling > 1)
+        yield Slope(centre, small, large, line, *stated)
 
 
 def _sloping(seen: Seen, side: float, grid: float) -> Iterator[PlaneLine]:
     """Lines along the outline of a view on one side that are along no axis, as far as they are on
     that side; places are along the axis, and away from it."""
     border = seen.outline.boundary
-    for own in seen.lines:
-        if not own.is_visible or not is_sloping(own, grid):
+    for line in seen.lines:
+        if not line.is_visible or not is_sloping(line, grid):
             continue
-        if border.distance(shapely.Point(own.points[len(own.points) // 2])) > NEAR * grid:
+        if border.distance(shapely.Point(line.points[len(line.points) // 2])) > NEAR * grid:
             continue
-        moved = moved_to(own, seen, side)
+        moved = moved_to(line, seen, side)
         if (points := beyond_axis(moved, NEAR * grid)) is not None:
             yield from one_way(replace(moved, points=points), NEAR * grid)
 
@@ -120,23 +126,25 @@ def _stepped(seen: Seen, slopes: Sequence[Slope], grid: float) -> list[PlaneLine
     left = list(seen.lines)
     steps: list[PlaneLine] = []
     for side in (1.0, -1.0):
-        for own in slopes:
-            small, corner, large = seen.back(np.array([own.small, own.corner, own.large]), side)
+        for slope in slopes:
+            small, corner, large = seen.back(
+                np.array([slope.small, slope.corner, slope.large]), side
+            )
             gone = [
                 place
-                for place, is_gone in ((small, own.is_groove), (large, own.is_plain))
+                for place, is_gone in ((small, slope.is_groove), (large, slope.is_plain))
                 if is_gone
             ]
             left = [
                 line
                 for line in left
-                if not holds(line, seen.back(own.line.points, side), near)
+                if not holds(line, seen.back(slope.line.points, side), near)
                 and not (
                     line.is_visible and any(is_edge_at(line, place, seen, grid) for place in gone)
                 )
             ]
             # What two slopes fall to is bridged.
-            if not own.is_groove:
+            if not slope.is_groove:
                 steps += step_of(small, corner, grid)
             steps += step_of(corner, large, grid)
     return [*left, *steps]
@@ -159,4 +167,6 @@ def _is_foot(
     near = NEAR * grid
     if max(abs(a - b) for a, b in zip(line.circle.centre, centre, strict=True)) > near:
         return False
-    return any(own.is_foot and abs(line.circle.radius - own.small[1]) <= near for own in slopes)
+    return any(
+        slope.is_foot and abs(line.circle.radius - slope.small[1]) <= near for slope in slopes
+    )

@@ -54,34 +54,38 @@ def without_bore_slopes(
         grid: mm of a step of the sheet's coordinates.
         cuts: views that are sections.
     """
-    found = {role: list(own) for role, own in lines.items()}
+    found = {role: list(plane_lines) for role, plane_lines in lines.items()}
     near = NEAR * grid
-    sides = [(own, side) for own in views_beside(lines, axis, centre, grid) for side in (1.0, -1.0)]
+    sides = [
+        (this_seen, side)
+        for this_seen in views_beside(lines, axis, centre, grid)
+        for side in (1.0, -1.0)
+    ]
     planes = {
-        role: own.mapped(role_plane(role).signs, 1.0)
-        for role, own in cuts.items()
+        role: this_cut.mapped(role_plane(role).signs, 1.0)
+        for role, this_cut in cuts.items()
         if isinstance(role, Role)
     }
-    shown = [list(_sloping(own, planes.get(own[0].role), grid)) for own in sides]
+    shown = [list(_sloping(this_side, planes.get(this_side[0].role), grid)) for this_side in sides]
     slopes: list[Slope] = []
     for number, (seen, side) in enumerate(sides):
         for line in shown[number]:
             cut, other = planes.get(seen.role), shown[number ^ 1]
-            is_even = any(lies_along(own.points, line.points, near) for own in other)
+            is_even = any(lies_along(plane_line.points, line.points, near) for plane_line in other)
             if not is_even and (cut is None or _is_cut(cut, seen, line, -side)):
                 continue
-            if not any(lies_along(line.points, own.line.points, near) for own in slopes):
+            if not any(lies_along(line.points, slope.line.points, near) for slope in slopes):
                 slopes.append(_slope(line, centre))
     for seen, side in sides:
-        for own in slopes:
-            found[seen.role] = _stepped(found[seen.role], (seen, side), own, grid)
+        for this_slope in slopes:
+            found[seen.role] = _stepped(found[seen.role], (seen, side), this_slope, grid)
     return found, tuple(slopes)
 
 
 def _slope(line: PlaneLine, centre: tuple[float, float]) -> Slope:
     small, large = sorted(line.points[[0, -1]], key=lambda at: float(at[1]))
-    told = {"is_foot": False, "is_plain": False, "is_groove": False, "is_bore": True}
-    return Slope(centre, small, large, line, **told)
+    stated = {"is_foot": False, "is_plain": False, "is_groove": False, "is_bore": True}
+    return Slope(centre, small, large, line, **stated)
 
 
 def _sloping(view: _Side, cut: Cut | None, grid: float) -> Iterator[PlaneLine]:
@@ -89,26 +93,30 @@ def _sloping(view: _Side, cut: Cut | None, grid: float) -> Iterator[PlaneLine]:
     axis, and away from it."""
     seen, side = view
     near, border = NEAR * grid, seen.outline.boundary
-    for own in seen.lines:
-        if own.curve is None or not is_sloping(own, grid):
+    for plane_line in seen.lines:
+        if plane_line.curve is None or not is_sloping(plane_line, grid):
             continue
-        if border.distance(_middle(own)) <= near:
+        if border.distance(_middle(plane_line)) <= near:
             continue
         # Where holes across meet the outline, there are hidden curves, too.
-        if not (own.is_visible or own.is_straight or _goes_on(own, seen, grid)):
+        if not (
+            plane_line.is_visible or plane_line.is_straight or _goes_on(plane_line, seen, grid)
+        ):
             continue
-        moved = moved_to(own, seen, side)
+        moved = moved_to(plane_line, seen, side)
         if (points := beyond_axis(moved, near)) is None:
             continue
         for line in one_way(replace(moved, points=points), near):
-            if not own.is_visible or (cut is not None and _is_edge_of(cut, view, line, grid)):
+            if not plane_line.is_visible or (
+                cut is not None and _is_edge_of(cut, view, line, grid)
+            ):
                 yield line
 
 
 def _goes_on(line: PlaneLine, seen: Seen, grid: float) -> bool:
     """Whether a hidden wall along the axis ends where a line does."""
-    walls = [own for own in seen.lines if not own.is_visible]
-    return any(_ends_wall(own, end, seen, grid) for own in walls for end in line.points[[0, -1]])
+    walls = [plane_line for plane_line in seen.lines if not plane_line.is_visible]
+    return any(_ends_wall(wall, end, seen, grid) for wall in walls for end in line.points[[0, -1]])
 
 
 def _is_edge_of(cut: Cut, view: _Side, line: PlaneLine, grid: float) -> bool:
@@ -140,23 +148,23 @@ def _stepped(lines: Sequence[PlaneLine], view: _Side, slope: Slope, grid: float)
     seen, side = view
     near = NEAR * grid
     along = seen.back(slope.line.points, side)
-    drawn = [own for own in lines if holds(own, along, near)]
+    drawn = [line for line in lines if holds(line, along, near)]
     if not drawn:
         return list(lines)
     small, corner, large = seen.back(np.array([slope.small, slope.corner, slope.large]), side)
     kind = drawn[0].is_visible
     # Where a cylinder goes on at the smaller end the edge between is gone.
-    is_plain = any(_ends_wall(own, small, seen, grid) for own in lines)
+    is_plain = any(_ends_wall(line, small, seen, grid) for line in lines)
     left = [
-        own
-        for own in lines
-        if own not in drawn
-        and not (is_plain and own.is_visible is kind and is_edge_at(own, small, seen, grid))
+        line
+        for line in lines
+        if line not in drawn
+        and not (is_plain and line.is_visible is kind and is_edge_at(line, small, seen, grid))
     ]
     steps = step_of(corner, large, grid)
     if slope.small[1] > near:
         steps += step_of(small, corner, grid)
-    return [*left, *(replace(own, is_visible=kind) for own in steps)]
+    return [*left, *(replace(step, is_visible=kind) for step in steps)]
 
 
 def _ends_wall(line: PlaneLine, place: Floats, seen: Seen, grid: float) -> bool:

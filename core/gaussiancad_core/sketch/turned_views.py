@@ -114,10 +114,10 @@ def turning_centre(
     first, second = (size[k] for k in IN_PLANE[axis])
     if abs(first - second) > NEAR * grid:
         return None
-    for role, own in lines.items():
+    for role, plane_lines in lines.items():
         if role_plane(role).normal is not axis:
             continue
-        for each in own:
+        for each in plane_lines:
             if not each.is_closed or each.circle is None:
                 continue
             off = max(abs(each.circle.centre[k] - first / 2.0) for k in (0, 1))
@@ -137,20 +137,20 @@ def views_beside(
         centre: mm in the plane across that, where it is.
         grid: mm of a step of the sheet's coordinates.
     """
-    for role, own in lines.items():
+    for role, plane_lines in lines.items():
         axes = IN_PLANE[role_plane(role).normal]
         if axis.value not in axes:
             continue
         along = axes.index(axis.value)
         middle = centre[IN_PLANE[axis].index(axes[1 - along])]
-        outline = _outline(own, grid)
+        outline = _outline(plane_lines, grid)
         if outline is not None:
-            yield Seen(role, own, outline, along, middle)
+            yield Seen(role, plane_lines, outline, along, middle)
 
 
 def _outline(lines: Sequence[PlaneLine], grid: float) -> shapely.Polygon | None:
     """What a view shows, without holes; None where it is in pieces, or in too many."""
-    regions = find_regions([own for own in lines if own.is_visible], (), grid)
+    regions = find_regions([line for line in lines if line.is_visible], (), grid)
     if regions is None:
         return None
     whole = shapely.union_all(regions.polygons)
@@ -208,8 +208,10 @@ def holds(line: PlaneLine, points: Floats, near: float) -> bool:
     """Whether a line lies along most of a slope, or holds all of it."""
     if lies_along(line.points, points, near):
         return True
-    own = shapely.LineString(line.points)
-    return not line.is_closed and all(own.distance(shapely.Point(at)) <= near for at in points)
+    line_string = shapely.LineString(line.points)
+    return not line.is_closed and all(
+        line_string.distance(shapely.Point(at)) <= near for at in points
+    )
 
 
 def _length(points: Floats) -> float:

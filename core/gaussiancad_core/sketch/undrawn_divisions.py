@@ -27,7 +27,7 @@ _MOST = 8
 
 def undrawn_divisions(
     plan: Sequence[PlaneLine],
-    beside: Sequence[tuple[int, int, Sequence[PlaneLine]]],
+    neighbours: Sequence[tuple[int, int, Sequence[PlaneLine]]],
     size: tuple[float, float],
     grid: float,
 ) -> list[PlaneLine]:
@@ -35,27 +35,31 @@ def undrawn_divisions(
 
     Args:
         plan: the lines that it draws, mm.
-        beside: of each view from beside, which coordinate of the plan and of its own plane it has
+        neighbours: of each view from beside, which coordinate of the plan and of its plane it has
             in common with the plan, and its lines.
         size: (2,) mm of the plan.
         grid: mm of a step of the sheet's coordinates.
     """
     near = _NEAR * grid
     untold: list[list[float]] = [[], []]
-    for column, across, lines in beside:
+    for column, across, lines in neighbours:
         untold[column] += _uprights(lines, across, grid)
     for column, places in enumerate(untold):
         known = [0.0, size[column], *_told(plan, column)]
         untold[column] = [
-            at for at in _distinct(places, near) if min(abs(at - own) for own in known) > near
+            at for at in _distinct(places, near) if min(abs(at - value) for value in known) > near
         ]
     if not any(untold) or max(map(len, untold)) > _MOST:
         return []
     circles = list(_circles(plan, untold, near))
     for column in (0, 1):
-        ends = [own.centre[column] + side for own in circles for side in (-own.radius, own.radius)]
+        ends = [
+            circle.centre[column] + side
+            for circle in circles
+            for side in (-circle.radius, circle.radius)
+        ]
         untold[column] = [at for at in untold[column] if all(abs(at - e) > near for e in ends)]
-    found = [whole_circle(own, False) for own in circles]
+    found = [whole_circle(circle, False) for circle in circles]
     for column, places in enumerate(untold):
         for at in places:
             points = np.array([[at, 0.0], [at, size[1 - column]]])
@@ -64,18 +68,18 @@ def undrawn_divisions(
 
 
 def _uprights(lines: Sequence[PlaneLine], across: int, grid: float) -> Iterator[float]:
-    for own in lines:
-        upright = own.is_visible and own.constant(_STRAIGHT * grid) == across
-        if upright and own.length > _SHORTEST * grid:
-            yield float(own.points[:, across].mean())
+    for line in lines:
+        upright = line.is_visible and line.constant(_STRAIGHT * grid) == across
+        if upright and line.length > _SHORTEST * grid:
+            yield float(line.points[:, across].mean())
 
 
 def _told(plan: Sequence[PlaneLine], column: int) -> Iterator[float]:
     """Where lines of the plan begin, end, or turn back along a coordinate."""
-    for own in plan:
-        yield from own.points[[0, -1], column].tolist()
-        yield float(own.points[:, column].min())
-        yield float(own.points[:, column].max())
+    for line in plan:
+        yield from line.points[[0, -1], column].tolist()
+        yield float(line.points[:, column].min())
+        yield float(line.points[:, column].max())
 
 
 def _distinct(places: Sequence[float], near: float) -> Iterator[float]:
@@ -91,24 +95,26 @@ def _circles(
 ) -> Iterator[CircleCurve]:
     """Circles about centres of the plan."""
     centres: list[tuple[float, float]] = []
-    for own in plan:
-        if own.circle is not None and all(
-            np.hypot(*np.subtract(own.circle.centre, other)) > near for other in centres
+    for line in plan:
+        if line.circle is not None and all(
+            np.hypot(*np.subtract(line.circle.centre, other)) > near for other in centres
         ):
-            centres.append(own.circle.centre)
+            centres.append(line.circle.centre)
     for centre in centres:
         radii = [
             [
                 at - centre[column]
                 for at in untold[column]
                 if at > centre[column]
-                and min(abs(2.0 * centre[column] - at - own) for own in untold[column]) <= near
+                and min(abs(2.0 * centre[column] - at - value) for value in untold[column]) <= near
             ]
             for column in (0, 1)
         ]
         first, second = radii
         if first and second:
             # What is not as wide one way as the other is not round.
-            first = [own for own in first if min(abs(own - other) for other in second) <= near]
+            first = [
+                value for value in first if min(abs(value - other) for other in second) <= near
+            ]
             second = []
-        yield from (CircleCurve(centre, own) for own in _distinct([*first, *second], near))
+        yield from (CircleCurve(centre, value) for value in _distinct([*first, *second], near))

@@ -63,7 +63,7 @@ def goes_on(
             yield _even(before, after, DEEPER * grid)
             continue
         between = places[index - 1], places[index]
-        edge = next((own for own in edges if between[0] < own < between[1]), None)
+        edge = next((this_edge for this_edge in edges if between[0] < this_edge < between[1]), None)
         same = before.regions == after.regions
         if edge is None and same:
             yield np.eye(len(before.depths), dtype=bool)
@@ -106,7 +106,7 @@ def _is_smooth(
         middle = look((low + high) / 2.0)
         if middle.regions != ends[0].regions:
             return False
-        below, above = (abs(middle.depths[number] - own.depths[number]) for own in ends)
+        below, above = (abs(middle.depths[number] - end.depths[number]) for end in ends)
         if below > above:
             high, ends = (low + high) / 2.0, (ends[0], middle)
         else:

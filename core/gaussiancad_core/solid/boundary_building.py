@@ -240,8 +240,8 @@ def _gives_one_of(kept: list[TopoDS_Face], face: TopoDS_Face, fused: BOPAlgo_Bui
     if fused.IsDeleted(face):
         return False
     parts = fused.Modified(face) if fused.HasModified() else ()
-    own = list(parts) or [face]
-    return any(any(part.IsSame(each) for part in own) and not _is_sliver(each) for each in kept)
+    items = list(parts) or [face]
+    return any(any(part.IsSame(each) for part in items) and not _is_sliver(each) for each in kept)
 
 
 def _is_sliver(face: TopoDS_Face, width: float = _SLIVER) -> bool:

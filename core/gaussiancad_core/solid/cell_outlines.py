@@ -88,16 +88,18 @@ class _Shadow:
         scale: units per mm.
     """
 
-    def __init__(self, own: Sequence[View], size: tuple[float, float, float], scale: float) -> None:
+    def __init__(
+        self, views: Sequence[View], size: tuple[float, float, float], scale: float
+    ) -> None:
         self._fields: list[tuple[PlaneField, Points]] = []
-        axes = IN_PLANE[role_plane(own[0].role).normal]
+        axes = IN_PLANE[role_plane(views[0].role).normal]
         self._extents = np.array([size[index] * scale for index in axes])
-        for view in own:
+        for view in views:
             mask = padded_mask(view, size, True)
             field = plane_field(signed_distance(mask, view.mm_per_pixel), view)
             signs = np.array(role_plane(view.role).signs, dtype=np.float64)
             self._fields.append((field, signs / scale))
-        self.pixel = max(view.mm_per_pixel for view in own) * scale
+        self.pixel = max(view.mm_per_pixel for view in views) * scale
         self._scale = scale
 
     def depths(self, points: Points) -> Points:
@@ -110,12 +112,12 @@ class _Shadow:
 def outline_of(axis: Axis, supports: PartSupports, views: ViewSet) -> Outline:
     """The outline in the plane across an axis; the box where no view looks along it."""
     first, second = (supports.size[index] for index in IN_PLANE[axis])
-    own = [view for view in views.views if role_plane(view.role).normal is axis]
-    if not own:
+    this_views = [view for view in views.views if role_plane(view.role).normal is axis]
+    if not this_views:
         box = [(0.0, 0.0), (first, 0.0), (first, second), (0.0, second)]
         arrangement = Arrangement(_sides([box]))
         return Outline(arrangement, tuple(range(1, arrangement.regions)))
-    shadow = _Shadow(own, views.size, supports.scale)
+    shadow = _Shadow(this_views, views.size, supports.scale)
     samples = plane_grid(first, second, UNITS / _SAMPLES)
     lines = supports.planes[axis].supports if axis in supports.planes else ()
     drawn = _bounded(Arrangement(lines), shadow, samples)
@@ -145,10 +147,10 @@ def _bounded(arrangement: Arrangement, shadow: _Shadow, samples: Points) -> Outl
         if sides[0] != sides[1]:
             spans.setdefault(index, []).append((low, high))
     border = []
-    for index, own in spans.items():
+    for index, this_spans in spans.items():
         support = arrangement.supports[index]
         role = next(iter(support.spans))
-        merged = merged_stretches(own, 1e-9)
+        merged = merged_stretches(this_spans, 1e-9)
         drawn = tuple(Span(low, high, Linetype.VISIBLE, 1.0) for low, high in merged)
         border.append(Support(support.curve, {role: drawn}))
     bounded = Arrangement(border)

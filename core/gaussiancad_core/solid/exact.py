@@ -195,7 +195,7 @@ def _found(
         if _is_neat(found):
             break
     meter.lap("label")
-    result = replace(result, trace=journal.told(best), seconds=meter.seconds)
+    result = replace(result, trace=journal.finished(best), seconds=meter.seconds)
     if result.explains or not limits.relaxed or meter.spent > _PATIENT * limits.work:
         return result, model
     conflict = find_conflict(model.part, views, limits.conflict)
@@ -217,8 +217,8 @@ def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits)
 
     They stay in doubt: only the shape changes, and what is said of its lines.
     """
-    own = found.verification
-    if not views.noise or own is None or not own.sound or not _is_in_doubt(found):
+    verification = found.verification
+    if not views.noise or verification is None or not verification.sound or not _is_in_doubt(found):
         return found
     likely = replace(views, likely=True)
     if not find_supports(likely).moved:
@@ -265,12 +265,12 @@ def _worth(result: ExactResult, views: DrawnViews) -> tuple[bool, bool, bool, fl
     verification = result.verification
     if verification is None:
         return False, False, False, -inf
-    told = verification.neat, verification.explains, verification.sound
+    stated = verification.neat, verification.explains, verification.sound
     if views.apart is not None:
-        return *told, verification.share
+        return *stated, verification.share
     most = _WHOLE * max(views.size)
     wrong = sum(min(flaw.length, most) for flaw in verification.flaws)
-    return *told, -wrong
+    return *stated, -wrong
 
 
 def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline) -> ExactResult:

@@ -101,8 +101,8 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
             gap = 2.0 * _SHORT / curve.speed
             # Only slants and circles are swept.
             closed = isinstance(curve, CircleCurve)
-            own = _around(united(rectangles, gap), gap) if closed else united(rectangles, gap)
-            patches += [SweptPatch(normal, curve, rectangle) for rectangle in own]
+            items = _around(united(rectangles, gap), gap) if closed else united(rectangles, gap)
+            patches += [SweptPatch(normal, curve, rectangle) for rectangle in items]
     for key, rectangles in flat.items():
         patches += [PlanePatch(key[0], exact[key], r) for r in united(rectangles)]
     return patches

@@ -90,6 +90,6 @@ class ToldMeasures:
         """Those that numbers tell."""
         return self._told(self.places.radii, numbers)
 
-    def _told(self, told: Sequence[float], numbers: Points) -> Known:
-        apart = np.abs(numbers[:, None] - np.array(told)[None, :])
+    def _told(self, stated: Sequence[float], numbers: Points) -> Known:
+        apart = np.abs(numbers[:, None] - np.array(stated)[None, :])
         return apart.min(axis=1, initial=np.inf) <= self.near

@@ -101,27 +101,27 @@ def _sources(supports: PartSupports, views: DrawnViews, least: float) -> list[_T
     """What makes measures known: the step that the part is designed in, the sheet's numbers."""
     found = []
     if supports.step is not None:
-        own, scale = supports.step, supports.scale
-        moved, aside = own.moved / scale, _ASIDE * views.noise
+        step, scale = supports.step, supports.scale
+        moved, aside = step.moved / scale, _ASIDE * views.noise
         # Lines of a file have no noise; what it was rounded by moves them nevertheless.
-        reach = min(max(moved, aside or views.bound), own.reach / scale)
-        measures = RoundMeasures(own.length / scale, reach, supports.odd)
+        reach = min(max(moved, aside or views.bound), step.reach / scale)
+        measures = RoundMeasures(step.length / scale, reach, supports.odd)
         # A number of a dimension may have been misread as a round one.
         likely = not supports.unread and (measures.is_usual or moved <= aside)
         if supports.nominal or (likely and not measures.is_chance):
             found.append(_Told(measures, least, by_numbers=False))
     if supports.places is not None:
         places = supports.places.scaled(1.0 / supports.scale)
-        told = ToldMeasures(places, _TOLD * views.tolerance)
-        found.append(_Told(told, max(least, _ROUNDED * places.digit), by_numbers=True))
+        stated_measures = ToldMeasures(places, _TOLD * views.tolerance)
+        found.append(_Told(stated_measures, max(least, _ROUNDED * places.digit), by_numbers=True))
     return found
 
 
 def _place(face: TopoDS_Face, sources: list[_Told], drawn: float) -> tuple[float, bool]:
     """mm by which a face may be off, and whether numbers on the sheet tell its place."""
-    own = [told for told in sources if is_known(face, told.known)]
-    bound = min((told.bound for told in own), default=drawn)
-    return min(bound, drawn), any(told.by_numbers for told in own)
+    this_sources = [source for source in sources if is_known(face, source.known)]
+    bound = min((stated.bound for stated in this_sources), default=drawn)
+    return min(bound, drawn), any(stated.by_numbers for stated in this_sources)
 
 
 def _most(bounds: np.ndarray, otherwise: float) -> float:

@@ -82,7 +82,7 @@ def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterato
     else:
         # Of so many cells the labels take nearly all of the work.
         found = (plain, finer)
-    yield from (own for own in found if own is not None)
+    yield from (pair for pair in found if pair is not None)
 
 
 def _wider(work: Work, deadline: Deadline) -> PartModel | None:

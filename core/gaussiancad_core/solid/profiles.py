@@ -135,12 +135,12 @@ def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> T
     if (circle := _whole(runs)) is not None:
         made.Add(BRepBuilderAPI_MakeEdge(_circle(circle, ring, place)).Edge())
         return made.Wire()
-    for own in _edges(runs):
-        ends = place(own.start), place(own.end)
-        if own.middle is None:
+    for edge in _edges(runs):
+        ends = place(edge.start), place(edge.end)
+        if edge.middle is None:
             made.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
         else:
-            curve = GC_MakeArcOfCircle(ends[0], place(own.middle), ends[1]).Value()
+            curve = GC_MakeArcOfCircle(ends[0], place(edge.middle), ends[1]).Value()
             made.Add(BRepBuilderAPI_MakeEdge(curve).Edge())
     return made.Wire()
 
@@ -226,13 +226,13 @@ def _runs_of(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
         starts.append(starts[0] + count // 2)
     found = []
     for start, end in zip(starts, [*starts[1:], starts[0] + count], strict=True):
-        own = ring[np.arange(start, end + 1) % count]
+        values = ring[np.arange(start, end + 1) % count]
         kind = kinds[start % count]
-        found.append((own, None if kind is None else profile.arcs[kind]))
-    for index, (own, arc) in enumerate(found):
+        found.append((values, None if kind is None else profile.arcs[kind]))
+    for index, (row, arc) in enumerate(found):
         before, other = found[index - 1]
         if arc is not other:
-            before[-1] = own[0] = _corner((before[-2:], other), (own[:2], arc), profile.near)
+            before[-1] = row[0] = _corner((before[-2:], other), (row[:2], arc), profile.near)
     return found
 
 

@@ -64,7 +64,7 @@ _THIN: Reason = (
 def has_hidden_lines(views: DrawnViews) -> bool:
     """Whether any view has a hidden line: where none has, hidden lines may not be drawn at all."""
     return any(
-        stroke.linetype is Linetype.HIDDEN for own in views.strokes.values() for stroke in own
+        stroke.linetype is Linetype.HIDDEN for curves in views.strokes.values() for stroke in curves
     )
 
 

@@ -107,9 +107,9 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
 
 def _undrawn(work: Work, views: DrawnViews, limits: Limits, deadline: Deadline) -> Iterator[Work]:
     """The part where some views draw no hidden lines."""
-    own = replace(work, views=views)
+    this_work = replace(work, views=views)
     models = _until(undrawn_models(work, views, deadline), limits, work)
-    return (_remodelled(own, model, limits) for model in models)
+    return (_remodelled(this_work, model, limits) for model in models)
 
 
 def _first_fulfilled(works: Iterator[Work], deadline: Deadline) -> tuple[Work, Labelling] | None:

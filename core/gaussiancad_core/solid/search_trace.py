@@ -108,7 +108,7 @@ def given_up_places(rules: Sequence[Rule], scale: float) -> tuple[GivenUp, ...]:
         )
         for rule in rules
     ]
-    return tuple(sorted(found, key=lambda own: -own.length)[:_MOST_PLACES])
+    return tuple(sorted(found, key=lambda given_up: -given_up.length)[:_MOST_PLACES])
 
 
 def cells_of(rules: Sequence[Rule]) -> int:
@@ -138,14 +138,14 @@ class Journal:
         """One more attempt; its work is all that was done so far."""
         self.attempts.append(attempt)
 
-    def told(self, taken: int) -> tuple[Attempt, ...]:
+    def finished(self, taken: int) -> tuple[Attempt, ...]:
         """The attempts, with the work that each took itself.
 
         Args:
             taken: number of the one whose solid was delivered.
         """
-        starts = (0.0, *(own.work for own in self.attempts))
+        starts = (0.0, *(attempt.work for attempt in self.attempts))
         return tuple(
-            replace(own, work=own.work - start, taken=number == taken)
-            for number, (own, start) in enumerate(zip(self.attempts, starts, strict=False))
+            replace(attempt, work=attempt.work - start, taken=number == taken)
+            for number, (attempt, start) in enumerate(zip(self.attempts, starts, strict=False))
         )

@@ -58,12 +58,16 @@ def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) ->
     deadline = work.meter.until(work.meter.spent + _SHARE * limits.work)
     views = replace(work.views, undrawn=roles)
     for part in _parts(work.part, views, deadline):
-        own = replace(work, part=part, views=views, search=search_for(part, limits, work.meter))
-        found = own.search.fulfilled(deadline)
+        this_work = replace(
+            work, part=part, views=views, search=search_for(part, limits, work.meter)
+        )
+        found = this_work.search.fulfilled(deadline)
         if found.labels is not None:
-            others = own.search.others(found, counting_cells(own), most, deadline=deadline)
-            candidates = (candidate_of(own, labels, deadline)[0] for labels in others.labels)
-            first, _ = candidate_of(own, found.labels, deadline)
+            others = this_work.search.others(
+                found, counting_cells(this_work), most, deadline=deadline
+            )
+            candidates = (candidate_of(this_work, labels, deadline)[0] for labels in others.labels)
+            first, _ = candidate_of(this_work, found.labels, deadline)
             return next(
                 (
                     other

@@ -180,12 +180,12 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         if cut.areas is not None:
             areas[role] = _overlap(section.areas, cut.areas)
             flaws += _area_flaws(role, section.areas, cut.areas, tolerance)
-    told, retold = with_unsure_kinds(views) or views, False
+    drawn_views, retold = with_unsure_kinds(views) or views, False
     askew = False
     for role in views.roles:
         lines = lines_of_strokes(drawn[role], tolerance / STEPS_PER_TOLERANCE)
-        strokes = as_drawn(told.strokes[role], lines, tolerance)
-        retold |= strokes != tuple(told.strokes[role])
+        strokes = as_drawn(drawn_views.strokes[role], lines, tolerance)
+        retold |= strokes != tuple(drawn_views.strokes[role])
         if role in views.without_hidden:
             # A hidden line of the solid is none that the view lacks.
             lines = Lines(
@@ -231,16 +231,16 @@ def _overlap(one: shapely.Geometry, other: shapely.Geometry) -> float:
 
 
 def _area_flaws(
-    role: Role, own: shapely.Geometry, hatched: shapely.Geometry, tolerance: float
+    role: Role, geometry: shapely.Geometry, hatched: shapely.Geometry, tolerance: float
 ) -> Iterator[Flaw]:
     """Places of a section where what is cut and what is hatched are not the same, by more than the
     lines around may be off."""
-    for one, other, missing in ((hatched, own, True), (own, hatched, False)):
-        beside = _HATCHED * tolerance
-        rest = one.difference(other.buffer(beside))
+    for one, other, missing in ((hatched, geometry, True), (geometry, hatched, False)):
+        offset = _HATCHED * tolerance
+        rest = one.difference(other.buffer(offset))
         for part in shapely.get_parts(rest):
             # In corners the last line of a hatching leaves a triangle.
-            if not part.buffer(-beside).is_empty:
+            if not part.buffer(-offset).is_empty:
                 x, y = part.representative_point().coords[0]
                 yield Flaw(role, (float(x), float(y)), float(part.length) / 2.0, missing)
 
@@ -272,9 +272,9 @@ def _spread(strokes: Iterable[Curve], result: Lines, tolerance: float, least: fl
     for stroke in strokes:
         if stroke.linetype in trees and stroke.length >= least:
             points = stroke.sample(tolerance / 4.0)
-            beside = float(np.median(_beside(points, trees[stroke.linetype])))
-            if beside <= tolerance:
-                worst = max(worst, beside * min(1.0, stroke.length / (_STEADY * tolerance)))
+            offset = float(np.median(_beside(points, trees[stroke.linetype])))
+            if offset <= tolerance:
+                worst = max(worst, offset * min(1.0, stroke.length / (_STEADY * tolerance)))
     return worst
 
 
@@ -286,13 +286,13 @@ def _is_askew(strokes: Iterable[Curve], result: Lines, least: float) -> bool:
         if isinstance(stroke, Segment) and stroke.linetype in trees and stroke.length >= least:
             tree = trees[stroke.linetype]
             start, end = np.array(stroke.start), np.array(stroke.end)
-            own = (end - start) / stroke.length
+            item = (end - start) / stroke.length
             _, nearest = tree.query(0.5 * (start + end), k=min(_NEAREST, tree.n))
             near = tree.data[nearest]
             along = near[1:] - near[0]
             length = np.hypot(*along.T)
             some = length > 1e-9
-            across = np.abs(own[0] * along[some, 1] - own[1] * along[some, 0]) / length[some]
+            across = np.abs(item[0] * along[some, 1] - item[1] * along[some, 0]) / length[some]
             if some.any() and across.min() > _ASKEW:
                 return True
     return False
@@ -325,10 +325,10 @@ def _places(
     groups, labels = connected_components(graph, directed=False)
     found = []
     for group in range(groups):
-        own = np.flatnonzero(labels == group)
-        middle = chosen.points[own[len(own) // 2]]
-        length = float(chosen.lengths[own].sum())
-        found.append((_place(middle), length, _ends(chosen.points[own], tolerance)))
+        values = np.flatnonzero(labels == group)
+        middle = chosen.points[values[len(values) // 2]]
+        length = float(chosen.lengths[values].sum())
+        found.append((_place(middle), length, _ends(chosen.points[values], tolerance)))
     return found
 
 

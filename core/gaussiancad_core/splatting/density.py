@@ -66,7 +66,7 @@ class Density:
             gradients: (v, n, 2) of a loss that is the mean over v views, 1 / px.
             size: (width, height) px.
         """
-        right, down = (len(gradients) * own for own in gradients.unbind(dim=2))
+        right, down = (len(gradients) * tensor for tensor in gradients.unbind(dim=2))
         lengths = torch.hypot(right * (size[0] / 2.0), down * (size[1] / 2.0))
         self._pulls.sums += lengths.sum(dim=0)
         self._pulls.times += (lengths > 0.0).sum(dim=0)

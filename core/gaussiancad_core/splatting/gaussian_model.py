@@ -116,9 +116,9 @@ class Trainee:
             "root_normals": self.roots.normals.cpu().numpy(),
         }
         moments = self._moments()
-        for name, tensor, own in zip(_NAMES, self.parameters.tensors, moments, strict=True):
+        for name, tensor, moment in zip(_NAMES, self.parameters.tensors, moments, strict=True):
             found[name] = tensor.detach().cpu().numpy()
-            for part, value in zip(("first", "second", "steps"), own, strict=True):
+            for part, value in zip(("first", "second", "steps"), moment, strict=True):
                 found[f"{name}_{part}"] = value.cpu().numpy()
         return found
 
@@ -132,9 +132,9 @@ class Trainee:
         self.parameters = Parameters(*(tensor(name).requires_grad_() for name in _NAMES))
         self.roots = Roots(tensor("root_points"), tensor("root_normals"))
         self._adam = self._new_adam()
-        for name, own in zip(_NAMES, self.parameters.tensors, strict=True):
+        for name, this_tensor in zip(_NAMES, self.parameters.tensors, strict=True):
             self._remember(
-                own,
+                this_tensor,
                 (
                     tensor(f"{name}_first"),
                     tensor(f"{name}_second"),
@@ -156,9 +156,9 @@ class Trainee:
         """First and second moments and the number of steps of each tensor; zeros at first."""
         found = []
         for tensor in self.parameters.tensors:
-            own = self._adam.state.get(tensor)
-            if own:
-                found.append((own["exp_avg"], own["exp_avg_sq"], own["step"]))
+            item = self._adam.state.get(tensor)
+            if item:
+                found.append((item["exp_avg"], item["exp_avg_sq"], item["step"]))
             else:
                 blank = torch.zeros_like(tensor)
                 blank = blank.detach()

@@ -91,8 +91,8 @@ def _from_entropy(alpha, mask, margin, slope, to_alpha):
     """Fill a line of the gradient to the alphas with what the cross entropy gives."""
     for c in range(len(alpha)):
         held = min(max(alpha[c], margin), _ONE - margin)
-        own = slope * (held - mask[c]) / (held * (_ONE - held))
-        to_alpha[c] = own if held == alpha[c] else _ZERO
+        item = slope * (held - mask[c]) / (held * (_ONE - held))
+        to_alpha[c] = item if held == alpha[c] else _ZERO
 
 
 @njit(**_COMPILE)
@@ -101,9 +101,9 @@ def _from_image(image, target, upstream, slope, behind, to_colour, to_alpha):
     for c in range(len(image)):
         away = image[c] - target[c]
         side = slope if away > _ZERO else -slope
-        own = upstream[c] + (_ZERO if away == _ZERO else side)
-        to_colour[c] = own
-        to_alpha[c] -= behind * own
+        item = upstream[c] + (_ZERO if away == _ZERO else side)
+        to_colour[c] = item
+        to_alpha[c] -= behind * item
 
 
 @njit(parallel=True, **_COMPILE)

@@ -60,7 +60,7 @@ class Targets:
 def composed(rendering: Rendering, background: tuple[float, float, float]) -> Tensor:
     """(v, 3, h, w) the rendered colours on a uniform background."""
     # Each is filled in where it is needed: a copy from the processor would make a GPU wait.
-    behind = torch.stack([rendering.alphas.new_full((1, 1), own) for own in background])
+    behind = torch.stack([rendering.alphas.new_full((1, 1), value) for value in background])
     return rendering.colours + (1.0 - rendering.alphas)[:, None] * behind
 
 

@@ -128,13 +128,13 @@ class FastSsim:
 
     def with_gradient(self, images: Tensor) -> tuple[float, Tensor]:
         """Mean SSIM of (v, c, h, w) images with the targets, and its gradient to the images."""
-        own = np.ascontiguousarray(images.detach().numpy()).reshape(self._targets.shape)
-        gradient = np.zeros_like(own)
-        sums = np.empty(ssim_kernels.tile_count(own.shape))
+        values = np.ascontiguousarray(images.detach().numpy()).reshape(self._targets.shape)
+        gradient = np.zeros_like(values)
+        sums = np.empty(ssim_kernels.tile_count(values.shape))
         fixed = self._targets, self._mean, self._variance
         with KERNELS:
-            ssim_kernels.similarities(own, *fixed, gradient, sums)
-        return float(sums.sum()) / own.size, torch.from_numpy(gradient).view(self._shape)
+            ssim_kernels.similarities(values, *fixed, gradient, sums)
+        return float(sums.sum()) / values.size, torch.from_numpy(gradient).view(self._shape)
 
 
 class _Similarity(torch.autograd.Function):
@@ -152,5 +152,5 @@ def _blurred(images: Array) -> Array:
     """Each of (n, h, w) images, blurred; blank beyond the border."""
     size = (WINDOW, WINDOW)
     return np.stack(
-        [cv2.GaussianBlur(own, size, SIGMA, borderType=cv2.BORDER_CONSTANT) for own in images]
+        [cv2.GaussianBlur(image, size, SIGMA, borderType=cv2.BORDER_CONSTANT) for image in images]
     )

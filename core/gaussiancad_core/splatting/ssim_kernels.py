@@ -71,10 +71,10 @@ def _moments(tile, at):
     place = at
     for weight in (w0, w1, w2, w3, w4, w5, w4, w3, w2, w1, w0):
         x = tile[place + _IMAGE]
-        own = weight * x
-        mean += own
-        square += own * x
-        product += own * tile[place + _TARGET]
+        item = weight * x
+        mean += item
+        square += item * x
+        product += item * tile[place + _TARGET]
         place += _STEP
     return mean, square, product
 
@@ -132,7 +132,7 @@ def _similar(tile, means, variances, top, left):
             tile[to_product + c] = product
         mean_y = means[top + line, left + first : left + last]
         variance_y = variances[top + line, left + first : left + last]
-        own = _ROUND <= line < _HEIGHT - _ROUND
+        item = _ROUND <= line < _HEIGHT - _ROUND
         before, after = np.uint64(_ROUND - first), np.uint64(_WIDTH - _ROUND - first)
         at = np.uint64(line * _WIDTH + first)
         begin = np.uint64(first - _HALF)
@@ -154,7 +154,7 @@ def _similar(tile, means, variances, top, left):
             # The mean also enters through the variance and the covariance.
             direct = _TWO * y * a2 * share - _TWO * value * x * b2 * share
             tile[at + c + _TO_MEAN] = direct - _TWO * x * slope - y * along
-        if own:
+        if item:
             total += line_total
     return total
 
@@ -208,8 +208,8 @@ def similarities(images, targets, means, variances, gradients, sums):
             row, column = divmod(place, across)
             top, left = row * ROWS - _ROUND, column * COLUMNS - _ROUND
             if _alike(images[n], targets[n], top, left):
-                own = min(ROWS, height - row * ROWS), min(COLUMNS, width - column * COLUMNS)
-                sums[index] = own[0] * own[1]
+                items = min(ROWS, height - row * ROWS), min(COLUMNS, width - column * COLUMNS)
+                sums[index] = items[0] * items[1]
             else:
                 _load(tile, images[n], targets[n], top, left)
                 sums[index] = _similar(tile, means[n], variances[n], top, left)

@@ -214,7 +214,9 @@ def check_writable(path: Path) -> None:
         UsageError: ``output-not-writable``.
     """
     try:
-        there = next(own for own in (path, *path.absolute().parents) if own.exists())
+        there = next(
+            this_path for this_path in (path, *path.absolute().parents) if this_path.exists()
+        )
     except OSError as error:
         raise _folder_error(path, error) from error
     if not there.is_dir():

@@ -239,8 +239,8 @@ def creases_of(discs: Discs, sampling: DiscSampling) -> Creases:
         return Creases(none, none, none, np.zeros(0, bool), np.zeros(0))
     reach = sampling.edge_reach * discs.sigmas
     _, near = cKDTree(discs.centres).query(discs.centres, k=sampling.neighbours)
-    beside = near[:, 1 : _BESIDE + 1]
-    bends = _bends(discs, beside, sampling)
+    neighbour = near[:, 1 : _BESIDE + 1]
+    bends = _bends(discs, neighbour, sampling)
     columns = []
     for other in near.T[1:]:
         met = crossing(discs.centres, discs, other, sampling)
@@ -256,7 +256,9 @@ def creases_of(discs: Discs, sampling: DiscSampling) -> Creases:
                 across_normals,
                 met.beyond[found] < 0.0,
                 np.where(
-                    _two_faces(discs.normals[beside[found]], discs.normals[found], across_normals),
+                    _two_faces(
+                        discs.normals[neighbour[found]], discs.normals[found], across_normals
+                    ),
                     np.maximum(bends[found], bends[across]),
                     _ROUND,
                 ),
@@ -265,12 +267,12 @@ def creases_of(discs: Discs, sampling: DiscSampling) -> Creases:
     return Creases(*(np.concatenate(parts) for parts in zip(*columns, strict=True)))
 
 
-def _two_faces(around: Array, own: Array, others: Array) -> npt.NDArray[np.bool_]:
+def _two_faces(around: Array, values: Array, others: Array) -> npt.NDArray[np.bool_]:
     """(m,) whether most normals (m, k, 3) around an edge are one of its two (m, 3).
 
     Around a slender pin neighbours may differ by as much as two faces do, and meet in no edge.
     """
-    alike = np.einsum("mkj,mj->mk", around, own) > _ALIKE
+    alike = np.einsum("mkj,mj->mk", around, values) > _ALIKE
     alike |= np.einsum("mkj,mj->mk", around, others) > _ALIKE
     return alike.mean(axis=1) >= _OF_TWO
 
@@ -287,6 +289,6 @@ def bends_of(discs: Discs, sampling: DiscSampling) -> Array:
 def _bends(discs: Discs, near: npt.NDArray[np.int64], sampling: DiscSampling) -> Array:
     """(n,) mean angle in degrees to the neighbours (n, k) that are not beyond an edge."""
     cosines = np.einsum("nj,nkj->nk", discs.normals, discs.normals[near])
-    own = cosines >= np.cos(np.radians(sampling.crease))
+    item = cosines >= np.cos(np.radians(sampling.crease))
     angles = np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
-    return np.where(own, angles, 0.0).sum(axis=1) / np.maximum(own.sum(axis=1), 1)
+    return np.where(item, angles, 0.0).sum(axis=1) / np.maximum(item.sum(axis=1), 1)

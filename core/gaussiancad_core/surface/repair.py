@@ -92,9 +92,9 @@ def _separated(mesh: TriangleMesh) -> TriangleMesh:
         return mesh
     sums = np.zeros_like(mesh.vertices)
     counts = np.zeros(len(mesh.vertices))
-    for own, other in ((0, 1), (1, 2), (2, 0)):
-        np.add.at(sums, mesh.triangles[:, own], mesh.vertices[mesh.triangles[:, other]])
-        np.add.at(counts, mesh.triangles[:, own], 1.0)
+    for number, other in ((0, 1), (1, 2), (2, 0)):
+        np.add.at(sums, mesh.triangles[:, number], mesh.vertices[mesh.triangles[:, other]])
+        np.add.at(counts, mesh.triangles[:, number], 1.0)
     moved = mesh.vertices.copy()
     middle = sums[doubles] / counts[doubles, None]
     moved[doubles] += _PULL * (middle - moved[doubles])

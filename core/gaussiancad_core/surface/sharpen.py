@@ -146,7 +146,7 @@ def _belongs(normals: Array, wedges: _Wedges) -> Flags:
     """(m, k) whether vertices with these (m, 1, 3) normals may lie on the wedges."""
     along = np.cross(wedges.normals, wedges.others)
     along /= np.linalg.norm(along, axis=2, keepdims=True)
-    facing = [(normals * own).sum(axis=2) for own in (wedges.normals, wedges.others)]
+    facing = [(normals * values).sum(axis=2) for values in (wedges.normals, wedges.others)]
     return (
         (np.abs((normals * along).sum(axis=2)) < _ALONG)
         & (np.maximum(*facing) > _FACING)
@@ -160,8 +160,8 @@ def _same_crease(
     """(m, k) whether each wedge has the planes of the vertex's leading one."""
     first, second = wedges.normals[rows, leader], wedges.others[rows, leader]
 
-    def alike(own: Array, other: Array) -> Flags:
-        return np.einsum("mkj,mj->mk", own, other) > _ALIKE
+    def alike(values: Array, other: Array) -> Flags:
+        return np.einsum("mkj,mj->mk", values, other) > _ALIKE
 
     straight = alike(wedges.normals, first) & alike(wedges.others, second)
     swapped = alike(wedges.normals, second) & alike(wedges.others, first)
@@ -197,5 +197,5 @@ def _onto(wedges: _Wedges, places: Array, snap: float) -> tuple[Array, Array]:
         places - first[..., None] * wedges.normals,
         np.where(on_second[..., None], places - second[..., None] * wedges.others, line),
     )
-    beside = np.linalg.norm(points - line, axis=2) < snap
-    return np.where(beside[..., None], line, points), np.linalg.norm(places - line, axis=2)
+    neighbour = np.linalg.norm(points - line, axis=2) < snap
+    return np.where(neighbour[..., None], line, points), np.linalg.norm(places - line, axis=2)

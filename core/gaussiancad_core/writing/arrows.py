@@ -80,7 +80,7 @@ def arrow_pairs(
     found: list[ArrowPair] = []
     for level in (True, False):
         tips = _tips(heads, level, turn)
-        own = [rule for rule in rules if rule.level is level]
+        this_rules = [rule for rule in rules if rule.level is level]
         for tip in tips:
             if tip.way > 0:
                 continue
@@ -90,7 +90,7 @@ def arrow_pairs(
                 key=lambda far: far.along,
                 default=None,
             )
-            if other is not None and _is_drawn(tip, other, own, texts):
+            if other is not None and _is_drawn(tip, other, this_rules, texts):
                 found.append(ArrowPair(level, tip.across, tip.along, other.along, inside=True))
         for tip in tips:
             if tip.way < 0:
@@ -161,7 +161,7 @@ def _sides(box: Box, level: bool) -> tuple[tuple[float, float], tuple[float, flo
 
 def arrow_spans(text: SheetText, pairs: Sequence[ArrowPair]) -> tuple[Span, ...]:
     """What the pairs of heads near a text measure, the likeliest first."""
-    near = sorted(_near(text, pairs), key=lambda own: own[0])
+    near = sorted(_near(text, pairs), key=lambda pair: pair[0])
     return tuple(
         Span(pair.level, pair.low, pair.high, _LIKELY if rank else _SURE)
         for rank, (_, pair) in enumerate(near)

@@ -122,7 +122,7 @@ def parse_callout(
             break
         found.append(Callout(NoteKind.THICKNESS, thick.value, unit=thick.unit))
     found += _of_all(plain) if _ALL.search(plain) else _of_one(plain, bare_point_is_inch)
-    return tuple(replace(own, reference=reference) for own in found)
+    return tuple(replace(callout, reference=reference) for callout in found)
 
 
 def thread_name(text: str) -> str | None:
@@ -143,14 +143,14 @@ def _of_one(plain: str, bare_point_is_inch: bool) -> tuple[Callout, ...]:
     through = _THROUGH.search(rest) is not None
     rest = _THROUGH.sub(" ", rest).strip()
     found = _feature(rest, bare_point_is_inch)
-    return tuple(_completed(own, count, through) for own in found)
+    return tuple(_completed(callout, count, through) for callout in found)
 
 
-def _completed(own: Callout, count: int, through: bool) -> Callout:
+def _completed(callout: Callout, count: int, through: bool) -> Callout:
     """The same with what a note says of all that it names; what goes through is a hole."""
-    kind = NoteKind.DIAMETER if through and own.kind is NoteKind.LENGTH else own.kind
+    kind = NoteKind.DIAMETER if through and callout.kind is NoteKind.LENGTH else callout.kind
     goes = through and kind in (NoteKind.DIAMETER, NoteKind.THREAD)
-    return replace(own, kind=kind, count=count, through=goes)
+    return replace(callout, kind=kind, count=count, through=goes)
 
 
 def _of_all(plain: str) -> tuple[Callout, ...]:
@@ -177,10 +177,10 @@ def _feature(rest: str, bare_point_is_inch: bool) -> tuple[Callout, ...]:
     deep = value_of(depth[1] or depth[2]) if depth else None
     found: list[Callout] = []
     for pattern, kind in ((_BORE, NoteKind.COUNTERBORE), (_SINK, NoteKind.COUNTERSINK)):
-        own, rest = _taken(pattern, rest)
-        if own:
-            angle = value_of(own[2]) if kind is NoteKind.COUNTERSINK and own[2] else None
-            found.append(Callout(kind, value_of(own[1]), depth=deep, angle=angle))
+        match, rest = _taken(pattern, rest)
+        if match:
+            angle = value_of(match[2]) if kind is NoteKind.COUNTERSINK and match[2] else None
+            found.append(Callout(kind, value_of(match[1]), depth=deep, angle=angle))
     if found and not rest:
         return tuple(found)
     first = _plain_feature(rest, bare_point_is_inch)

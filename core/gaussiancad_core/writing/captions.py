@@ -61,5 +61,5 @@ def captions_of(texts: Iterable[SheetText]) -> tuple[Caption, ...]:
         for role in [caption_role(text.text)]
         if role is not None
     ]
-    roles = [own.role for own in found]
-    return tuple(own for own in found if roles.count(own.role) == 1)
+    roles = [caption.role for caption in found]
+    return tuple(caption for caption in found if roles.count(caption.role) == 1)

@@ -33,7 +33,7 @@ def stepped_path(ends: tuple[Place, Place], way: Place, lines: Lines) -> tuple[P
     """
     along = np.array([-way[1], way[0]])
     across = np.array(way)
-    start, goal = (np.array([own @ along, own @ across]) for own in map(np.array, ends))
+    start, goal = (np.array([values @ along, values @ across]) for values in map(np.array, ends))
     turned = start[0] > goal[0]
     if turned:
         start, goal = goal, start
@@ -44,7 +44,7 @@ def stepped_path(ends: tuple[Place, Place], way: Place, lines: Lines) -> tuple[P
         reach = _led(flat, level, at)
         if abs(level - goal[1]) <= _BESIDE and reach >= goal[0] - _GAP:
             corners.append(goal)
-            path = [own[0] * along + own[1] * across for own in corners]
+            path = [corner[0] * along + corner[1] * across for corner in corners]
             path = path[::-1] if turned else path
             return tuple((float(x), float(y)) for x, y in path)
         step = _step(steep, flat, level, (at, min(reach, float(goal[0]))))
@@ -64,7 +64,7 @@ def _sorted(lines: Lines, along: np.ndarray, across: np.ndarray) -> tuple[Spans,
     """Lines that run along a cutting line, and those that run square to it."""
     flat, steep = [], []
     for start, end in lines:
-        (a, b), (c, d) = ((own @ along, own @ across) for own in (start, end))
+        (a, b), (c, d) = ((item @ along, item @ across) for item in (start, end))
         length = hypot(c - a, d - b)
         if abs(d - b) <= _LEAN * length:
             flat.append(((b + d) / 2.0, *sorted((a, c))))
@@ -76,11 +76,11 @@ def _sorted(lines: Lines, along: np.ndarray, across: np.ndarray) -> tuple[Spans,
 def _joined(pieces: Sequence[tuple[float, float, float]]) -> Spans:
     """Dashes of one line as one: gaps are no longer than the longer dash beside them."""
     found: list[list[float]] = []
-    for at, low, high in sorted(pieces, key=lambda own: own[1]):
-        for own in found:
-            gap = min(_GAP, max(own[3], high - low))
-            if abs(own[0] - at) <= _BESIDE and low <= own[2] + gap:
-                own[2], own[3] = max(own[2], high), max(own[3], high - low)
+    for at, low, high in sorted(pieces, key=lambda piece: piece[1]):
+        for items in found:
+            gap = min(_GAP, max(items[3], high - low))
+            if abs(items[0] - at) <= _BESIDE and low <= items[2] + gap:
+                items[2], items[3] = max(items[2], high), max(items[3], high - low)
                 break
         else:
             found.append([at, low, high, high - low])
@@ -89,9 +89,9 @@ def _joined(pieces: Sequence[tuple[float, float, float]]) -> Spans:
 
 def _led(spans: Spans, level: float, start: float) -> float:
     """How far dashes at a level lead from a place on."""
-    own = spans[np.abs(spans[:, 0] - level) <= _BESIDE]
+    span = spans[np.abs(spans[:, 0] - level) <= _BESIDE]
     reach = start
-    for _, low, high in own[np.argsort(own[:, 1])].tolist():
+    for _, low, high in span[np.argsort(span[:, 1])].tolist():
         if low <= reach + _GAP and high > reach:
             reach = high
     return reach

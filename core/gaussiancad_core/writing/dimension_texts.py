@@ -127,16 +127,16 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
     """
     found: list[Span] = []
     for level in (True, False):
-        own = [rule for rule in rules if rule.level is level]
+        this_rules = [rule for rule in rules if rule.level is level]
         across = [rule for rule in rules if rule.level is not level]
-        for line, weight in _lines_beside(text, level, own):
+        for line, weight in _lines_beside(text, level, this_rules):
             stops = _stops(line, across, _head(text))
             borders = _stops(line, [edge for edge in edges if edge.level is not level], _TOUCH)
             spans = _spans(text, line, stops, borders)
             found += [replace(span, weight=weight * span.weight) for span in spans]
             found += _from_end_to_end(text, line, across, weight)
             found += _beyond(line, across, _head(text))
-            found += _from_outside(text, line, own, across)
+            found += _from_outside(text, line, this_rules, across)
     unique: list[Span] = []
     for span in sorted(found, key=lambda span: -span.weight):
         if span.length >= _SHORTEST and not any(_same(span, other) for other in unique):
@@ -198,7 +198,7 @@ def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[t
     loose = [rule for rule in rules if least <= rule.at <= most and rule not in strict]
     sides = (along, across)
     found = _lines_at(strict, sides, height)
-    return found + [(line, _NEARBY * own) for line, own in _lines_at(loose, sides, height)]
+    return found + [(line, _NEARBY * value) for line, value in _lines_at(loose, sides, height)]
 
 
 def _lines_at(

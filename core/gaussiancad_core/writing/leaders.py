@@ -73,7 +73,7 @@ def pointed_lines(heads: Iterable[Head], lines: Lines, turn: Turn) -> list[Leade
         way = (tip - back) / np.hypot(*(tip - back))
         parallel = np.abs(ways @ np.array([-way[1], way[0]])) <= _PARALLEL
         for at in (0, 1):
-            near = np.minimum(*(np.hypot(*(ends[:, at] - own).T) for own in (tip, back)))
+            near = np.minimum(*(np.hypot(*(ends[:, at] - item).T) for item in (tip, back)))
             far = ends[:, 1 - at]
             away = (back - far) @ way > 0.0
             found += [(start, tip) for start in far[parallel & away & (near <= _TOUCH)]]
@@ -131,8 +131,8 @@ def _beyond(start: Points, tip: Points, points: Points) -> Points:
     """(m, 2) those of some points that lie on the line from a start, beyond its tip."""
     length = float(np.hypot(*(tip - start)))
     way, offsets = (tip - start) / length, points - start
-    beside = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
-    return points[(offsets @ way > length) & (beside <= _ALIGNED)]
+    neighbour = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
+    return points[(offsets @ way > length) & (neighbour <= _ALIGNED)]
 
 
 def _beside(shelf: Leader, box: Box, near: float) -> bool:
@@ -161,6 +161,6 @@ def _pointed_at(
     way = (tip - start) / np.hypot(*(tip - start))
     offsets = centres - tip
     miss = np.abs(np.hypot(offsets[:, 0], offsets[:, 1]) - radii)
-    beside = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
-    hit = np.flatnonzero((miss <= _TOUCH) & (beside <= _BESIDE * radii + 2.0))
+    neighbour = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
+    hit = np.flatnonzero((miss <= _TOUCH) & (neighbour <= _BESIDE * radii + 2.0))
     return list(zip(miss[hit].tolist(), hit.tolist(), strict=True))

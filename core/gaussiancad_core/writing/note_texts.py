@@ -43,13 +43,20 @@ def notes_of(
         bare_point_is_inch: see :func:`.parse_dimension`.
     """
     return tuple(
-        _note(text, own, unit)
+        _note(text, callout, unit)
         for text in texts
-        for own in parse_callout(text.text, field=text.field, bare_point_is_inch=bare_point_is_inch)
-        if own.kind is not NoteKind.LENGTH and (own.kind is NoteKind.THICKNESS or not text.field)
+        for callout in parse_callout(
+            text.text, field=text.field, bare_point_is_inch=bare_point_is_inch
+        )
+        if callout.kind is not NoteKind.LENGTH
+        and (callout.kind is NoteKind.THICKNESS or not text.field)
     )
 
 
-def _note(text: SheetText, own: Callout, unit: Unit) -> SheetNote:
-    value = own.value if own.kind is NoteKind.ANGLE else own.millimetres(own.value, unit)
-    return SheetNote(text.text, text.box, own, value, own.millimetres(own.depth, unit))
+def _note(text: SheetText, callout: Callout, unit: Unit) -> SheetNote:
+    value = (
+        callout.value
+        if callout.kind is NoteKind.ANGLE
+        else callout.millimetres(callout.value, unit)
+    )
+    return SheetNote(text.text, text.box, callout, value, callout.millimetres(callout.depth, unit))

@@ -19,13 +19,13 @@ class Units:
     """What tells the unit of numbers that do not name theirs.
 
     Attributes:
-        told: by the user.
+        given: by the user.
         noted: by a note.
         in_file: by the file, of the lengths that it draws.
         fitting: in which the numbers say the lengths that are drawn.
     """
 
-    told: Unit | None
+    given: Unit | None
     noted: Unit | None
     in_file: Unit | None
     fitting: Unit | None
@@ -34,8 +34,8 @@ class Units:
     def taken(self) -> Unit | None:
         """What the user says; else what is drawn and what is written tell it together before a
         note does."""
-        if self.told is not None:
-            return self.told
+        if self.given is not None:
+            return self.given
         if self.in_file is not None and self.fitting is not None:
             return self.fitting
         return self.noted or self.fitting or self.in_file
@@ -79,7 +79,7 @@ def file_unit(drawing: VectorDrawing | None) -> Unit | None:
     stated = drawing.unit_mm if drawing is not None else None
     if stated is None:
         return None
-    return next((own for own in Unit if isclose(own.millimetres, stated)), None)
+    return next((unit for unit in Unit if isclose(unit.millimetres, stated)), None)
 
 
 def noted_unit(texts: Sequence[SheetText]) -> Unit | None:

@@ -34,15 +34,15 @@ def ordinate_length(
         zeros: the texts of the sheet that are zeros.
         rules: its narrow lines.
     """
-    own = _line_at_end(text.box, text.level, rules)
-    if own is None:
+    line = _line_at_end(text.box, text.level, rules)
+    if line is None:
         return None
     for zero in zeros:
         # A lone zero looks the same whichever way it is read.
         if _in_row(text.box, zero.box, text.level):
             start = _line_at_end(zero.box, text.level, rules)
-            if start is not None and start is not own:
-                return abs(own.at - start.at)
+            if start is not None and start is not line:
+                return abs(line.at - start.at)
     return None
 
 

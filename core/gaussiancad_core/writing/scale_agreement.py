@@ -144,14 +144,18 @@ class Agreement:
     @property
     def measures(self) -> tuple[Measure, ...]:
         """What those say that agree."""
-        return tuple(own.measure for own in self.dimensions if own.measure)
+        return tuple(dimension.measure for dimension in self.dimensions if dimension.measure)
 
     @property
     def disagreeing(self) -> tuple[ReadDimension, ...]:
         """Dimensions that give another scale."""
         if self.mm_per_pixel is None:
             return ()
-        return tuple(own for own in self.dimensions if own.mm_per_pixel and not own.used)
+        return tuple(
+            dimension
+            for dimension in self.dimensions
+            if dimension.mm_per_pixel and not dimension.used
+        )
 
 
 def fitting_unit(dimensions: Sequence[Dimension], paper_scale: float | None) -> Unit | None:
@@ -166,8 +170,11 @@ def fitting_unit(dimensions: Sequence[Dimension], paper_scale: float | None) -> 
         return None
     inch, millimetre = (
         sum(
-            any(_fits(own, unit, candidate, paper_scale, _PAPER) for candidate in own.candidates)
-            for own in dimensions
+            any(
+                _fits(dimension, unit, candidate, paper_scale, _PAPER)
+                for candidate in dimension.candidates
+            )
+            for dimension in dimensions
         )
         for unit in (Unit.INCH, Unit.MILLIMETRE)
     )
@@ -178,7 +185,7 @@ def fitting_unit(dimensions: Sequence[Dimension], paper_scale: float | None) -> 
 
 def usual_unit(dimensions: Sequence[Dimension]) -> Unit:
     """The unit of texts that do not name theirs, by those that do."""
-    inches = sum(own.said.unit is Unit.INCH for own in dimensions)
+    inches = sum(dimension.said.unit is Unit.INCH for dimension in dimensions)
     return Unit.INCH if 2 * inches > len(dimensions) else Unit.MILLIMETRE
 
 
@@ -190,20 +197,22 @@ def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None
         unit: of texts that do not name theirs.
         paper_scale: mm per px by the paper's size and the scale note, where both are known.
     """
-    measured = [own for own in dimensions if own.candidates]
+    measured = [dimension for dimension in dimensions if dimension.candidates]
     scale = _group(measured, unit, _commonest(measured, unit), _AGREE, 2)
     if scale is None:
         scale = _group(measured, unit, paper_scale, _PAPER, 1)
-    told = tuple(_told(own, unit, scale) for own in dimensions)
-    return Agreement(scale, told)
+    read_dimensions = tuple(_told(dimension, unit, scale) for dimension in dimensions)
+    return Agreement(scale, read_dimensions)
 
 
-def _measure(own: Dimension, unit: Unit, scale: float, best: Candidate | None) -> Measure | None:
+def _measure(
+    dimension: Dimension, unit: Unit, scale: float, best: Candidate | None
+) -> Measure | None:
     if best is None or best.place is None:
         return None
     share = best.place.radius / best.pixels if isinstance(best.place, Arc) else 1.0
-    value = own.value_mm(unit, scale * best.pixels)
-    return Measure(best.place, share * value, share * own.said.digit(unit))
+    value = dimension.value_mm(unit, scale * best.pixels)
+    return Measure(best.place, share * value, share * dimension.said.digit(unit))
 
 
 def _group(
@@ -212,32 +221,36 @@ def _group(
     """The scale of the dimensions that fit one, if they are enough."""
     if scale is None:
         return None
-    members = [own for own in measured if _best(own, unit, scale, share)]
+    members = [dimension for dimension in measured if _best(dimension, unit, scale, share)]
     if len(members) < max(least, _SHARE * len(measured)):
         return None
     return _refined(members, unit, scale, share)
 
 
-def _scale(own: Dimension, unit: Unit, candidate: Candidate, scale: float | None = None) -> float:
+def _scale(
+    dimension: Dimension, unit: Unit, candidate: Candidate, scale: float | None = None
+) -> float:
     """mm per px by a dimension; where a scale is known, with the digits that it lacks."""
     if scale is None:
-        return own.said.millimetres(unit) / candidate.pixels
-    return own.value_mm(unit, scale * candidate.pixels) / candidate.pixels
+        return dimension.said.millimetres(unit) / candidate.pixels
+    return dimension.value_mm(unit, scale * candidate.pixels) / candidate.pixels
 
 
 def _fits(
-    own: Dimension, unit: Unit, candidate: Candidate, scale: float, share: float = _AGREE
+    dimension: Dimension, unit: Unit, candidate: Candidate, scale: float, share: float = _AGREE
 ) -> bool:
     """Whether a length is what a dimension says, at a scale."""
-    off = abs(math.log(_scale(own, unit, candidate, scale) / scale))
+    off = abs(math.log(_scale(dimension, unit, candidate, scale) / scale))
     return off <= max(share, _MISSED / candidate.pixels)
 
 
-def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Candidate | None:
+def _best(
+    dimension: Dimension, unit: Unit, scale: float, share: float = _AGREE
+) -> Candidate | None:
     """The length of a dimension that fits a scale best; nothing if none does."""
     best, least = None, (math.inf, math.inf)
-    for candidate in own.candidates:
-        off = abs(math.log(_scale(own, unit, candidate, scale) / scale))
+    for candidate in dimension.candidates:
+        off = abs(math.log(_scale(dimension, unit, candidate, scale) / scale))
         if off <= max(share, _MISSED / candidate.pixels) and (-candidate.weight, off) < least:
             best, least = candidate, (-candidate.weight, off)
     return best
@@ -246,9 +259,9 @@ def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Ca
 def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
     """The scale that most dimensions fit; nothing if two fit as many."""
     votes: list[tuple[float, float]] = []
-    for own in dimensions:
-        for candidate in own.candidates:
-            scale = _scale(own, unit, candidate)
+    for dimension in dimensions:
+        for candidate in dimension.candidates:
+            scale = _scale(dimension, unit, candidate)
             fitting = (_best(other, unit, scale) for other in dimensions)
             votes.append((sum(best.weight for best in fitting if best), scale))
     if not votes:
@@ -261,9 +274,9 @@ def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
 def _refined(members: Sequence[Dimension], unit: Unit, scale: float, share: float) -> float:
     """The scale that fits dimensions best; long ones count more."""
     pairs = [
-        (own.value_mm(unit, scale * best.pixels), best.pixels)
-        for own in members
-        if (best := _best(own, unit, scale, share))
+        (member.value_mm(unit, scale * best.pixels), best.pixels)
+        for member in members
+        if (best := _best(member, unit, scale, share))
     ]
     values, pixels = np.array(pairs).T
     order = np.argsort(values / pixels)
@@ -274,16 +287,16 @@ def _refined(members: Sequence[Dimension], unit: Unit, scale: float, share: floa
     return float((values * pixels)[near].sum() / (pixels**2)[near].sum())
 
 
-def _told(own: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
-    best = _best(own, unit, scale) if scale else None
-    candidate = best or next(iter(own.candidates), None)
+def _told(dimension: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
+    best = _best(dimension, unit, scale) if scale else None
+    candidate = best or next(iter(dimension.candidates), None)
     return ReadDimension(
-        own.text,
-        own.value_mm(unit, scale * best.pixels) if best else own.said.millimetres(unit),
-        own.box,
-        _scale(own, unit, candidate, scale if best else None) if candidate else None,
+        dimension.text,
+        dimension.value_mm(unit, scale * best.pixels) if best else dimension.said.millimetres(unit),
+        dimension.box,
+        _scale(dimension, unit, candidate, scale if best else None) if candidate else None,
         best is not None,
-        own.said.sign,
+        dimension.said.sign,
         candidate.place if candidate else None,
-        _measure(own, unit, scale, best) if scale else None,
+        _measure(dimension, unit, scale, best) if scale else None,
     )

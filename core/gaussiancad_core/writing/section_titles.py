@@ -110,7 +110,7 @@ def named_sections(
     taken: set[str] = set()
     ends = np.array(lines, dtype=float).reshape(-1, 2, 2)
     titled = [(text, title) for text in texts if (title := parse_title(text.text)) is not None]
-    sections = [own for own in titled if own[1].kind is TitleKind.SECTION]
+    sections = [pair for pair in titled if pair[1].kind is TitleKind.SECTION]
     labels = {title.label for _, title in sections}
     for text, title in sections:
         if title.label in taken:
@@ -132,7 +132,7 @@ def _nearest(title: Box, boxes: Sequence[Box]) -> Box | None:
         for box in boxes
         if box[0] <= middle <= box[2]
     ]
-    near = min(above, key=lambda own: own[0], default=None)
+    near = min(above, key=lambda pair: pair[0], default=None)
     if near is None:
         return None
     sides = [max(box[2] - box[0], box[3] - box[1]) for box in boxes]
@@ -143,9 +143,9 @@ def _letters(label: str, labels: set[str], texts: Sequence[SheetText]) -> list[B
     """The texts that are a section's letters; those that only look like them where there are none,
     unless another section has these."""
     written = [(text.text.strip().upper(), text.box) for text in texts]
-    own = [box for name, box in written if name == label]
-    if own:
-        return own
+    boxes = [box for name, box in written if name == label]
+    if boxes:
+        return boxes
     look = looks_of(label)
     return [box for name, box in written if name not in labels and looks_of(name) == look]
 
@@ -181,7 +181,10 @@ def _trace(
     # the ends of the line.
     one, two = min(
         pairs,
-        key=lambda own: (_steps(own) > _IN_LINE, -abs(_cross(own[0][1], own[1][0] - own[0][0]))),
+        key=lambda pair: (
+            _steps(pair) > _IN_LINE,
+            -abs(_cross(pair[0][1], pair[1][0] - pair[0][0])),
+        ),
     )
     ends = (_plain(one[0]), _plain(two[0]))
     way = _plain(one[1])
@@ -194,9 +197,9 @@ def _square_at(point: Point, way: Point, lines: Ends) -> float | None:
     """Px along a direction from a point to the line square to it that the point stands on; None
     where there is none. A tip may end at the edge of a wide line."""
     ahead = (lines - point) @ way
-    beside = np.sort((lines - point) @ np.array([-way[1], way[0]]), axis=1)
-    level = (np.abs(ahead).max(axis=1) <= _ON_LINE) & (np.ptp(beside, axis=1) > 2.0 * _ON_LINE)
-    found = ahead[level & (beside[:, 0] <= _ON_LINE) & (beside[:, 1] >= -_ON_LINE)].mean(axis=1)
+    adjacent = np.sort((lines - point) @ np.array([-way[1], way[0]]), axis=1)
+    level = (np.abs(ahead).max(axis=1) <= _ON_LINE) & (np.ptp(adjacent, axis=1) > 2.0 * _ON_LINE)
+    found = ahead[level & (adjacent[:, 0] <= _ON_LINE) & (adjacent[:, 1] >= -_ON_LINE)].mean(axis=1)
     return min(found.tolist(), key=abs, default=None)
 
 
@@ -227,7 +230,9 @@ def _placed(section: NamedSection, named: dict[Role, Box]) -> NamedSection:
     x, y = trace.way
     level = abs(x) >= abs(y)
     vector = np.array(frame.right if level else frame.up) * int(np.sign(x if level else -y))
-    looks = next((own for own in Role if own.frame.look == tuple(vector.tolist())), None)
+    looks = next(
+        (this_role for this_role in Role if this_role.frame.look == tuple(vector.tolist())), None
+    )
     axis = (frame.right_axis if level else frame.up_axis)[0]
     return NamedSection(section.title, section.box, trace, role, looks, axis)
 

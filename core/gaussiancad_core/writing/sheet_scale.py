@@ -166,7 +166,7 @@ def find_scale(
     drawn: Sequence[ReadView],
     written: WrittenSheet | None = None,
     *,
-    told: Unit | None = None,
+    stated_unit: Unit | None = None,
 ) -> SheetScale:
     """Find the scale of a sheet.
 
@@ -175,7 +175,7 @@ def find_scale(
         marks: annotations found on it.
         drawn: its views.
         written: what was read on it; None where nobody read it yet.
-        told: unit of numbers that do not name theirs, as the user says.
+        stated_unit: unit of numbers that do not name theirs, as the user says.
     """
     image = sheet.image
     written = written or read_texts(sheet, marks)
@@ -185,14 +185,14 @@ def find_scale(
     lines = _lines(sheet, texts, (marks, drawn))
     dimensions = _dimensions(texts, marks, lines, bare_point_is_inch=in_file is None)
     units = Units(
-        told,
+        stated_unit,
         noted_unit(texts),
         in_file,
         fitting_unit(dimensions, paper_scale if in_file or not assumed else None),
     )
     unit = units.taken or usual_unit(dimensions)
     found = agree(dimensions, unit, None if assumed else paper_scale)
-    stored = tuple(_as_stored(own, sheet.turn) for own in found.dimensions)
+    stored = tuple(_as_stored(dimension, sheet.turn) for dimension in found.dimensions)
     found = replace(found, dimensions=stored)
     plain = SheetScale(
         None,
@@ -202,7 +202,7 @@ def find_scale(
         units.contradictions,
         texts=texts,
         unit=unit,
-        unit_noted=unit in (units.told, units.noted),
+        unit_noted=unit in (units.given, units.noted),
     )
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
@@ -224,37 +224,37 @@ def find_scale(
     return replace(plain, mm_per_pixel=paper_scale, source=ScaleSource.SHEET, notes=notes)
 
 
-def _as_stored(own: ReadDimension, turn: Turn) -> ReadDimension:
+def _as_stored(dimension: ReadDimension, turn: Turn) -> ReadDimension:
     """A dimension with its box, and the scale that it gives, in px of the sheet as stored."""
-    scale = None if own.mm_per_pixel is None else own.mm_per_pixel / turn.scale
-    return replace(own, box=turn.box_to_stored(own.box), mm_per_pixel=scale)
+    scale = None if dimension.mm_per_pixel is None else dimension.mm_per_pixel / turn.scale
+    return replace(dimension, box=turn.box_to_stored(dimension.box), mm_per_pixel=scale)
 
 
 def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
     """The texts of a sheet: its file's, and those that its marks show in its pixels where the file
     has no texts, and these are more than the numbers among the file's."""
-    own: tuple[SheetText, ...] = ()
+    texts: tuple[SheetText, ...] = ()
     if _has_texts(sheet.image):
         height, width = sheet.shape
         fields = fields_of(marks, height * width)
-        own = file_texts(sheet.image.vectors.texts, sheet.turn, fields)
-        own = framed(own, marks, sheet.shape)
-    known = np.array([text.box for text in own])
+        texts = file_texts(sheet.image.vectors.texts, sheet.turn, fields)
+        texts = framed(texts, marks, sheet.shape)
+    known = np.array([text.box for text in texts])
     marks = [
         mark
         for mark in marks
         if mark.kind is not AnnotationKind.TEXT or not meets_any(mark.box, known)
     ]
     shown = sum(mark.kind is AnnotationKind.TEXT for mark in marks)
-    if shown <= sum(parse_dimension(text.text) is not None for text in own):
-        return WrittenSheet(own)
+    if shown <= sum(parse_dimension(text.text) is not None for text in texts):
+        return WrittenSheet(texts)
     problem = ocr_problem()
     if problem is not None:
         message = Message(
             "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
         )
-        return WrittenSheet(own, (Note("dimensions-not-read", message),))
-    return WrittenSheet((*own, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape)))
+        return WrittenSheet(texts, (Note("dimensions-not-read", message),))
+    return WrittenSheet((*texts, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape)))
 
 
 def _has_texts(image: SheetImage) -> bool:
@@ -293,14 +293,14 @@ def _lines(
     drawing = sheet.image.vectors
     if drawing is not None:
         heads = sheet.heads
-        own = file_rules(without_heads(drawing.strokes, heads), sheet.turn)
-        pairs = arrow_pairs(heads, own, texts, sheet.turn)
+        this_file_rules = file_rules(without_heads(drawing.strokes, heads), sheet.turn)
+        pairs = arrow_pairs(heads, this_file_rules, texts, sheet.turn)
         leaders += pointed_lines(heads, file_lines(drawing.strokes, sheet.turn), sheet.turn)
         # Marks of a file are its strokes, too, those of heads among them.
-        rules = own if heads else rules + own
+        rules = this_file_rules if heads else rules + this_file_rules
     rules = sorted(rules, key=lambda rule: rule.low - rule.high)[:_MOST_RULES]
     strokes = [stroke for view in drawn for stroke in view.strokes]
-    edges = [rule_of(own.start, own.end) for own in strokes if isinstance(own, Segment)]
+    edges = [rule_of(stroke.start, stroke.end) for stroke in strokes if isinstance(stroke, Segment)]
     arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
     borders = [edge for edge in edges if edge is not None]
     boxes = tuple(view.box for view in drawn)
@@ -365,7 +365,7 @@ def _spans(text: SheetText, lines: _Lines) -> tuple[Span, ...]:
         return spans_of(text, lines.rules, lines.edges)
     whole = arrow_spans(text, lines.pairs)
     parts = spans_of(text, lines.rules, lines.edges) if whole else ()
-    return (*whole, *(replace(own, weight=_PART * own.weight) for own in parts))
+    return (*whole, *(replace(part, weight=_PART * part.weight) for part in parts))
 
 
 def _disagreement(found: Agreement) -> tuple[Note, ...]:
@@ -373,7 +373,8 @@ def _disagreement(found: Agreement) -> tuple[Note, ...]:
     if not others:
         return ()
     places = "; ".join(
-        f"{own.text!r} at ({own.box[0]:.0f}, {own.box[1]:.0f})" for own in others[:_MOST_NAMED]
+        f"{other.text!r} at ({other.box[0]:.0f}, {other.box[1]:.0f})"
+        for other in others[:_MOST_NAMED]
     )
     return (
         Note(
@@ -381,10 +382,10 @@ def _disagreement(found: Agreement) -> tuple[Note, ...]:
             Message(
                 "{count} dimension(s) do not fit the scale of the others: {places} px; they may "
                 "have been misread, or the drawing is not to scale there",
-                boxes=[own.box for own in others],
+                boxes=[other.box for other in others],
                 count=len(others),
                 places=places,
-                numbers=", ".join(own.text for own in others[:_MOST_NAMED]),
+                numbers=", ".join(other.text for other in others[:_MOST_NAMED]),
             ),
         ),
     )

@@ -89,7 +89,7 @@ def file_texts(
         level = abs(np.sin(angle)) < _SLANT
         if level or abs(np.cos(angle)) < _SLANT:
             box = turn.box_to_upright(text.box)
-            field = any(_holds(own, box) for own in fields)
+            field = any(_holds(this_field, box) for this_field in fields)
             found.append(SheetText(text.text.strip(), box, bool(level), field=field))
     return tuple(found)
 
@@ -114,7 +114,7 @@ def framed(
         shape: height and width of the sheet in px.
     """
     within = _inner_frame(marks, shape)
-    return tuple(own if _holds(within, own.box) else replace(own, field=True) for own in texts)
+    return tuple(text if _holds(within, text.box) else replace(text, field=True) for text in texts)
 
 
 def _inner_frame(marks: Iterable[Mark], shape: tuple[int, int]) -> Box:
@@ -157,7 +157,7 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
     for box in lines[: _MOST - len(found)]:
         read = read_text(_picture(sheet, box))
         found.append(SheetText(read.text, box, True, read.confidence, field=True))
-    return tuple(own for own in found if own.text not in _STROKES and own.confidence >= _SURE)
+    return tuple(text for text in found if text.text not in _STROKES and text.confidence >= _SURE)
 
 
 def _thickness(box: Box) -> float:
@@ -214,8 +214,8 @@ def _letters(sheet: CleanSheet, box: Box) -> tuple[npt.NDArray[np.float32], tupl
     part = sheet.weight[y0:y1, x0:x1]
     _, labels = cv2.connectedComponents((part > _INK).astype(np.uint8), connectivity=8)
     passing = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
-    own = np.unique(labels[reach - 1 : 1 - reach, reach - 1 : 1 - reach])
-    letters = np.isin(labels, np.setdiff1d(own, np.append(passing, 0)))
+    values = np.unique(labels[reach - 1 : 1 - reach, reach - 1 : 1 - reach])
+    letters = np.isin(labels, np.setdiff1d(values, np.append(passing, 0)))
     near = cv2.dilate(letters.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
     return np.where(near, part, np.float32(0.0)), (x0, y0)
 
@@ -232,8 +232,8 @@ def _lines_of(ink: Ink, field: Box) -> list[Box]:
     found = []
     for label in range(1, len(stats)):
         x, y, w, h = (int(value) for value in stats[label, :4])
-        own = (labels[y : y + h, x : x + w] == label) & (inner[y : y + h, x : x + w] > 0)
-        rows, columns = np.nonzero(own)
+        item = (labels[y : y + h, x : x + w] == label) & (inner[y : y + h, x : x + w] > 0)
+        rows, columns = np.nonzero(item)
         width, height = int(np.ptp(columns)) + 1, int(np.ptp(rows)) + 1
         if not _SMALLEST_LETTER <= height <= _TALLEST_LETTER * max(ink.shape) or width < height:
             continue

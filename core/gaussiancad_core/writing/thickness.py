@@ -104,5 +104,5 @@ def take_thickness(
     if not found or not value:
         return None, plain
     unit = own_unit(found["number"], found["unit"], bare_point_is_inch=bare_point_is_inch)
-    beside = (plain[: found.start()].rstrip(" ,;"), plain[found.end() :].lstrip(" ,;."))
-    return Thickness(value, unit), ", ".join(own for own in beside if own)
+    adjacent = (plain[: found.start()].rstrip(" ,;"), plain[found.end() :].lstrip(" ,;."))
+    return Thickness(value, unit), ", ".join(name for name in adjacent if name)

@@ -43,14 +43,14 @@ class Asking(QtCore.QObject):
 
     def ask_section(self, line: tuple[Point, ...], in_view: str) -> None:
         """Which view shows the section along a line in another; not asked where one may only."""
-        found = [own for own in self._desk.sheet.sections if own.id != in_view]
+        found = [section for section in self._desk.sheet.sections if section.id != in_view]
         if len(found) == 1:
             self._take_section(found[0].id, line, in_view)
             return
         menu = QtWidgets.QMenu(self._over)
-        for own in found:
-            action = menu.addAction(name_of(own.role if own.role in ROLES else own.id))
-            action.triggered.connect(partial(self._take_section, own.id, line, in_view))
+        for item in found:
+            action = menu.addAction(name_of(item.role if item.role in ROLES else item.id))
+            action.triggered.connect(partial(self._take_section, item.id, line, in_view))
         menu.popup(QtGui.QCursor.pos())
 
     def ask_length(self, points: tuple[Point, Point]) -> None:
@@ -83,7 +83,7 @@ class Asking(QtCore.QObject):
         asked = translate("GaussianCAD", "Depth of the hole in mm:")
         depth = self._number(translate("GaussianCAD", "Hole"), asked, 10.0)
         if depth is not None:
-            self._desk.say([told for own in circles for told in saying.hole(own, depth)])
+            self._desk.say([stated for circle in circles for stated in saying.hole(circle, depth)])
 
     def _take_role(self, role: str, box: Box, _checked: bool = False) -> None:
         self._desk.say(saying.is_view(self._desk.sheet, role, box))
@@ -95,5 +95,5 @@ class Asking(QtCore.QObject):
 
     def _number(self, title: str, asked: str, start: float) -> float | None:
         get = QtWidgets.QInputDialog.getDouble
-        value, told = get(self._over, title, asked, start, 0.001, 1e6, 3)
-        return value if told else None
+        value, stated = get(self._over, title, asked, start, 0.001, 1e6, 3)
+        return value if stated else None

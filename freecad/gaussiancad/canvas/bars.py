@@ -61,7 +61,7 @@ class ToolBar(QtWidgets.QToolBar):
         """A menu in a menu, with values of which one holds."""
         menu = place.addMenu(title)
         for value, text in values:
-            action = _add(menu, text, lambda own=value: self._say(saying.set_to(name, own)))
+            action = _add(menu, text, lambda item=value: self._say(saying.set_to(name, item)))
             action.setData(value)
             action.setCheckable(True)
         return menu

@@ -91,7 +91,7 @@ class Board(Pane):
     def show_sheet(self, sheet: Sheet) -> None:
         """Show strokes and views; what was selected stays so where it is still there."""
         self._sheet = sheet
-        self._chosen &= {own.id for own in (*sheet.strokes, *sheet.views)}
+        self._chosen &= {stroke.id for stroke in (*sheet.strokes, *sheet.views)}
         self._drawing.show_sheet(sheet, self._chosen)
         self._drawing.show_chosen(sheet, self._chosen)
         self.legend.show_sheet(sheet)
@@ -118,7 +118,7 @@ class Board(Pane):
 
     def select_alike(self) -> None:
         """Select all strokes that are like those selected."""
-        self.select({other.id for own in self.selected for other in self._sheet.like(own)})
+        self.select({other.id for item in self.selected for other in self._sheet.like(item)})
 
     def give_kind(self, kind: str) -> None:
         """Say that what is selected stands for a kind; of what is in doubt, that it does indeed.
@@ -128,7 +128,7 @@ class Board(Pane):
         if self._awaited is not None:
             self._awaited = kind
             return
-        meant = [own for own in self.selected if own.kind != kind or own.doubtful]
+        meant = [item for item in self.selected if item.kind != kind or item.doubtful]
         self._say(saying.of_kind(meant, kind))
 
     def give_role(self, role: str) -> None:
@@ -169,7 +169,9 @@ class Board(Pane):
         if view is None:
             return False
         self._say(saying.drawn(view.id, kind, shape))
-        made = [own.id for own in self._sheet.strokes if own.given and own.shape == shape]
+        made = [
+            stroke.id for stroke in self._sheet.strokes if stroke.given and stroke.shape == shape
+        ]
         self.select(set(made[-1:]))
         return True
 

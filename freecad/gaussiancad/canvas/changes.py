@@ -66,8 +66,10 @@ def change_lines(sheet: Sheet, changes: Sequence[Change], back: Callable[[], Non
     row = translate("GaussianCAD", "{name}: {sheet} mm on the sheet, {now} mm in the body")
     for change in changes:
         found = numbers_of(change, sheet)
-        told = row.format(name=change.name, sheet=f"{change.on_sheet:.6g}", now=f"{change.now:.6g}")
-        lines.append(Line(told, found[0].box if found else None))
+        stated = row.format(
+            name=change.name, sheet=f"{change.on_sheet:.6g}", now=f"{change.now:.6g}"
+        )
+        lines.append(Line(stated, found[0].box if found else None))
     return lines
 
 

@@ -19,108 +19,108 @@ _OPPOSITE = {"top": "bottom", "bottom": "top", "left": "right", "right": "left"}
 
 def corrected(sheet: Sheet, operations: list[dict]) -> Sheet:
     """A sheet after corrections, one after another."""
-    for number, own in enumerate(operations, start=1):
-        sheet = _APPLIED.get(own["op"], _unseen)(sheet, own, number)
+    for number, operation in enumerate(operations, start=1):
+        sheet = _APPLIED.get(operation["op"], _unseen)(sheet, operation, number)
     return sheet
 
 
-def _kind(sheet: Sheet, own: dict, _: int) -> Sheet:
-    name = own["target"]["id"]
-    return _changed(sheet, lambda each: each.id == name, kind=own["to"], given=True)
+def _kind(sheet: Sheet, item: dict, _: int) -> Sheet:
+    name = item["target"]["id"]
+    return _changed(sheet, lambda each: each.id == name, kind=item["to"], given=True)
 
 
-def _erase(sheet: Sheet, own: dict, _: int) -> Sheet:
-    name = own["target"]["id"]
+def _erase(sheet: Sheet, item: dict, _: int) -> Sheet:
+    name = item["target"]["id"]
     return replace(sheet, strokes=tuple(each for each in sheet.strokes if each.id != name))
 
 
-def _draw(sheet: Sheet, own: dict, number: int) -> Sheet:
-    drawn = Stroke(f"p{number}", own["view"], own["kind"], shape_in(own), given=True)
+def _draw(sheet: Sheet, item: dict, number: int) -> Sheet:
+    drawn = Stroke(f"p{number}", item["view"], item["kind"], shape_in(item), given=True)
     return replace(sheet, strokes=(*sheet.strokes, drawn))
 
 
-def _view(sheet: Sheet, own: dict, _: int) -> Sheet:
-    box = own.get("box")
-    known = next((each for each in sheet.views if each.id == own["id"]), None)
+def _view(sheet: Sheet, item: dict, _: int) -> Sheet:
+    box = item.get("box")
+    known = next((each for each in sheet.views if each.id == item["id"]), None)
     if box is None and known is None:
         return sheet
     cut = known is not None and known.cut
     place = tuple(box) if box is not None else known.box
-    made = View(own["id"], own["role"], place, cut=cut, given=True)
-    rest = tuple(each for each in sheet.views if each.id != own["id"])
+    made = View(item["id"], item["role"], place, cut=cut, given=True)
+    rest = tuple(each for each in sheet.views if each.id != item["id"])
     return replace(sheet, views=(*rest, made))
 
 
-def _region(sheet: Sheet, own: dict, _: int) -> Sheet:
-    xs, ys = zip(*own["polygon"], strict=True)
+def _region(sheet: Sheet, item: dict, _: int) -> Sheet:
+    xs, ys = zip(*item["polygon"], strict=True)
     x0, y0, x1, y1 = min(xs), min(ys), max(xs), max(ys)
 
     def within(each: Stroke) -> bool:
         return all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in each.points())
 
-    return _changed(sheet, within, kind=own["kind"], given=True)
+    return _changed(sheet, within, kind=item["kind"], given=True)
 
 
-def _dimension(sheet: Sheet, own: dict, _: int) -> Sheet:
+def _dimension(sheet: Sheet, item: dict, _: int) -> Sheet:
     return replace(
         sheet,
         numbers=tuple(
-            replace(each, value=own["value_mm"], used=True, given=True)
-            if each.id == own["id"]
+            replace(each, value=item["value_mm"], used=True, given=True)
+            if each.id == item["id"]
             else each
             for each in sheet.numbers
         ),
     )
 
 
-def _section(sheet: Sheet, own: dict, _: int) -> Sheet:
-    box = next((each.box for each in sheet.views if each.id == own["id"]), None)
+def _section(sheet: Sheet, item: dict, _: int) -> Sheet:
+    box = next((each.box for each in sheet.views if each.id == item["id"]), None)
     rest = tuple(each for each in sheet.planes if each.box is None or each.box != box)
     label = next((each.label for each in sheet.planes if each.box == box), "")
-    return replace(sheet, planes=(*rest, Plane(label, tuples(own["line"]), box, given=True)))
+    return replace(sheet, planes=(*rest, Plane(label, tuples(item["line"]), box, given=True)))
 
 
-def _note(sheet: Sheet, own: dict, _: int) -> Sheet:
-    x, y, radius = own["circle"]
-    text = "THRU" if own.get("through") else f"\u21a7{own['depth_mm']:g}"
+def _note(sheet: Sheet, item: dict, _: int) -> Sheet:
+    x, y, radius = item["circle"]
+    text = "THRU" if item.get("through") else f"\u21a7{item['depth_mm']:g}"
     made = Note(text, (x - radius, y - radius, x + radius, y + radius), (x, y, radius))
     rest = tuple(each for each in sheet.notes if each.circle != made.circle)
     return replace(sheet, notes=(*rest, made))
 
 
-def _scale(sheet: Sheet, own: dict, _: int) -> Sheet:
-    if own.get("axis") and own["axis"] == _unseen_axis(sheet):
+def _scale(sheet: Sheet, item: dict, _: int) -> Sheet:
+    if item.get("axis") and item["axis"] == _unseen_axis(sheet):
         return sheet
-    value = own.get("mm_per_px")
-    if value is None and own.get("points"):
-        (x0, y0), (x1, y1) = own["points"]
-        value = own["length_mm"] / max(hypot(x1 - x0, y1 - y0), 1e-9)
+    value = item.get("mm_per_px")
+    if value is None and item.get("points"):
+        (x0, y0), (x1, y1) = item["points"]
+        value = item["length_mm"] / max(hypot(x1 - x0, y1 - y0), 1e-9)
     return replace(sheet, mm_per_px=value)
 
 
 def _unseen_axis(sheet: Sheet) -> str:
     """The axis along which the only view looks; empty where there are several."""
-    roles = [own.role for own in sheet.views if own.role in _LOOKS_ALONG]
+    roles = [view.role for view in sheet.views if view.role in _LOOKS_ALONG]
     return _LOOKS_ALONG[roles[0]] if len(roles) == 1 else ""
 
 
-def _unit(sheet: Sheet, own: dict, _: int) -> Sheet:
-    if own["value"] == sheet.unit:
+def _unit(sheet: Sheet, item: dict, _: int) -> Sheet:
+    if item["value"] == sheet.unit:
         return sheet
-    factor = _MM_PER_INCH if own["value"] == "in" else 1.0 / _MM_PER_INCH
+    factor = _MM_PER_INCH if item["value"] == "in" else 1.0 / _MM_PER_INCH
     numbers = tuple(replace(each, value=factor * each.value) for each in sheet.numbers)
     scale = None if sheet.mm_per_px is None else factor * sheet.mm_per_px
-    return replace(sheet, unit=own["value"], numbers=numbers, mm_per_px=scale)
+    return replace(sheet, unit=item["value"], numbers=numbers, mm_per_px=scale)
 
 
-def _projection(sheet: Sheet, own: dict, _: int) -> Sheet:
-    if own["value"] == sheet.projection:
+def _projection(sheet: Sheet, item: dict, _: int) -> Sheet:
+    if item["value"] == sheet.projection:
         return sheet
     views = tuple(
         each if each.given else replace(each, role=_OPPOSITE.get(each.role, each.role))
         for each in sheet.views
     )
-    return replace(sheet, projection=own["value"], views=views)
+    return replace(sheet, projection=item["value"], views=views)
 
 
 def _unseen(sheet: Sheet, _own: dict, _number: int) -> Sheet:
@@ -144,5 +144,7 @@ _APPLIED: dict[str, Callable[[Sheet, dict, int], Sheet]] = {
 
 
 def _changed(sheet: Sheet, chosen: Callable[[Stroke], bool], **values: object) -> Sheet:
-    strokes = tuple(replace(own, **values) if chosen(own) else own for own in sheet.strokes)
+    strokes = tuple(
+        replace(stroke, **values) if chosen(stroke) else stroke for stroke in sheet.strokes
+    )
     return replace(sheet, strokes=strokes)

@@ -54,7 +54,7 @@ class Desk(QtCore.QObject):
     read = QtCore.Signal()
     changed = QtCore.Signal()
     solved = QtCore.Signal(object, str)
-    told = QtCore.Signal(str)
+    said = QtCore.Signal(str)
     working = QtCore.Signal()
     stage = QtCore.Signal(str)
 
@@ -69,9 +69,9 @@ class Desk(QtCore.QObject):
         )
         self._reader, self._solver = Server(engines.reader, self), Server(engines.solver, self)
         self._clerk = Server(engines.clerk, self)
-        for own in (self._reader, self._solver):
-            own.changed.connect(self.working)
-            own.stage.connect(self.stage)
+        for item in (self._reader, self._solver):
+            item.changed.connect(self.working)
+            item.stage.connect(self.stage)
         self._read: Sheet | None = None
         self._reading = Path()
         self._within: list[dict] = []
@@ -188,8 +188,8 @@ class Desk(QtCore.QObject):
     def close(self) -> None:
         """Leave the engines and remove what they wrote."""
         self._rest.stop()
-        for own in (self._reader, self._solver, self._clerk):
-            own.close()
+        for item in (self._reader, self._solver, self._clerk):
+            item.close()
         self._folder.cleanup()
 
     def _asked(self, folder: Path) -> dict[str, object]:
@@ -220,7 +220,7 @@ class Desk(QtCore.QObject):
 
     def _was_read(self, answer: Answer, within: list[dict]) -> None:
         if "reading" not in answer:
-            self.told.emit(_worded(answer))
+            self.said.emit(_worded(answer))
             return
         first = self._read is None
         self._reading = Path(answer["reading"])
@@ -239,6 +239,6 @@ class Desk(QtCore.QObject):
         try:
             report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
         except (OSError, ValueError):
-            self.told.emit(_worded(answer))
+            self.said.emit(_worded(answer))
             return
         self.solved.emit(report, "" if "error" in answer else str(folder))

@@ -32,21 +32,23 @@ _WHY = {
 def doubts_of(sheet: Sheet) -> list[Stroke]:
     """The strokes in doubt that are of the part, or lie at its views: the most doubtful first, of
     two equal ones the longer."""
-    frames = [own.frame for own in sheet.views if own.shown]
+    frames = [view.frame for view in sheet.views if view.shown]
     found = [
-        own for own in sheet.strokes if own.doubtful and (own.kind in DRAWN or _at(own, frames))
+        stroke
+        for stroke in sheet.strokes
+        if stroke.doubtful and (stroke.kind in DRAWN or _at(stroke, frames))
     ]
-    return sorted(found, key=lambda own: (own.confidence, -_long(own)))
+    return sorted(found, key=lambda item: (item.confidence, -_long(item)))
 
 
 def doubt_in_words(stroke: Stroke) -> str:
     """What a stroke is, how sure that is, why, and what else it may be."""
-    told = translate("GaussianCAD", "In doubt: {kind}, {share} sure.").format(
+    stated = translate("GaussianCAD", "In doubt: {kind}, {share} sure.").format(
         kind=name_of(stroke.kind), share=f"{stroke.confidence:.0%}"
     )
     part = stroke.why == "loose-end" and stroke.kind in DRAWN
     why = _WHY.get(f"{stroke.why}:part" if part else stroke.why, "")
-    words = [told, translate("GaussianCAD", why)] if why else [told]
+    words = [stated, translate("GaussianCAD", why)] if why else [stated]
     if stroke.otherwise:
         other = translate("GaussianCAD", "Otherwise: {0}")
         words.append(other.format(name_of(stroke.otherwise)))
@@ -61,7 +63,7 @@ def doubt_lines(sheet: Sheet, say: Callable[[list[dict]], None]) -> list[Line]:
         say: takes what a button says.
     """
     doubts = doubts_of(sheet)
-    lines = [_line(own, say) for own in doubts[:MOST]]
+    lines = [_line(doubt, say) for doubt in doubts[:MOST]]
     if len(doubts) > MOST:
         more = translate("GaussianCAD", "More lines in doubt: {0}")
         lines.append(Line(more.format(len(doubts) - MOST)))
@@ -88,7 +90,9 @@ def _box(stroke: Stroke) -> Box:
 def _at(stroke: Stroke, frames: list[Box]) -> bool:
     """Whether a stroke meets any of some boxes."""
     x0, y0, x1, y1 = _box(stroke)
-    return any(x0 <= own[2] and own[0] <= x1 and y0 <= own[3] and own[1] <= y1 for own in frames)
+    return any(
+        x0 <= frame[2] and frame[0] <= x1 and y0 <= frame[3] and frame[1] <= y1 for frame in frames
+    )
 
 
 def _long(stroke: Stroke) -> float:

@@ -43,8 +43,8 @@ def failed_sheets(report: Path) -> tuple[FailedSheet, ...]:
         OSError: it cannot be read.
         ValueError: it is no report of a batch.
     """
-    found = [own for own in map(_sheet, _rows(report)) if own.status in _STATUSES]
-    return tuple(sorted(found, key=lambda own: _STATUSES.index(own.status)))
+    found = [item for item in map(_sheet, _rows(report)) if item.status in _STATUSES]
+    return tuple(sorted(found, key=lambda item: _STATUSES.index(item.status)))
 
 
 def _rows(report: Path) -> list[Mapping[str, object]]:
@@ -61,9 +61,9 @@ def _rows(report: Path) -> list[Mapping[str, object]]:
         table = csv.DictReader(text.splitlines())
         # A table without rows is a report only by the names of its columns.
         rows = list(table) if known <= set(table.fieldnames or ()) else None
-    if not isinstance(rows, list) or not all(isinstance(own, dict) for own in rows):
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
         raise ValueError(f"{report.name} is no report of a batch")
-    if any(not known <= own.keys() for own in rows):
+    if any(not known <= row.keys() for row in rows):
         raise ValueError(f"{report.name} is no report of a batch")
     return rows
 
@@ -74,14 +74,14 @@ def _sheet(row: Mapping[str, object]) -> FailedSheet:
         # Texts that a spreadsheet would compute are kept with a mark before them.
         return found[1:] if found[:1] == "'" and found[1:2] in "=+-@" else found
 
-    own = FailedSheet(
+    failed_sheet = FailedSheet(
         text("name"),
         Path(text("sheet")),
         status=text("status"),
         code=text("code"),
         message=text("message"),
     )
-    return _with_details(own, Path(text("folder")))
+    return _with_details(failed_sheet, Path(text("folder")))
 
 
 def _with_details(row: FailedSheet, folder: Path) -> FailedSheet:

@@ -36,16 +36,16 @@ class FailedList(QtWidgets.QWidget):
         self._list = QtWidgets.QListWidget()
         self._list.setObjectName("sheetsOfBatch")
         self._list.setWordWrap(True)
-        for own in sheets:
-            self._list.addItem(_text(own))
+        for sheet in sheets:
+            self._list.addItem(_text(sheet))
         self._list.itemActivated.connect(lambda item: self._open(self._list.row(item)))
         self._list.itemClicked.connect(lambda item: self._open(self._list.row(item)))
         self.next_button = QtWidgets.QPushButton(translate("GaussianCAD", "Next Sheet"))
         self.next_button.setObjectName("nextSheet")
         self.next_button.clicked.connect(lambda _=False: self.open_next())
         layout = QtWidgets.QVBoxLayout(self)
-        for own in (self._headline, self._list, self.next_button):
-            layout.addWidget(own)
+        for entry in (self._headline, self._list, self.next_button):
+            layout.addWidget(entry)
         self._tell()
 
     @property
@@ -65,9 +65,9 @@ class FailedList(QtWidgets.QWidget):
 
     def take(self, sheet: Path, page: int, status: str) -> None:
         """Show what has become of a sheet after a run."""
-        for row, own in enumerate(self._sheets):
-            if (own.sheet, own.page) == (sheet, page):
-                self._sheets[row] = replace(own, status=status, code="", message="", args={})
+        for row, this_sheet in enumerate(self._sheets):
+            if (this_sheet.sheet, this_sheet.page) == (sheet, page):
+                self._sheets[row] = replace(this_sheet, status=status, code="", message="", args={})
                 self._list.item(row).setText(_text(self._sheets[row]))
         self._tell()
 
@@ -75,12 +75,12 @@ class FailedList(QtWidgets.QWidget):
         self.chosen.emit(self._sheets[row])
 
     def _tell(self) -> None:
-        rest = sum(own.status != "verified" for own in self._sheets)
+        rest = sum(sheet.status != "verified" for sheet in self._sheets)
         text = translate("GaussianCAD", "{0} of these {1} sheets are not verified")
         self._headline.setText(text.format(rest, len(self._sheets)))
         self.next_button.setEnabled(rest > 0)
 
 
-def _text(own: FailedSheet) -> str:
-    told = worded(own.code, own.message, own.args) if own.message else ""
-    return f"{SIGNS.get(own.status, '')} {own.name}" + (f"\n{told}" if told else "")
+def _text(sheet: FailedSheet) -> str:
+    stated = worded(sheet.code, sheet.message, sheet.args) if sheet.message else ""
+    return f"{SIGNS.get(sheet.status, '')} {sheet.name}" + (f"\n{stated}" if stated else "")

@@ -48,8 +48,12 @@ def closing_lines(sheet: Sheet, view: View) -> list[tuple[Point, Point]]:
 def problem_marks(sheet: Sheet) -> list[tuple[Box, str]]:
     """Places of problems and what they are; where outlines are open, of the ends that nothing
     meets."""
-    marks = [(own.box, own.message) for own in sheet.problems if own.box and own.pinned]
-    if any(own.code == OPEN for own in sheet.problems):
+    marks = [
+        (problem.box, problem.message)
+        for problem in sheet.problems
+        if problem.box and problem.pinned
+    ]
+    if any(problem.code == OPEN for problem in sheet.problems):
         text = translate("GaussianCAD", "Nothing meets this end")
         marks += [
             ((x - _PIN, y - _PIN, x + _PIN, y + _PIN), text)
@@ -61,15 +65,19 @@ def problem_marks(sheet: Sheet) -> list[tuple[Box, str]]:
 
 
 def _open(sheet: Sheet, view: View) -> list[tuple[str, Point]]:
-    strokes = [own for own in sheet.strokes if own.view == view.id and own.kind == "visible"]
+    strokes = [
+        stroke for stroke in sheet.strokes if stroke.view == view.id and stroke.kind == "visible"
+    ]
     return [
-        (own.id, end)
-        for own in strokes
-        if own.circle is None
-        for end in (own.points()[0], own.points()[-1])
-        if not _meets(end, own, strokes)
+        (stroke.id, end)
+        for stroke in strokes
+        if stroke.circle is None
+        for end in (stroke.points()[0], stroke.points()[-1])
+        if not _meets(end, stroke, strokes)
     ]
 
 
-def _meets(end: Point, own: Stroke, strokes: list[Stroke]) -> bool:
-    return any(distance(other.points(), end) <= _MEET_PX for other in strokes if other is not own)
+def _meets(end: Point, stroke: Stroke, strokes: list[Stroke]) -> bool:
+    return any(
+        distance(other.points(), end) <= _MEET_PX for other in strokes if other is not stroke
+    )

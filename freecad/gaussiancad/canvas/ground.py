@@ -34,18 +34,18 @@ class Ground:
     @property
     def selected(self) -> list[Stroke]:
         """The strokes that are selected."""
-        return [own for own in self.sheet.strokes if own.id in self.chosen]
+        return [stroke for stroke in self.sheet.strokes if stroke.id in self.chosen]
 
     @property
     def selected_view(self) -> View | None:
         """The view that is selected alone."""
-        return next((own for own in self.sheet.views if self.chosen == {own.id}), None)
+        return next((view for view in self.sheet.views if self.chosen == {view.id}), None)
 
     @property
     def view_meant(self) -> View | None:
         """The view that is selected alone, or the one that all selected strokes are of."""
-        views = {own.view for own in self.sheet.strokes if own.id in self.chosen}
-        of_strokes = (own for own in self.sheet.views if views == {own.id})
+        views = {stroke.view for stroke in self.sheet.strokes if stroke.id in self.chosen}
+        of_strokes = (view for view in self.sheet.views if views == {view.id})
         return self.selected_view or next(of_strokes, None)
 
     def stroke_at(self, at: Point) -> Stroke | None:
@@ -54,18 +54,18 @@ class Ground:
 
     def view_at(self, at: Point) -> View | None:
         """The view whose frame is at a place."""
-        for own in self.sheet.views:
-            corners = corners_of(own.frame)
+        for view in self.sheet.views:
+            corners = corners_of(view.frame)
             if distance([*corners, corners[0]], at) <= _CLICK / self.zoom:
-                return own
+                return view
         return None
 
     def number_at(self, at: Point) -> Number | None:
         """The dimension whose text is at a place."""
-        for own in self.sheet.numbers:
-            x0, y0, x1, y1 = own.box
+        for number in self.sheet.numbers:
+            x0, y0, x1, y1 = number.box
             if x0 <= at[0] <= x1 and y0 <= at[1] <= y1:
-                return own
+                return number
         return None
 
     def handle_at(self, at: Point) -> int | None:
@@ -80,10 +80,10 @@ class Ground:
         x0, y0, x1, y1 = box_between(start, end)
         touching = end[0] < start[0]
         found = set()
-        for own in self.sheet.strokes:
-            inside = [x0 <= x <= x1 and y0 <= y <= y1 for x, y in own.points()]
+        for stroke in self.sheet.strokes:
+            inside = [x0 <= x <= x1 and y0 <= y <= y1 for x, y in stroke.points()]
             if all(inside) or (touching and any(inside)):
-                found.add(own.id)
+                found.add(stroke.id)
         return frozenset(found)
 
     def snapped(self, at: Point, start: Point | None = None) -> Point:

@@ -137,8 +137,8 @@ def _moved(index: int, to: Point, ground: Ground) -> list[dict]:
     view = ground.selected_view
     if view is not None:
         return boxed(view, with_corner(view.box, index, to))
-    (own,) = ground.selected
-    return moved(own, with_handle(own.shape, index, ground.snapped(to)))
+    (item,) = ground.selected
+    return moved(item, with_handle(item.shape, index, ground.snapped(to)))
 
 
 def _clicked(at: Point, ground: Ground, more: bool) -> Chosen:

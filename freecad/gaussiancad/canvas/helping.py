@@ -57,14 +57,14 @@ class Helping:
             return self._buttons(row.code, row.offers)
         text = translate("GaussianCAD", "How Thick Is the Part?")
         answer = text, lambda: self._asking.ask_thickness(row.unseen_axis)
-        rest = tuple(own for own in row.offers if own != "scale")
+        rest = tuple(offer for offer in row.offers if offer != "scale")
         return (answer, *self._buttons(row.code, rest))
 
     def with_report(self) -> Help:
         """Buttons for what a report says; its reasons may be problems of what was read."""
         offers = {code: self._buttons(code, (tool,)) for code, tool in _USUAL.items()}
         problems = self._desk.sheet.problems if self._desk.sheet is not None else ()
-        offers.update({own.code: self.with_row(own) for own in problems})
+        offers.update({problem.code: self.with_row(problem) for problem in problems})
         offers.update(self._more)
         return Help(self._go_through, self._asking.ask_depths, offers, self._mend)
 
@@ -80,18 +80,18 @@ class Helping:
         }
         close = translate("GaussianCAD", "Close Gaps"), self._close_gaps
         first = (close,) if code == OPEN and self._closing() else ()
-        return (*first, *(known[own] for own in offers if own in known))
+        return (*first, *(known[offer] for offer in offers if offer in known))
 
-    def _mend(self, own: dict) -> Buttons:
+    def _mend(self, item: dict) -> Buttons:
         """What may be said of a line that part and sheet do not share."""
         say, sheet = self._desk.say, self._desk.sheet
-        if not own["missing"]:
-            if not own.get("line"):
+        if not item["missing"]:
+            if not item.get("line"):
                 return ()
-            view = next((view.id for view in sheet.views if view.role == own["view"]), "")
-            draw = saying.drawn(view, own["kind"], ("line", own["line"]))
+            view = next((view.id for view in sheet.views if view.role == item["view"]), "")
+            draw = saying.drawn(view, item["kind"], ("line", item["line"]))
             return ((translate("GaussianCAD", "It Belongs There"), lambda: say(draw)),)
-        stroke = sheet.stroke_at(tuple(own["at"]), _BESIDE) if sheet is not None else None
+        stroke = sheet.stroke_at(tuple(item["at"]), _BESIDE) if sheet is not None else None
         if stroke is None:
             return ()
         tangent, erase = saying.of_kind([stroke], "tangent"), saying.erased([stroke])
@@ -119,4 +119,4 @@ class Helping:
         self._desk.say(saying.set_to("projection", other))
 
     def _go_through(self, circles: list[Circle]) -> None:
-        self._desk.say([told for own in circles for told in saying.hole(own, None)])
+        self._desk.say([stated for circle in circles for stated in saying.hole(circle, None)])

@@ -47,13 +47,13 @@ class Beside:
     def __init__(self, sheet: Path, page: int = 1) -> None:
         self._path = corrections_path(sheet, page)
         self._sha256, found = read_corrections(self._path)
-        self._steps: list[list[dict]] = [[own] for own in found]
+        self._steps: list[list[dict]] = [[item] for item in found]
         self._undone: list[list[dict]] = []
 
     @property
     def operations(self) -> list[dict]:
         """All of them, in order."""
-        return [own for step in self._steps for own in step]
+        return [item for step in self._steps for item in step]
 
     def belongs_to(self, sha256: str) -> bool:
         """Whether the corrections are of a sheet.
@@ -94,7 +94,11 @@ class Beside:
 def read_again(operations: list[dict]) -> list[dict]:
     """The first operations, up to the last that boxes a view: with them the engine has to read the
     sheet again, to tell the strokes in the box; none where no view was boxed."""
-    boxed = [n for n, own in enumerate(operations, start=1) if own["op"] == "view" and "box" in own]
+    boxed = [
+        n
+        for n, operation in enumerate(operations, start=1)
+        if operation["op"] == "view" and "box" in operation
+    ]
     return operations[: boxed[-1]] if boxed else []
 
 
@@ -128,7 +132,7 @@ def operations_in(found: object) -> list[dict] | None:
     """JSON values as operations; None where they are none."""
     if not isinstance(found, list):
         return None
-    whole = all(isinstance(own, dict) and isinstance(own.get("op"), str) for own in found)
+    whole = all(isinstance(item, dict) and isinstance(item.get("op"), str) for item in found)
     return found if whole else None
 
 
@@ -144,6 +148,6 @@ def write_corrections(path: Path, sha256: str, operations: list[dict]) -> None:
         path.unlink(missing_ok=True)
         return
     content = {"schema": SCHEMA, "sheet_sha256": sha256, "ops": operations}
-    beside = path.with_name(path.name + ".part")
-    beside.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-    os.replace(beside, path)
+    neighbour = path.with_name(path.name + ".part")
+    neighbour.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    os.replace(neighbour, path)

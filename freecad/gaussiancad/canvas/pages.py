@@ -76,7 +76,7 @@ class Pages(QtWidgets.QListWidget):
                 continue
             item.setData(QtCore.Qt.ItemDataRole.UserRole, True)
             self._waiting = True
-            self._ask(row + 1, _EDGE, lambda path, own=row: self._take(own, path))
+            self._ask(row + 1, _EDGE, lambda path, entry=row: self._take(entry, path))
             return
 
     def _take(self, row: int, path: str) -> None:

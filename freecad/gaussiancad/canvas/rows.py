@@ -60,8 +60,8 @@ class Rows(QtWidgets.QListWidget):
         """Show rows in place of those before."""
         self.clear()
         self._lines = []
-        for own in lines:
-            self.add(own)
+        for line in lines:
+            self.add(line)
         self._fit()
 
     def add(self, line: Line) -> None:
@@ -106,8 +106,8 @@ class Rows(QtWidgets.QListWidget):
         splitter = self.parentWidget()
         if isinstance(splitter, QtWidgets.QSplitter) and sum(splitter.sizes()):
             whole = sum(splitter.sizes())
-            own = min(most, round(_SHARE * whole))
-            splitter.setSizes([whole - own, own])
+            item = min(most, round(_SHARE * whole))
+            splitter.setSizes([whole - item, item])
 
     def _show(self, item: QtWidgets.QListWidgetItem) -> None:
         self._ask(self._lines[self.row(item)])
@@ -140,15 +140,15 @@ def _row(line: Line, clicked: Callable[[], None]) -> QtWidgets.QWidget:
     layout.setSpacing(2)
     layout.addWidget(_Sentence(line.text, clicked))
     if line.buttons:
-        beside = QtWidgets.QHBoxLayout()
+        neighbour = QtWidgets.QHBoxLayout()
         for text, action in line.buttons:
             button = QtWidgets.QToolButton()
             button.setText(text)
             button.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)
-            button.clicked.connect(lambda _=False, own=action: own())
-            beside.addWidget(button)
-        beside.addStretch()
-        layout.addLayout(beside)
+            button.clicked.connect(lambda _=False, item=action: item())
+            neighbour.addWidget(button)
+        neighbour.addStretch()
+        layout.addLayout(neighbour)
     if line.colour:
         widget.setStyleSheet(
             f"QLabel {{ background: {line.colour}; color: white; font-weight: bold; padding: 4px }}"

@@ -14,12 +14,12 @@ Circle = tuple[float, float, float]
 
 def of_kind(strokes: Iterable[Stroke], kind: str) -> list[dict]:
     """Strokes stand for a kind."""
-    return [{"op": "kind", "target": own.target(), "to": kind} for own in strokes]
+    return [{"op": "kind", "target": stroke.target(), "to": kind} for stroke in strokes]
 
 
 def erased(strokes: Iterable[Stroke]) -> list[dict]:
     """Strokes are not there."""
-    return [{"op": "erase", "target": own.target()} for own in strokes]
+    return [{"op": "erase", "target": stroke.target()} for stroke in strokes]
 
 
 def drawn(view: str | None, kind: str, shape: Shape) -> list[dict]:
@@ -47,8 +47,8 @@ def is_view(sheet: Sheet | None, role: str, box: Box) -> list[dict]:
     """A box is the view of a role: the one that the sheet has already, there or elsewhere, or a
     new one."""
     known = sheet.views if sheet is not None else ()
-    there = (own.id for own in known if own.shown and _is_same(own.box, box))
-    of_role = (own.id for own in known if own.role == role)
+    there = (item.id for item in known if item.shown and _is_same(item.box, box))
+    of_role = (item.id for item in known if item.role == role)
     return [{"op": "view", "id": next(chain(there, of_role), role), "role": role, "box": list(box)}]
 
 
@@ -68,7 +68,7 @@ def ignored(box: Box) -> list[dict]:
 
 def apart(points: tuple[Point, Point], length: float) -> list[dict]:
     """Two points are so many mm apart."""
-    return [{"op": "scale", "points": [list(own) for own in points], "length_mm": length}]
+    return [{"op": "scale", "points": [list(point) for point in points], "length_mm": length}]
 
 
 def thick(axis: str, thickness: float) -> list[dict]:
@@ -83,14 +83,14 @@ def given(number: Number, value_mm: float) -> list[dict]:
 
 def cut_along(view: str, line: tuple[Point, ...], in_view: str) -> list[dict]:
     """A view shows the section along a line in another view."""
-    told = [list(own) for own in line]
-    return [{"op": "section", "id": view, "in_view": in_view, "line": told}]
+    stated = [list(item) for item in line]
+    return [{"op": "section", "id": view, "in_view": in_view, "line": stated}]
 
 
 def hole(circle: Circle, depth_mm: float | None) -> list[dict]:
     """The hole of a circle is so deep; None for one that goes through."""
-    told = {"through": True} if depth_mm is None else {"depth_mm": depth_mm}
-    return [{"op": "note", "circle": list(circle), **told}]
+    stated = {"through": True} if depth_mm is None else {"depth_mm": depth_mm}
+    return [{"op": "note", "circle": list(circle), **stated}]
 
 
 def set_to(name: str, value: str) -> list[dict]:

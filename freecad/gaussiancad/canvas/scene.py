@@ -90,15 +90,15 @@ class SheetScene(QtWidgets.QGraphicsScene):
         for name in LAYERS[:-1]:
             self._clear(name)
         self._strokes = {}
-        for own in sheet.views:
-            self._add_view(own, chosen=own.id in chosen)
-        for own in sheet.strokes:
-            self._add_stroke(own, chosen=own.id in chosen)
+        for view in sheet.views:
+            self._add_view(view, chosen=view.id in chosen)
+        for stroke in sheet.strokes:
+            self._add_stroke(stroke, chosen=stroke.id in chosen)
         self._quiet = {}
         for label in labels_of(sheet, self._changes):
             self._add_label(label)
-        for own in sheet.planes:
-            self._add_plane(own.label, own.line)
+        for plane in sheet.planes:
+            self._add_plane(plane.label, plane.line)
         self._show_layers()
 
     def show_marks(self, marks: Iterable[Mark]) -> None:
@@ -113,8 +113,8 @@ class SheetScene(QtWidgets.QGraphicsScene):
 
     def show_chosen(self, sheet: Sheet, chosen: Set[str]) -> None:
         """Show what is selected, and the handles of what is selected alone."""
-        for own in sheet.strokes:
-            self._strokes[own.id].setPen(_stroke_pen(own, chosen=own.id in chosen))
+        for stroke in sheet.strokes:
+            self._strokes[stroke.id].setPen(_stroke_pen(stroke, chosen=stroke.id in chosen))
         for item in self._handles:
             self.removeItem(item)
         self._handles = []
@@ -172,13 +172,13 @@ class SheetScene(QtWidgets.QGraphicsScene):
         for label, item in self._quiet.items():
             item.setVisible(not hidden and label.holds(self._pointed))
 
-    def _add_stroke(self, own: Stroke, chosen: bool) -> None:
-        item = self.addPath(_path(own.points()), _stroke_pen(own, chosen=chosen))
-        item.setZValue(1.0 if own.kind in DRAWN else 0.5 if own.doubtful else 0.0)
-        if own.doubtful:
-            item.setToolTip(doubt_in_words(own))
-        self._strokes[own.id] = item
-        self._layers["strokes" if own.kind in DRAWN else "annotation"].append(item)
+    def _add_stroke(self, stroke: Stroke, chosen: bool) -> None:
+        item = self.addPath(_path(stroke.points()), _stroke_pen(stroke, chosen=chosen))
+        item.setZValue(1.0 if stroke.kind in DRAWN else 0.5 if stroke.doubtful else 0.0)
+        if stroke.doubtful:
+            item.setToolTip(doubt_in_words(stroke))
+        self._strokes[stroke.id] = item
+        self._layers["strokes" if stroke.kind in DRAWN else "annotation"].append(item)
 
     def _add_view(self, view: View, chosen: bool) -> None:
         colour = CHOSEN if chosen else VIEW if view.shown else UNUSED
@@ -204,9 +204,9 @@ class SheetScene(QtWidgets.QGraphicsScene):
         points = list(line)
         item = self.addPath(_path(points), _pen(PLANE, 2.0, QtCore.Qt.PenStyle.DashDotLine))
         text = self._caption(label, PLANE, points[0])
-        for own in (item, text):
-            own.setZValue(1.5)
-            self._layers["planes"].append(own)
+        for entry in (item, text):
+            entry.setZValue(1.5)
+            self._layers["planes"].append(entry)
 
     def _caption(
         self, text: str, colour: str, place: Point, above: float = 0.0
@@ -233,10 +233,10 @@ def handle_places(sheet: Sheet, chosen: Set[str]) -> list[Point]:
     if len(chosen) != 1:
         return []
     (name,) = chosen
-    stroke = next((own for own in sheet.strokes if own.id == name), None)
+    stroke = next((this_stroke for this_stroke in sheet.strokes if this_stroke.id == name), None)
     if stroke is not None:
         return handles_of(stroke) if stroke.kind in DRAWN else []
-    view = next((own for own in sheet.views if own.id == name), None)
+    view = next((this_view for this_view in sheet.views if this_view.id == name), None)
     return corners_of(view.box) if view is not None else []
 
 
@@ -257,9 +257,9 @@ def _pen(
     return pen
 
 
-def _stroke_pen(own: Stroke, *, chosen: bool) -> QtGui.QPen:
-    colour = DOUBTFUL if own.doubtful else COLOURS.get(own.kind, OTHER)
-    width = 2.0 if own.kind in DRAWN or own.doubtful else 1.0
+def _stroke_pen(stroke: Stroke, *, chosen: bool) -> QtGui.QPen:
+    colour = DOUBTFUL if stroke.doubtful else COLOURS.get(stroke.kind, OTHER)
+    width = 2.0 if stroke.kind in DRAWN or stroke.doubtful else 1.0
     styles = QtCore.Qt.PenStyle
-    style = styles.DashLine if own.kind == "hidden" else styles.SolidLine
+    style = styles.DashLine if stroke.kind == "hidden" else styles.SolidLine
     return _pen(CHOSEN if chosen else colour, width + (2.0 if chosen else 0.0), style)

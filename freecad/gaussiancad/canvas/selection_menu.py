@@ -34,8 +34,8 @@ class SelectionMenu(QtCore.QObject):
         board = self._board
         for key, kind in KEYS.items():
             action = menu.addAction(f"{name_of(kind)}\t{key}")
-            action.triggered.connect(lambda _=False, own=kind: board.give_kind(own))
-        circles = [own.circle for own in board.selected if own.circle is not None]
+            action.triggered.connect(lambda _=False, item=kind: board.give_kind(item))
+        circles = [item.circle for item in board.selected if item.circle is not None]
         if len(board.selected) == 1 and circles:
             menu.addSeparator()
             through = menu.addAction(translate("GaussianCAD", "Hole Goes Through"))
@@ -52,7 +52,7 @@ class SelectionMenu(QtCore.QObject):
         board = self._board
         for number, role in enumerate(ROLES, start=1):
             action = menu.addAction(f"{name_of(role)}\t{number}")
-            action.triggered.connect(lambda _=False, own=role: board.give_role(own))
+            action.triggered.connect(lambda _=False, item=role: board.give_role(item))
         for role in ("pictorial", "detail", "ignore"):
             action = menu.addAction(name_of(role))
-            action.triggered.connect(lambda _=False, own=role: board.give_role(own))
+            action.triggered.connect(lambda _=False, item=role: board.give_role(item))

@@ -98,14 +98,14 @@ class Engine(QtCore.QObject):
     def forget(self, server: Server) -> None:
         """Drop what a server asked; what the process does for it is broken off."""
         running = self._sent and bool(self._waiting) and self._waiting[0].server is server
-        self._waiting = deque(own for own in self._waiting if own.server is not server)
+        self._waiting = deque(item for item in self._waiting if item.server is not server)
         if running:
             self._end()
             self._send()
 
     def awaits(self, server: Server) -> bool:
         """Whether a server awaits an answer."""
-        return any(own.server is server for own in self._waiting)
+        return any(item.server is server for item in self._waiting)
 
     def _send(self) -> None:
         """Send the first request, unless it was sent."""
@@ -181,18 +181,18 @@ class Engine(QtCore.QObject):
 
     def _note(self) -> None:
         text = bytes(self._process.readAllStandardError()).decode("utf-8", "replace")
-        self._complaints.extend(own for own in text.splitlines() if own.strip())
+        self._complaints.extend(item for item in text.splitlines() if item.strip())
 
     def _failed(self, error: QtCore.QProcess.ProcessError) -> None:
         # A process that ends badly is told by its end; one that never began has none.
         if error == QtCore.QProcess.ProcessError.FailedToStart and self._process is not None:
-            told = not_started(self._program.command[0], self._process.errorString()).message
-            self._give_up(told)
+            stated = not_started(self._program.command[0], self._process.errorString()).message
+            self._give_up(stated)
 
     def _ended(self, *_how: object) -> None:
         last = self._complaints[-1] if self._complaints else ""
-        told = translate("GaussianCAD", "The engine broke off: {reason}").format(reason=last)
-        self._give_up(told)
+        stated = translate("GaussianCAD", "The engine broke off: {reason}").format(reason=last)
+        self._give_up(stated)
 
     def _give_up(self, message: str) -> None:
         """Tell whoever asked last; of the rest, what the same server asked falls away."""
@@ -202,7 +202,7 @@ class Engine(QtCore.QObject):
         if not self._waiting or not self._sent:
             return
         first = self._waiting[0]
-        others = (own for own in self._waiting if own.server is not first.server)
+        others = (item for item in self._waiting if item.server is not first.server)
         self._waiting = deque((first, *others))
         self._answered({"error": {"code": "engine-broke-off", "message": message}})
 

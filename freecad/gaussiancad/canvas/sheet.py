@@ -218,32 +218,36 @@ class Sheet:
 
     def view_at(self, point: Point) -> View | None:
         """The smallest used view around a place."""
-        around = [own for own in self.views if own.used and own.holds(point)]
-        return min(around, key=lambda own: _area(own.box), default=None)
+        around = [view for view in self.views if view.used and view.holds(point)]
+        return min(around, key=lambda item: _area(item.box), default=None)
 
     def stroke_at(self, point: Point, reach: float) -> Stroke | None:
         """The stroke nearest to a place within so many px, those of the part first."""
-        near = [(own.kind not in DRAWN, distance(own.points(), point), own) for own in self.strokes]
-        found = [own for own in near if own[1] <= reach]
-        return min(found, key=lambda own: own[:2])[2] if found else None
+        near = [
+            (stroke.kind not in DRAWN, distance(stroke.points(), point), stroke)
+            for stroke in self.strokes
+        ]
+        found = [item for item in near if item[1] <= reach]
+        return min(found, key=lambda item: item[:2])[2] if found else None
 
     def like(self, stroke: Stroke) -> list[Stroke]:
         """Strokes of the same kind and shape in the same view."""
         return [
-            own
-            for own in self.strokes
-            if (own.kind, own.view, own.shape[0]) == (stroke.kind, stroke.view, stroke.shape[0])
+            this_stroke
+            for this_stroke in self.strokes
+            if (this_stroke.kind, this_stroke.view, this_stroke.shape[0])
+            == (stroke.kind, stroke.view, stroke.shape[0])
         ]
 
     def drawn(self) -> list[Stroke]:
         """The strokes that the part is made of."""
-        return [own for own in self.strokes if own.kind in DRAWN]
+        return [stroke for stroke in self.strokes if stroke.kind in DRAWN]
 
     @property
     def sections(self) -> list[View]:
         """Views that may be sections: those that are hatched, or all of the part where none is."""
-        cut = [own for own in self.views if own.cut]
-        return cut or [own for own in self.views if own.shown and own.role in ROLES]
+        cut = [view for view in self.views if view.cut]
+        return cut or [view for view in self.views if view.shown and view.role in ROLES]
 
 
 def sheet_of(reading: dict) -> Sheet:
@@ -253,43 +257,51 @@ def sheet_of(reading: dict) -> Sheet:
         tuple(_strokes(reading)),
         tuple(
             View(
-                own["id"],
-                own["role"],
-                tuple(own["box"]),
-                own.get("used", True),
-                bool(own.get("hatch")),
-                own.get("source") == "given",
+                item["id"],
+                item["role"],
+                tuple(item["box"]),
+                item.get("used", True),
+                bool(item.get("hatch")),
+                item.get("source") == "given",
             )
-            for own in reading.get("views", ())
+            for item in reading.get("views", ())
         ),
         tuple(
             Row(
-                own["severity"],
-                worded(own["code"], own["message"], own.get("args"), Place.CANVAS),
-                own["code"],
-                next(map(tuple, own.get("at", ())), None),
-                tuple(own.get("offers", ())),
-                dict(own.get("args", {})),
-                tuple(map(tuple, own.get("at", ()))),
+                item["severity"],
+                worded(item["code"], item["message"], item.get("args"), Place.CANVAS),
+                item["code"],
+                next(map(tuple, item.get("at", ())), None),
+                tuple(item.get("offers", ())),
+                dict(item.get("args", {})),
+                tuple(map(tuple, item.get("at", ()))),
             )
-            for own in reading.get("problems", ())
+            for item in reading.get("problems", ())
         ),
         reading["sheet"]["sha256"],
         tuple(size) if size else None,
         numbers=tuple(
             Number(
-                own["id"], own["text"], own["value_mm"], tuple(own["box"]), bool(own.get("used"))
+                item["id"],
+                item["text"],
+                item["value_mm"],
+                tuple(item["box"]),
+                bool(item.get("used")),
             )
-            for own in reading.get("dimensions", ())
+            for item in reading.get("dimensions", ())
         ),
         planes=tuple(
-            Plane(own["label"], tuples(own.get("path") or own["line"]), tuple(own["box"]))
-            for own in reading.get("sections", ())
-            if own.get("line")
+            Plane(item["label"], tuples(item.get("path") or item["line"]), tuple(item["box"]))
+            for item in reading.get("sections", ())
+            if item.get("line")
         ),
         notes=tuple(
-            Note(own["text"], tuple(own["box"]), tuple(own["circle"]) if "circle" in own else None)
-            for own in reading.get("notes", ())
+            Note(
+                item["text"],
+                tuple(item["box"]),
+                tuple(item["circle"]) if "circle" in item else None,
+            )
+            for item in reading.get("notes", ())
         ),
         projection=reading.get("projection", {}).get("value", "third"),
         unit=reading.get("unit", {}).get("value", "mm"),
@@ -299,20 +311,22 @@ def sheet_of(reading: dict) -> Sheet:
 
 def _strokes(reading: dict) -> list[Stroke]:
     found = []
-    for own in reading.get("strokes", ()):
-        shape = shape_in(own)
+    for item in reading.get("strokes", ()):
+        shape = shape_in(item)
         if shape is not None:
-            why = own.get("why") or {}
-            told = own.get("confidence", 1.0), own.get("source") == "given"
+            why = item.get("why") or {}
+            stated = item.get("confidence", 1.0), item.get("source") == "given"
             reasons = why.get("by", ""), why.get("otherwise", "")
-            found.append(Stroke(own["id"], own.get("view"), own["kind"], shape, *told, *reasons))
+            found.append(
+                Stroke(item["id"], item.get("view"), item["kind"], shape, *stated, *reasons)
+            )
     return found
 
 
-def shape_in(own: dict) -> Shape | None:
+def shape_in(item: dict) -> Shape | None:
     """The shape that an entry or an operation names; None where it names none."""
     names = ("line", "arc", "ellipse")
-    return next(((name, tuples(own[name])) for name in names if name in own), None)
+    return next(((name, tuples(item[name])) for name in names if name in item), None)
 
 
 def arc_through(start: Point, end: Point, middle: Point) -> tuple | None:
@@ -334,7 +348,9 @@ def arc_through(start: Point, end: Point, middle: Point) -> tuple | None:
 
 def tuples(numbers: list) -> tuple:
     """Lists of a file as tuples."""
-    return tuple(tuple(own) if isinstance(own, (list, tuple)) else own for own in numbers)
+    return tuple(
+        tuple(number) if isinstance(number, (list, tuple)) else number for number in numbers
+    )
 
 
 def _area(box: Box) -> float:

@@ -46,38 +46,38 @@ def _snapped(sheet: Sheet, at: Point, reach: float, start: Point | None) -> Poin
         return near
     found = list(at)
     for index in (0, 1):
-        places = [own[index] for own in ends]
-        away = [abs(own - at[index]) for own in places]
+        places = [end[index] for end in ends]
+        away = [abs(place - at[index]) for place in places]
         if away and min(away) <= reach:
             found[index] = places[away.index(min(away))]
     return found[0], found[1]
 
 
 def _nearest(places: Iterable[Point], at: Point, reach: float) -> Point | None:
-    best = min(places, key=lambda own: hypot(own[0] - at[0], own[1] - at[1]), default=None)
+    best = min(places, key=lambda place: hypot(place[0] - at[0], place[1] - at[1]), default=None)
     if best is None or hypot(best[0] - at[0], best[1] - at[1]) > reach:
         return None
     return best
 
 
 def _ends(strokes: Iterable[Stroke]) -> Iterator[Point]:
-    for own in strokes:
-        if own.circle is not None:
-            x, y, radius = own.circle
+    for stroke in strokes:
+        if stroke.circle is not None:
+            x, y, radius = stroke.circle
             yield from ((x - radius, y), (x + radius, y), (x, y - radius), (x, y + radius))
         else:
-            points = own.points()
+            points = stroke.points()
             yield from (points[0], points[-1])
-        if own.shape[0] != "line":
-            yield own.shape[1][0], own.shape[1][1]
+        if stroke.shape[0] != "line":
+            yield stroke.shape[1][0], stroke.shape[1][1]
 
 
 def _crossings(strokes: Iterable[Stroke], at: Point, reach: float) -> Iterator[Point]:
     """Where two straight strokes that pass near a place meet, or would if they went on."""
     lines = [
-        own.shape[1]
-        for own in strokes
-        if own.shape[0] == "line" and _beside(own.shape[1], at) <= reach
+        stroke.shape[1]
+        for stroke in strokes
+        if stroke.shape[0] == "line" and _beside(stroke.shape[1], at) <= reach
     ]
     for (a, b), (c, d) in combinations(lines, 2):
         one = b[0] - a[0], b[1] - a[1]
@@ -99,10 +99,10 @@ def _beside(line: tuple[Point, Point], at: Point) -> float:
 
 def _tangents(strokes: Iterable[Stroke], start: Point) -> Iterator[Point]:
     """Places on arcs at which a line from a start touches them."""
-    for own in strokes:
-        if own.shape[0] != "arc":
+    for stroke in strokes:
+        if stroke.shape[0] != "arc":
             continue
-        x, y, radius = own.shape[1][:3]
+        x, y, radius = stroke.shape[1][:3]
         away = hypot(start[0] - x, start[1] - y)
         if away > radius:
             towards, half = atan2(start[1] - y, start[0] - x), acos(radius / away)

@@ -29,7 +29,7 @@ class Standing(QtWidgets.QMainWindow):
         self.canvas: SheetWindow | None = None
         self.list = FailedList(failed, self) if failed else None
         if self.list is not None:
-            self.list.chosen.connect(lambda own: self.open(own.sheet, own.page))
+            self.list.chosen.connect(lambda item: self.open(item.sheet, item.page))
             dock = QtWidgets.QDockWidget(self)
             dock.setFeatures(QtWidgets.QDockWidget.DockWidgetFeature.NoDockWidgetFeatures)
             dock.setTitleBarWidget(QtWidgets.QWidget())

@@ -61,20 +61,20 @@ def verdict_lines(report: dict, help_with: Help, doubts: Sequence[Line] = ()) ->
         doubts: rows of strokes in doubt.
     """
     lines = [verdict_line(report["status"], _measures(report))]
-    assumed = {own["message"] for own in report.get("assumptions", ())}
+    assumed = {item["message"] for item in report.get("assumptions", ())}
     offers = help_with.offers
     lines += [
-        _remark("doubt", own, offers)
-        for own in report.get("reasons", ())
-        if own["message"] not in assumed
+        _remark("doubt", item, offers)
+        for item in report.get("reasons", ())
+        if item["message"] not in assumed
     ]
     assumptions = report.get("assumptions", ())
-    holes = [circle for own in assumptions for circle in _holes_of(own)]
-    lines += [_assumed(own, help_with, holes) for own in assumptions]
-    lines += [Line(text, box, help_with.mend(own)) for own, (box, text) in _disagreements(report)]
+    holes = [circle for assumption in assumptions for circle in _holes_of(assumption)]
+    lines += [_assumed(assumption, help_with, holes) for assumption in assumptions]
+    lines += [Line(text, box, help_with.mend(item)) for item, (box, text) in _disagreements(report)]
     lines += [Line(text, box) for box, text in _conflicts(report)]
     lines += doubts
-    lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
+    lines += [_remark("warning", item, offers) for item in report.get("warnings", ())]
     return lines
 
 
@@ -84,11 +84,11 @@ def verdict_line(status: str, measures: str = "") -> Line:
     return Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])
 
 
-def _remark(severity: str, own: dict, offers: Mapping[str, Buttons]) -> Line:
-    text = worded(own["code"], own["message"], own.get("args"), Place.CANVAS)
-    box: Box | None = next(map(tuple, own.get("at", ())), None)
-    case = f"{own['code']}:{own.get('args', {}).get('case')}"
-    buttons = offers.get(case, offers.get(own["code"], ()))
+def _remark(severity: str, item: dict, offers: Mapping[str, Buttons]) -> Line:
+    text = worded(item["code"], item["message"], item.get("args"), Place.CANVAS)
+    box: Box | None = next(map(tuple, item.get("at", ())), None)
+    case = f"{item['code']}:{item.get('args', {}).get('case')}"
+    buttons = offers.get(case, offers.get(item["code"], ()))
     return Line(f"{SIGNS[severity]} {text}", box, buttons)
 
 
@@ -100,38 +100,38 @@ def marks_of(report: dict) -> list[Mark]:
 def _disagreements(report: dict) -> Iterator[tuple[dict, Mark]]:
     missing = translate("GaussianCAD", "The part lacks a line of {0} mm here")
     beyond = translate("GaussianCAD", "The part has a line of {0} mm here that the sheet has not")
-    for own in report.get("disagreements", ())[:_MOST]:
-        text = missing if own["missing"] else beyond
-        x, y = own["at"]
+    for item in report.get("disagreements", ())[:_MOST]:
+        text = missing if item["missing"] else beyond
+        x, y = item["at"]
         box = (x - _AROUND, y - _AROUND, x + _AROUND, y + _AROUND)
-        yield own, (box, text.format(f"{own['length_mm']:.4g}"))
+        yield item, (box, text.format(f"{item['length_mm']:.4g}"))
 
 
 def _conflicts(report: dict) -> Iterator[Mark]:
     conflict = translate("GaussianCAD", "These lines contradict each other")
-    for own in report.get("conflict", ()):
-        x0, y0, x1, y1 = own["box"]
+    for item in report.get("conflict", ()):
+        x0, y0, x1, y1 = item["box"]
         yield (x0 - _AROUND, y0 - _AROUND, x1 + _AROUND, y1 + _AROUND), conflict
 
 
-def _holes_of(own: dict) -> list[Circle]:
+def _holes_of(item: dict) -> list[Circle]:
     """The circles of holes that were assumed to go through."""
-    if own["code"] != "hole-through":
+    if item["code"] != "hole-through":
         return []
     return [
         ((x0 + x1) / 2.0, (y0 + y1) / 2.0, (x1 - x0) / 2.0)
-        for x0, y0, x1, y1 in own.get("places", ())
+        for x0, y0, x1, y1 in item.get("places", ())
     ]
 
 
-def _assumed(own: dict, help_with: Help, holes: list[Circle]) -> Line:
-    told = worded(own["code"], own["message"], own.get("args"), Place.CANVAS)
-    text = translate("GaussianCAD", "Assumed: {0}").format(told)
-    if own.get("alternative"):
-        other = alternative(own["code"], own["alternative"])
+def _assumed(item: dict, help_with: Help, holes: list[Circle]) -> Line:
+    stated = worded(item["code"], item["message"], item.get("args"), Place.CANVAS)
+    text = translate("GaussianCAD", "Assumed: {0}").format(stated)
+    if item.get("alternative"):
+        other = alternative(item["code"], item["alternative"])
         text += "\n" + translate("GaussianCAD", "Otherwise: {0}").format(other)
-    box: Box | None = tuple(own["at"]) if own.get("at") else None
-    circles, tell = _holes_of(own), help_with
+    box: Box | None = tuple(item["at"]) if item.get("at") else None
+    circles, tell = _holes_of(item), help_with
     if not circles:
         return Line(text, box)
     yes = translate("GaussianCAD", "Yes, Through"), lambda: tell.go_through(circles)

@@ -154,7 +154,7 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def tell(self, text: str) -> None:
         """Put a sentence in place of the list."""
-        self.problems.show_lines([Line(own) for own in text.splitlines() if own.strip()])
+        self.problems.show_lines([Line(item) for item in text.splitlines() if item.strip()])
 
     def say_view(self, role: str, box: Box) -> None:
         """Say that a box of the sheet is a view."""
@@ -190,7 +190,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         desk.read.connect(self._was_read)
         desk.changed.connect(self._shown)
         desk.solved.connect(self._was_solved)
-        desk.told.connect(self.tell)
+        desk.said.connect(self.tell)
         desk.working.connect(self._show_work)
         desk.stage.connect(self._show_stage)
 
@@ -203,7 +203,7 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def _was_read(self) -> None:
         """The first time: show the views, and tell of corrections that are not the sheet's."""
-        boxes = [own.box for own in self.sheet.views if own.shown]
+        boxes = [view.box for view in self.sheet.views if view.shown]
         if boxes:
             x0, y0, x1, y1 = zip(*boxes, strict=True)
             self.board.zoom_to((min(x0), min(y0), max(x1), max(y1)))
@@ -236,17 +236,27 @@ class SheetWindow(QtWidgets.QMainWindow):
         problems = sheet.problems if sheet is not None else ()
         doubts = doubt_lines(sheet, self.desk.say) if sheet is not None else []
         if report is not None:
-            reasons = [own for own in report.get("reasons", ()) if own["code"] not in self._settled]
+            reasons = [
+                item for item in report.get("reasons", ()) if item["code"] not in self._settled
+            ]
             lines = verdict_lines({**report, "reasons": reasons}, helping.with_report(), doubts)
         else:
             rows = [
-                Line(f"{SIGNS[own.severity]} {own.message}", own.box, helping.with_row(own))
-                for own in problems
+                Line(
+                    f"{SIGNS[problem.severity]} {problem.message}",
+                    problem.box,
+                    helping.with_row(problem),
+                )
+                for problem in problems
             ]
-            grave = sum(own.severity != "warning" for own in problems)
+            grave = sum(problem.severity != "warning" for problem in problems)
             lines = [*rows[:grave], *doubts, *rows[grave:]]
         count = len(self.operations)
-        if report is None and not count and any(own.severity == "refused" for own in problems):
+        if (
+            report is None
+            and not count
+            and any(problem.severity == "refused" for problem in problems)
+        ):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
         lines += self._left_out

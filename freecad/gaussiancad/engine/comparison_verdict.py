@@ -21,7 +21,7 @@ def comparison_verdict(values: Mapping[str, Any]) -> str:
     """
     shared = _number(values.get("volume_iou"))
     result, reference = (_of(values, name) for name in ("result", "reference"))
-    volumes = [_number(own.get("volume_mm3")) for own in (result, reference)]
+    volumes = [_number(item.get("volume_mm3")) for item in (result, reference)]
     if shared is None or None in volumes or min(volumes) <= 0.0:
         return translate("GaussianCAD", "Finished")
     if shared < _SAME:
@@ -38,13 +38,13 @@ def comparison_verdict(values: Mapping[str, Any]) -> str:
         text = translate("GaussianCAD", "The same shape, {ratio} times too large.")
     else:
         text = translate("GaussianCAD", "The same shape, {ratio} times too small.")
-    told = text.format(ratio=f"{max(ratio, 1.0 / ratio):.4g}")
+    stated = text.format(ratio=f"{max(ratio, 1.0 / ratio):.4g}")
     extent = result.get("extent_mm")
     length = _number(extent[0]) if isinstance(extent, list) and extent else None
     if length is None:
-        return told
+        return stated
     advice = translate("GaussianCAD", "Set Length along X to {length} mm and run it again.")
-    return f"{told} {advice.format(length=f'{length / ratio:.5g}')}"
+    return f"{stated} {advice.format(length=f'{length / ratio:.5g}')}"
 
 
 def _of(values: Mapping[str, Any], name: str) -> Mapping[str, Any]:

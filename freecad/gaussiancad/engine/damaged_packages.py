@@ -28,8 +28,8 @@ def _recorded(package: Distribution) -> Iterator[tuple[Path, str, str]]:
             yield Path(package.locate_file(row[0])), row[1], row[2]
 
 
-def _is_as_installed(path: Path, told: str, size: str) -> bool:
-    mode, _, value = told.partition("=")
+def _is_as_installed(path: Path, text: str, size: str) -> bool:
+    mode, _, value = text.partition("=")
     try:
         if size and path.stat().st_size != int(size):
             return False

@@ -71,9 +71,9 @@ def explanation_lines(report: Report) -> list[str]:
         ),
     )
     lines: list[str] = []
-    for title, own in parts:
-        if own:
-            lines += [*([""] if lines else []), title, *(f"• {line}" for line in own)]
+    for title, item in parts:
+        if item:
+            lines += [*([""] if lines else []), title, *(f"• {line}" for line in item)]
     return lines
 
 
@@ -85,16 +85,16 @@ def _entries(values: object) -> Iterator[dict[str, Any]]:
 
 def _assumed(report: Report) -> Iterator[str]:
     otherwise = translate("GaussianCAD", "Otherwise: {0}")
-    for own in _entries(report.values.get("assumptions")):
-        code = str(own.get("code", ""))
-        line = worded(code, str(own.get("message", "")), own.get("args"))
-        other = alternative(code, str(own.get("alternative", "")))
+    for entry in _entries(report.values.get("assumptions")):
+        code = str(entry.get("code", ""))
+        line = worded(code, str(entry.get("message", "")), entry.get("args"))
+        other = alternative(code, str(entry.get("alternative", "")))
         yield f"{line} {otherwise.format(other)}" if other else line
 
 
 def _unused(report: Report) -> Iterator[str]:
     yield from (
-        drawing_name(str(own.get("kind", ""))) for own in _entries(report.values.get("unused"))
+        drawing_name(str(entry.get("kind", ""))) for entry in _entries(report.values.get("unused"))
     )
 
 
@@ -102,19 +102,19 @@ def _tried(report: Report) -> Iterator[str]:
     result = translate("GaussianCAD", "{model}: {outcome}.")
     faces = translate("GaussianCAD", "Faces: {faces}, agreement of the lines: {share}.")
     given_up = translate("GaussianCAD", "Length of the lines that were given up: {length} mm.")
-    for own in _entries(report.values.get("trace")):
-        model, outcome = str(own.get("model", "")), str(own.get("outcome", ""))
+    for entry in _entries(report.values.get("trace")):
+        model, outcome = str(entry.get("model", "")), str(entry.get("outcome", ""))
         words = [
             result.format(
                 model=_known(MODELS, model),
                 outcome=_known(OUTCOMES, outcome),
             )
         ]
-        if own.get("faces"):
-            words.append(faces.format(faces=own["faces"], share=_share(own.get("agreement"))))
-        if own.get("given_up"):
-            words.append(given_up.format(length=_length(own.get("given_up_mm"))))
-        if own.get("taken"):
+        if entry.get("faces"):
+            words.append(faces.format(faces=entry["faces"], share=_share(entry.get("agreement"))))
+        if entry.get("given_up"):
+            words.append(given_up.format(length=_length(entry.get("given_up_mm"))))
+        if entry.get("taken"):
             words.append(translate("GaussianCAD", "This one was taken."))
         yield " ".join(words)
 
@@ -122,9 +122,9 @@ def _tried(report: Report) -> Iterator[str]:
 def _differing(report: Report) -> Iterator[str]:
     lacks = translate("GaussianCAD", "{view}: the part lacks a line of {length} mm")
     has = translate("GaussianCAD", "{view}: the part has a line of {length} mm too many")
-    for own in _entries(report.values.get("disagreements")):
-        view, length = role_name(str(own.get("view", ""))), _length(own.get("length_mm"))
-        yield (lacks if own.get("missing") else has).format(view=view, length=length)
+    for entry in _entries(report.values.get("disagreements")):
+        view, length = role_name(str(entry.get("view", ""))), _length(entry.get("length_mm"))
+        yield (lacks if entry.get("missing") else has).format(view=view, length=length)
 
 
 def _contradicting(report: Report) -> Iterator[str]:
@@ -134,11 +134,11 @@ def _contradicting(report: Report) -> Iterator[str]:
     }
     blank = translate("GaussianCAD", "{view}: a place where nothing is drawn")
     suspect = translate("GaussianCAD", "without it all others agree")
-    for own in _entries(report.values.get("conflict")):
-        text = names.get(str(own.get("drawn")), blank).format(
-            view=role_name(str(own.get("view", "")))
+    for entry in _entries(report.values.get("conflict")):
+        text = names.get(str(entry.get("drawn")), blank).format(
+            view=role_name(str(entry.get("view", "")))
         )
-        yield f"{text} ({suspect})" if own.get("suspect") else text
+        yield f"{text} ({suspect})" if entry.get("suspect") else text
 
 
 def _longest(lines: Iterable[str]) -> list[str]:

@@ -120,7 +120,7 @@ class ReconstructJob:
     thickness: Scale = Scale()
 
     @classmethod
-    def told(cls, sheet: str, output: str, settings: Mapping[str, Any]) -> "ReconstructJob":
+    def from_report(cls, sheet: str, output: str, settings: Mapping[str, Any]) -> "ReconstructJob":
         """The job that a report tells of; what it does not tell is as usual.
 
         Args:
@@ -161,17 +161,17 @@ class ReconstructJob:
             output: folder of the engine's files.
             settings: one text a setting.
         """
-        told: dict[str, Any] = dict(settings)
-        told["lengths"] = {}
+        stated: dict[str, Any] = dict(settings)
+        stated["lengths"] = {}
         for name in ("scale", "thickness"):
-            kind, _, value = told.pop(name, "").partition(" = ")
+            kind, _, value = stated.pop(name, "").partition(" = ")
             if kind == ScaleKind.MM_PER_PIXEL.value:
-                told["mm_per_pixel"] = value
+                stated["mm_per_pixel"] = value
             elif value:
-                told["lengths"][kind] = value
-        told["scale_down"] = told.pop("scale-down", cls.scale_down)
+                stated["lengths"][kind] = value
+        stated["scale_down"] = stated.pop("scale-down", cls.scale_down)
         try:
-            return cls.told(sheet, output, told)
+            return cls.from_report(sheet, output, stated)
         except ValueError:
             return cls(sheet, output)
 
@@ -237,10 +237,10 @@ class BatchLimits:
 
     def arguments(self) -> list[str]:
         """The engine's options."""
-        told = {"--workers": self.workers, "--memory": self.memory, "--seconds": self.seconds}
+        stated = {"--workers": self.workers, "--memory": self.memory, "--seconds": self.seconds}
         return [
             word
-            for name, value in told.items()
+            for name, value in stated.items()
             if value is not None
             for word in (name, f"{value:.10g}")
         ]

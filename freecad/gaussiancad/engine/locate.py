@@ -63,13 +63,13 @@ class SearchPlaces:
         variable: value of GAUSSIANCAD_PYTHON, or empty.
         preference: value of the preference, or empty.
         managed: root of the environment that the addon manages.
-        beside: root of the environment beside the addon.
+        checkout: root of the environment beside the addon.
     """
 
     variable: str
     preference: str
     managed: Path
-    beside: Path
+    checkout: Path
 
     @classmethod
     def of_this_machine(cls, preference: str, variables: Mapping[str, str]) -> "SearchPlaces":
@@ -109,7 +109,7 @@ def find_engine(places: SearchPlaces) -> Engine:
             return _named_engine(path, source)
     if (places.managed / MARKER).is_file() and (python := interpreter_of(places.managed)):
         return Engine(str(python), EngineSource.MANAGED)
-    if python := interpreter_of(places.beside):
+    if python := interpreter_of(places.checkout):
         return Engine(str(python), EngineSource.BESIDE_ADDON)
     raise WorkbenchError(
         ErrorCode.ENGINE_NOT_FOUND,

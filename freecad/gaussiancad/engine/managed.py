@@ -126,10 +126,10 @@ def remove(root: Path) -> None:
 
 def _facts(root: Path) -> dict[str, object]:
     try:
-        told = json.loads((root / MARKER).read_text(encoding="utf-8"))
+        stated = json.loads((root / MARKER).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return told if isinstance(told, dict) else {}
+    return stated if isinstance(stated, dict) else {}
 
 
 def _missing(root: Path, build: TorchBuild) -> tuple[str, ...]:

@@ -138,8 +138,8 @@ def is_size_known(values: dict[str, Any]) -> bool:
     if values.get("scale_source") == "default":
         return False
     return not any(
-        own.get("code") == "full-scale-assumed" and own.get("args", {}).get("case") != "file"
-        for own in values.get("warnings", ())
+        value.get("code") == "full-scale-assumed" and value.get("args", {}).get("case") != "file"
+        for value in values.get("warnings", ())
     )
 
 
@@ -147,7 +147,7 @@ def are_measures_told(values: dict[str, Any]) -> bool:
     """Whether the views of a report's JSON fit one scale, so that a bound of the measures can be
     stated."""
     remarks = (*values.get("reasons", ()), *values.get("warnings", ()))
-    return not any(own.get("code") in _NO_ONE_SCALE for own in remarks)
+    return not any(remark.get("code") in _NO_ONE_SCALE for remark in remarks)
 
 
 def read_report(path: Path) -> Report:

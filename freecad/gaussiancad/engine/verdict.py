@@ -100,9 +100,9 @@ def _refusal(ending: Ending) -> Verdict:
     if ending.error is not None:
         error = ending.error
         return Verdict(state, error.text("code"), error.text("message"), error.values("args"))
-    told = next((match for line in reversed(ending.log) if (match := _TOLD.match(line))), None)
-    if told is not None:
-        return Verdict(state, told["code"], told["message"])
+    stated = next((match for line in reversed(ending.log) if (match := _TOLD.match(line))), None)
+    if stated is not None:
+        return Verdict(state, stated["code"], stated["message"])
     last_words = next((line for line in reversed(ending.log) if line.strip()), "")
     if not ending.spoke:
         text = translate(

@@ -121,7 +121,7 @@ def _word(name: str, value: object) -> str:
         return f"{value:.4g}" if abs(value) >= 1.0 else f"{value:.2g}"
     text = str(value)
     if name in ("view", "views"):
-        return ", ".join(role_name(own) for own in _BETWEEN.split(text))
+        return ", ".join(role_name(item) for item in _BETWEEN.split(text))
     if name == "kind":
         return drawing_name(text)
     return _words(name).get(text, text)

@@ -218,8 +218,8 @@ def _numbers_of(
         if each.value is not None
     ]
     is_drawn = isinstance(feature, Holes) and any(each.kind == "diameter" for each in kept)
-    own = [n for n in feature.numbers if not (is_drawn and n.name == "Diameter")]
-    return drawn + [n for n in own if not has_expression(made, n.name)]
+    ns = [n for n in feature.numbers if not (is_drawn and n.name == "Diameter")]
+    return drawn + [n for n in ns if not has_expression(made, n.name)]
 
 
 def _failed(name: str, reason: str) -> WorkbenchError:

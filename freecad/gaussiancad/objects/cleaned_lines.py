@@ -56,14 +56,14 @@ class CleanedView:
     Attributes:
         role: of the principal view whose plane it is.
         section: the letters of a section, empty where it has none; None of a principal view.
-        beside: whether it stands beside the part, as nobody knows where it looks.
+        adjacent: whether it stands beside the part, as nobody knows where it looks.
         edges: what is visible, mm, y up.
         helpers: all other lines.
     """
 
     role: str
     section: str | None
-    beside: bool
+    adjacent: bool
     edges: tuple[Shape, ...]
     helpers: tuple[Shape, ...]
 
@@ -89,12 +89,12 @@ class CleanedSheet:
     @property
     def roles(self) -> set[str]:
         """Roles of the views, and where the sections look."""
-        return {own.role for own in self.views if not own.beside}
+        return {view.role for view in self.views if not view.adjacent}
 
     @property
     def count(self) -> int:
         """Number of all lines."""
-        return sum(len(own.edges) + len(own.helpers) for own in self.views)
+        return sum(len(view.edges) + len(view.helpers) for view in self.views)
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,7 @@ def cleaned_sheet(reading: dict[str, Any]) -> CleanedSheet:
     found = _with_strokes(reading)
     known = mm_per_px(reading)
     unit = known or _assumed_mm_per_px(found)
-    size = part_size((ViewReport(own.role, own.box, {}) for own in found), unit)
+    size = part_size((ViewReport(item.role, item.box, {}) for item in found), unit)
     views = tuple(_placed(found, reading, unit, size))
     doubts = (*_own_doubts(known is not None, views), *_doubts(reading))
     return CleanedSheet(views, size, unit, known is not None, doubts)
@@ -150,16 +150,18 @@ def mm_per_px(reading: dict[str, Any]) -> float | None:
     axis, length = scale.get("axis"), scale.get("length_mm")
     if axis is None or length is None:
         return None
-    views = [own for own in reading.get("views", ()) if own.get("used", True)]
-    size = part_size((ViewReport(own["role"], tuple(own["box"]), {}) for own in views), 1.0)
+    views = [item for item in reading.get("views", ()) if item.get("used", True)]
+    size = part_size((ViewReport(view["role"], tuple(view["box"]), {}) for view in views), 1.0)
     extent = size["xyz".index(axis)]
     return float(length) / extent if extent > 0.0 else None
 
 
 def _assumed_mm_per_px(found: list[_Found]) -> float:
-    longest = max(part_size((ViewReport(own.role, own.box, {}) for own in found), 1.0), default=0.0)
+    longest = max(
+        part_size((ViewReport(item.role, item.box, {}) for item in found), 1.0), default=0.0
+    )
     if not longest:
-        sides = [max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in (own.box for own in found)]
+        sides = [max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in (item.box for item in found)]
         longest = max(sides, default=0.0)
     return UNKNOWN_LENGTH_MM / longest if longest > 0.0 else 1.0
 
@@ -169,24 +171,24 @@ def _with_strokes(reading: dict[str, Any]) -> list[_Found]:
     angle = -float(reading["sheet"].get("turn", 0.0))
     names = ("line", "arc", "ellipse")
     shaped = [
-        (own, (name, _tuples(own[name])))
-        for own in reading.get("strokes", ())
+        (item, (name, _tuples(item[name])))
+        for item in reading.get("strokes", ())
         for name in names
-        if own.get("kind") in (*EDGES, *HELPERS) and own.get(name) is not None
+        if item.get("kind") in (*EDGES, *HELPERS) and item.get(name) is not None
     ]
     found = []
     for view in reading.get("views", ()):
-        mine = [(own, shape) for own, shape in shaped if _is_of(own, shape, view)]
+        mine = [(item, shape) for item, shape in shaped if _is_of(item, shape, view)]
         role, is_section = view["role"], view["role"] == _SECTION
-        if not any(own.get("view") == view["id"] for own, _ in mine):
+        if not any(item.get("view") == view["id"] for item, _ in mine):
             continue
         if not is_section and (role not in FRAMES or not view.get("used", True)):
             continue
-        strokes = tuple((own["kind"], turned(shape, angle)) for own, shape in mine)
+        strokes = tuple((item["kind"], turned(shape, angle)) for item, shape in mine)
         looks = view.get("looks") or "" if is_section else role
         found.append(_Found(view, looks, strokes, _extent(strokes)))
     # The part's size is told by the principal views, where there are any.
-    return sorted(found, key=lambda own: own.entry["role"] == _SECTION)
+    return sorted(found, key=lambda item: item.entry["role"] == _SECTION)
 
 
 def _is_of(stroke: dict[str, Any], shape: Shape, view: dict[str, Any]) -> bool:
@@ -202,12 +204,12 @@ def _extent(strokes: Iterable[tuple[str, Shape]]) -> Box:
     """The box around the lines of the part, or around all where there is none of these."""
     strokes = tuple(strokes)
     drawn = [shape for kind, shape in strokes if kind in _DRAWN]
-    boxes = [box_of(own) for own in drawn or [shape for _, shape in strokes]]
+    boxes = [box_of(item) for item in drawn or [shape for _, shape in strokes]]
     return (
-        min(own[0] for own in boxes),
-        min(own[1] for own in boxes),
-        max(own[2] for own in boxes),
-        max(own[3] for own in boxes),
+        min(box[0] for box in boxes),
+        min(box[1] for box in boxes),
+        max(box[2] for box in boxes),
+        max(box[3] for box in boxes),
     )
 
 
@@ -215,37 +217,39 @@ def _placed(
     found: list[_Found], reading: dict[str, Any], unit: float, size: Triple
 ) -> Iterator[CleanedView]:
     right = size[0]
-    for own in found:
-        x0, y0, x1, y1 = own.box
-        is_section, beside = own.entry["role"] == _SECTION, own.role not in FRAMES
-        at = (0.0, 0.0) if beside else plane_corner(own.role, size)
-        if beside:
+    for item in found:
+        x0, y0, x1, y1 = item.box
+        is_section, neighbour = item.entry["role"] == _SECTION, item.role not in FRAMES
+        at = (0.0, 0.0) if neighbour else plane_corner(item.role, size)
+        if neighbour:
             gap = GAP_SHARE * (max(size) or unit * max(x1 - x0, y1 - y0))
             at = (right + gap, 0.0)
             right = at[0] + unit * (x1 - x0)
         yield CleanedView(
-            _BESIDE if beside else own.role,
-            _letters(own.entry, reading) if is_section else None,
-            beside,
-            _on_plane(own, EDGES, unit, at),
-            _on_plane(own, HELPERS, unit, at),
+            _BESIDE if neighbour else item.role,
+            _letters(item.entry, reading) if is_section else None,
+            neighbour,
+            _on_plane(item, EDGES, unit, at),
+            _on_plane(item, HELPERS, unit, at),
         )
 
 
-def _on_plane(own: _Found, kinds: tuple[str, ...], unit: float, at: Point) -> tuple[Shape, ...]:
-    corner = own.box[0], own.box[3]
+def _on_plane(found: _Found, kinds: tuple[str, ...], unit: float, at: Point) -> tuple[Shape, ...]:
+    corner = found.box[0], found.box[3]
     return tuple(
-        as_circle(on_plane(shape, corner, unit, at)) for kind, shape in own.strokes if kind in kinds
+        as_circle(on_plane(shape, corner, unit, at))
+        for kind, shape in found.strokes
+        if kind in kinds
     )
 
 
 def _letters(view: dict[str, Any], reading: dict[str, Any]) -> str:
     """The letters that the sheet gives a section."""
     x0, y0, x1, y1 = view["box"]
-    for own in reading.get("sections", ()):
-        left, top, right, bottom = own["box"]
+    for item in reading.get("sections", ()):
+        left, top, right, bottom = item["box"]
         if x0 <= (left + right) / 2.0 <= x1 and y0 <= (top + bottom) / 2.0 <= y1:
-            return str(own["label"])
+            return str(item["label"])
     return ""
 
 
@@ -256,7 +260,7 @@ def _own_doubts(knows_size: bool, views: Iterable[CleanedView]) -> Iterator[str]
             "The size is not known: the longest extent of the part was made 100 mm. Tell a length "
             "in Correct Sheet (key M).",
         )
-    if any(own.beside for own in views):
+    if any(view.adjacent for view in views):
         yield translate(
             "GaussianCAD",
             "It is not known where a section looks: it stands beside the front view.",
@@ -265,13 +269,13 @@ def _own_doubts(knows_size: bool, views: Iterable[CleanedView]) -> Iterator[str]
 
 def _doubts(reading: dict[str, Any]) -> Iterator[str]:
     """What the engine found to be in doubt, each once; the unknown size is told already."""
-    told = (
-        worded(own["code"], own["message"], own.get("args"))
-        for own in reading.get("problems", ())
-        if own["code"] != "scale-assumed"
+    wordeds = (
+        worded(item["code"], item["message"], item.get("args"))
+        for item in reading.get("problems", ())
+        if item["code"] != "scale-assumed"
     )
-    yield from dict.fromkeys(told)
+    yield from dict.fromkeys(wordeds)
 
 
 def _tuples(numbers: list) -> tuple:
-    return tuple(tuple(own) if isinstance(own, list) else own for own in numbers)
+    return tuple(tuple(number) if isinstance(number, list) else number for number in numbers)

@@ -159,11 +159,11 @@ def prepare_comparison(request: CompareRequest, scratch: Path) -> CompareJob:
     Raises:
         WorkbenchError: there is no geometry.
     """
-    own = scratch / "result"
-    result = request.result.file(own)
+    item = scratch / "result"
+    result = request.result.file(item)
     sheet = request.result.sheet()
-    if sheet is not None and result.parent == own:
-        shutil.copyfile(sheet, own / "overlay.png")
+    if sheet is not None and result.parent == item:
+        shutil.copyfile(sheet, item / "overlay.png")
     reference = request.reference.file(scratch / "reference")
     return CompareJob(str(result), str(reference), str(scratch / "comparison"))
 

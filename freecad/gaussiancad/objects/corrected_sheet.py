@@ -13,8 +13,8 @@ from pathlib import Path
 
 import FreeCAD
 
-from freecad.gaussiancad.canvas.keeping import corrections_path as beside
 from freecad.gaussiancad.canvas.keeping import (
+    corrections_path,
     move_aside,
     operations_in,
     read_corrections,
@@ -60,7 +60,7 @@ def open_in(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.Docum
     known = group_of(document, sheet, page)
     if known is not None and hasattr(known, CORRECTIONS):
         return known
-    _, found = read_corrections(beside(sheet, page))
+    _, found = read_corrections(corrections_path(sheet, page))
     with transaction(document, translate("GaussianCAD", "Open Drawing")):
         if known is None:
             job = ReconstructJob(str(sheet), "", page=page, outcome=Outcome.SOLID)
@@ -121,7 +121,11 @@ def kept_corrections(group: FreeCAD.DocumentObject, sheet: Path, folder: Path) -
         The file; None where the drawing is no copy, or nothing was corrected.
     """
     operations = corrections_of(group)
-    if not operations or str(sheet) != getattr(group, "Sheet", "") or beside(sheet, 1).exists():
+    if (
+        not operations
+        or str(sheet) != getattr(group, "Sheet", "")
+        or corrections_path(sheet, 1).exists()
+    ):
         return None
     corrections = folder / "corrections.json"
     write_corrections(corrections, hashlib.sha256(sheet.read_bytes()).hexdigest(), operations)
@@ -186,7 +190,7 @@ class InDocument:
     def __init__(self, group: FreeCAD.DocumentObject, sheet: Path, page: int) -> None:
         self.document, self.group = group.Document.Name, group.Name
         self._sheet, self._page = sheet, page
-        self._beside = beside(sheet, page)
+        self._beside = corrections_path(sheet, page)
         self._sha256 = ""
 
     def find(self) -> FreeCAD.DocumentObject | None:
@@ -214,8 +218,8 @@ class InDocument:
         group, self._sha256 = self.find(), sha256
         if group is None or not self.operations:
             return True
-        told, _ = read_corrections(self._beside)
-        mine = not told or told == sha256
+        stated, _ = read_corrections(self._beside)
+        mine = not stated or stated == sha256
         if not mine:
             with transaction(group.Document, translate("GaussianCAD", "Correct Drawing")):
                 setattr(group, CORRECTIONS, "[]")

@@ -20,12 +20,12 @@ def group_of(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.Docu
         sheet: path of the drawing, or of the copy of it that the document holds.
         page: of a file with pages.
     """
-    groups = [own for own in document.Objects if hasattr(own, "SheetPath")]
-    groups = [own for own in groups if page_of(own) == page]
+    groups = [found for found in document.Objects if hasattr(found, "SheetPath")]
+    groups = [group for group in groups if page_of(group) == page]
     for is_same in (_is_at, _is_copy_of):
-        for own in groups:
-            if is_same(own, sheet):
-                return own
+        for this_group in groups:
+            if is_same(this_group, sheet):
+                return this_group
     return None
 
 
@@ -51,8 +51,8 @@ def _is_copy_of(group: FreeCAD.DocumentObject, sheet: Path) -> bool:
 
 def page_of(group: FreeCAD.DocumentObject) -> int:
     """The page of the drawing's file that a group is of."""
-    told = texts_of(group, "Settings").get("page", "1")
-    return int(told) if told.isdigit() else 1
+    stated = texts_of(group, "Settings").get("page", "1")
+    return int(stated) if stated.isdigit() else 1
 
 
 def sheet_of(group: FreeCAD.DocumentObject) -> Path | None:
@@ -68,8 +68,8 @@ def reconstruction_among(
     selected: Iterable[FreeCAD.DocumentObject],
 ) -> FreeCAD.DocumentObject | None:
     """The reconstruction that is selected, or whose part, surface or view is; None without one."""
-    for own in selected:
-        for candidate in (own, *own.InList):
+    for item in selected:
+        for candidate in (item, *item.InList):
             if hasattr(candidate, "SheetPath"):
                 return candidate
     return None

@@ -135,7 +135,7 @@ def place_plane(role: str, drawn: Iterable[str], size: Triple) -> PlanePlacement
     """
     frame = FRAMES[role]
     away = _reversed(frame.look)
-    faces_both = any(FRAMES[own].look == away for own in drawn)
+    faces_both = any(FRAMES[item].look == away for item in drawn)
     depth = _highest(away, size) if faces_both else 0.0
     return PlanePlacement(
         (depth * away[0], depth * away[1], depth * away[2]),

@@ -63,7 +63,7 @@ def on_plane(shape: Shape, corner: Point, mm_per_px: float, at: Point = (0.0, 0.
 def box_of(shape: Shape) -> tuple[float, float, float, float]:
     """(x0, y0, x1, y1) around a shape, exactly."""
     points = list(_outermost(shape))
-    xs, ys = [own[0] for own in points], [own[1] for own in points]
+    xs, ys = [point[0] for point in points], [point[1] for point in points]
     return min(xs), min(ys), max(xs), max(ys)
 
 

@@ -69,4 +69,4 @@ def text_lines(values: Mapping[str, str]) -> list[str]:
 def texts_of(target: FreeCAD.DocumentObject, name: str) -> dict[str, str]:
     """The texts by name that :func:`text_lines` put into a property; none where it is not there."""
     parted = (line.partition(_BETWEEN) for line in getattr(target, name, []))
-    return {own: value for own, _, value in parted}
+    return {item: value for item, _, value in parted}

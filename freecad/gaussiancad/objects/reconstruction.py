@@ -119,8 +119,8 @@ def put_part_of_run(
         if group is None:
             group = _new_group(document, job)
         clear_report(group)
-        told = [*drawing_properties(job, group), *status_properties(status, [])]
-        add_properties(group, told)
+        stated = [*drawing_properties(job, group), *status_properties(status, [])]
+        add_properties(group, stated)
         put_part_alone(group, part, status)
         document.recompute()
         group.Proxy.show(group)

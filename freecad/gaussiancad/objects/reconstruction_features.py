@@ -126,16 +126,16 @@ class _Place:
 
     def __init__(self, group: FreeCAD.DocumentObject, *names: str) -> None:
         self._group = group
-        self._left = [own for own in group.Group if _is_own(own, names or tuple(_TYPES))]
+        self._left = [item for item in group.Group if _is_own(item, names or tuple(_TYPES))]
         self._new: list[FreeCAD.DocumentObject] = []
 
     def take(self, name: str, kind: str = "") -> tuple[FreeCAD.DocumentObject, bool]:
         """A feature whose name begins so, and whether it is new."""
         kind = kind or _TYPES[name]
-        for own in self._left:
-            if own.Name.startswith(name) and own.TypeId == kind:
-                self._left.remove(own)
-                return own, False
+        for item in self._left:
+            if item.Name.startswith(name) and item.TypeId == kind:
+                self._left.remove(item)
+                return item, False
         made = self._group.Document.addObject(kind, name)
         self._new.append(made)
         return made, True
@@ -143,11 +143,11 @@ class _Place:
     def finish(self) -> None:
         """Put what is new into the group, and take away what nobody asked for."""
         self._group.addObjects(self._new)
-        for own in self._left:
-            if all(user.Name == self._group.Name for user in own.InList):
-                self._group.Document.removeObject(own.Name)
+        for item in self._left:
+            if all(user.Name == self._group.Name for user in item.InList):
+                self._group.Document.removeObject(item.Name)
             else:
-                own.Visibility = False
+                item.Visibility = False
 
 
 def _is_own(child: FreeCAD.DocumentObject, names: tuple[str, ...]) -> bool:
@@ -194,9 +194,9 @@ def _put_alternative(place: _Place, number: int, shape: Part.Shape, report: Repo
         alternative.Label = label.format(number=number)
         alternative.Visibility = False
     known = report.alternatives if report is not None else ()
-    told = known[number - 1] if number <= len(known) else None
-    if told is not None:
-        add_properties(alternative, alternative_properties(told))
+    stated = known[number - 1] if number <= len(known) else None
+    if stated is not None:
+        add_properties(alternative, alternative_properties(stated))
 
 
 def _name(part: FreeCAD.DocumentObject, label: str) -> None:

@@ -41,16 +41,16 @@ def agreement_property(share: float) -> PropertySpec:
     return PropertySpec("Float", "Agreement", "GaussianCAD", tip, share)
 
 
-def alternative_properties(told: AlternativeReport) -> list[PropertySpec]:
+def alternative_properties(report: AlternativeReport) -> list[PropertySpec]:
     """Of another solid that has the drawing's lines."""
     return [
-        agreement_property(told.agreement),
+        agreement_property(report.agreement),
         PropertySpec(
             "String",
             "Projection",
             "GaussianCAD",
             QT_TRANSLATE_NOOP("App::Property", "The projection under which the drawing was read"),
-            told.projection,
+            report.projection,
         ),
     ]
 

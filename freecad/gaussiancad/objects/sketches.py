@@ -76,13 +76,13 @@ def add_cleaned(
 
 def _fill(sketch: FreeCAD.DocumentObject, view: CleanedView, reach: float) -> None:
     edges, helpers = (
-        [own for own in lines if own[0] != "line" or length_of_line(own) > _SHORTEST_MM]
+        [line for line in lines if line[0] != "line" or length_of_line(line) > _SHORTEST_MM]
         for lines in (view.edges, view.helpers)
     )
     if edges:
-        sketch.addGeometry([_geometry(own) for own in edges], False)
+        sketch.addGeometry([_geometry(edge) for edge in edges], False)
     if helpers:
-        sketch.addGeometry([_geometry(own) for own in helpers], True)
+        sketch.addGeometry([_geometry(helper) for helper in helpers], True)
     lines = [*edges, *helpers]
     if len(lines) <= _MOST_JOINED:
         _join(sketch, lines, reach)
@@ -90,7 +90,10 @@ def _fill(sketch: FreeCAD.DocumentObject, view: CleanedView, reach: float) -> No
 
 def _join(sketch: FreeCAD.DocumentObject, lines: Sequence[Shape], reach: float) -> None:
     """Have ends that meet stay together; where the solver cannot, nothing is joined."""
-    joined = [Sketcher.Constraint("Coincident", *own) for own in meeting_ends(lines, reach)]
+    joined = [
+        Sketcher.Constraint("Coincident", *meeting_end)
+        for meeting_end in meeting_ends(lines, reach)
+    ]
     if not joined:
         return
     sketch.addConstraint(joined)
@@ -101,7 +104,7 @@ def _join(sketch: FreeCAD.DocumentObject, lines: Sequence[Shape], reach: float) 
 def _geometry(shape: Shape) -> object:
     name, numbers = shape
     if name == "line":
-        return Part.LineSegment(*(FreeCAD.Vector(*own, 0.0) for own in numbers))
+        return Part.LineSegment(*(FreeCAD.Vector(*number, 0.0) for number in numbers))
     centre, (first, sweep) = FreeCAD.Vector(*numbers[:2], 0.0), numbers[-2:]
     if name == "arc":
         curve = Part.Circle(centre, FreeCAD.Vector(0.0, 0.0, 1.0), numbers[2])
@@ -109,7 +112,7 @@ def _geometry(shape: Shape) -> object:
     major, minor, rotation = numbers[2:5]
     turn = FreeCAD.Rotation(FreeCAD.Vector(0.0, 0.0, 1.0), degrees(rotation))
     ends = (FreeCAD.Vector(major, 0.0, 0.0), FreeCAD.Vector(0.0, minor, 0.0))
-    curve = Part.Ellipse(*(centre + turn.multVec(own) for own in ends), centre)
+    curve = Part.Ellipse(*(centre + turn.multVec(end) for end in ends), centre)
     return curve if is_whole(shape) else Part.ArcOfEllipse(curve, first, first + sweep)
 
 

@@ -90,8 +90,8 @@ class SolutionSet:
     def difference(self, place: int) -> Difference:
         """How a solution differs from the first; computed once, in seconds for large parts."""
         if place not in self._differences:
-            own, first = self.feature(place).Shape, self.feature(0).Shape
-            self._differences[place] = Difference(_beyond(own, first), _beyond(first, own))
+            item, first = self.feature(place).Shape, self.feature(0).Shape
+            self._differences[place] = Difference(_beyond(item, first), _beyond(first, item))
         return self._differences[place]
 
     def keep(self, place: int) -> None:

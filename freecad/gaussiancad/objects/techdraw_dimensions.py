@@ -47,10 +47,10 @@ def dimension_elements(dimension: FreeCAD.DocumentObject, origin: Point) -> Iter
         return
     label = origin[0] + float(dimension.X), origin[1] - float(dimension.Y)
     if dimension.Type in _SIGNS:
-        centre, first = (_on_page(own, origin) for own in dimension.getArcPoints()[:2])
+        centre, first = (_on_page(point, origin) for point in dimension.getArcPoints()[:2])
         yield from _leader(text, label, centre, hypot(first[0] - centre[0], first[1] - centre[1]))
         return
-    start, end = (_on_page(own, origin) for own in dimension.getLinearPoints()[:2])
+    start, end = (_on_page(point, origin) for point in dimension.getLinearPoints()[:2])
     along = {"DistanceX": (1.0, 0.0), "DistanceY": (0.0, 1.0)}.get(dimension.Type)
     along = along or _direction(start, end)
     if along is not None:
@@ -99,7 +99,7 @@ def _linear(text: str, label: Point, ends: tuple[Point, Point], along: Point) ->
     """Extension lines, the dimension line with its arrowheads, and the number above it."""
     normal = -along[1], along[0]
     level = _dot(label, normal)
-    feet = [_plus(_plus((0.0, 0.0), along, _dot(own, along)), normal, level) for own in ends]
+    feet = [_plus(_plus((0.0, 0.0), along, _dot(end, along)), normal, level) for end in ends]
     for point, foot in zip(ends, feet, strict=True):
         out = _direction(point, foot)
         if out is not None:

@@ -29,22 +29,22 @@ class BuildChoice(QtWidgets.QWidget):
         self._buttons: dict[TorchBuild, QtWidgets.QRadioButton] = {}
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        for own in TorchBuild:
+        for item in TorchBuild:
             text = translate("GaussianCAD", "PyTorch for {build}: {sizes}")
-            text = text.format(build=build_name(own), sizes=sizes[own])
-            if own is TorchBuild.CUDA:
+            text = text.format(build=build_name(item), sizes=sizes[item])
+            if item is TorchBuild.CUDA:
                 text += f" ({seen})"
             button = QtWidgets.QRadioButton(text)
-            button.setObjectName(own.value)
-            button.setChecked(own is build)
+            button.setObjectName(item.value)
+            button.setChecked(item is build)
             button.toggled.connect(self._tell)
             layout.addWidget(button)
-            self._buttons[own] = button
+            self._buttons[item] = button
 
     @property
     def build(self) -> TorchBuild:
         """The build that is chosen."""
-        return next(own for own, button in self._buttons.items() if button.isChecked())
+        return next(item for item, button in self._buttons.items() if button.isChecked())
 
     def _tell(self, on: bool) -> None:
         if on:

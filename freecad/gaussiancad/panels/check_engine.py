@@ -112,7 +112,7 @@ def _places_text(places: SearchPlaces) -> str:
         "2. "
         + translate("GaussianCAD", "Preferences: {path}").format(path=places.preference or nothing),
         f"3. {places.managed}",
-        f"4. {places.beside}",
+        f"4. {places.checkout}",
         "",
         _repair_text(),
     ]

@@ -95,8 +95,8 @@ def _image_of(path: str) -> QtGui.QImage | None:
 
 def _range_of(group: FreeCAD.DocumentObject, report: Comparison) -> float:
     """mm at the ends of the picture's colours, which the user's range does not change."""
-    told = report.values.get("deviation")
-    value = told.get("range_mm") if isinstance(told, dict) else None
+    stated = report.values.get("deviation")
+    value = stated.get("range_mm") if isinstance(stated, dict) else None
     return float(value) if isinstance(value, int | float) and value > 0 else range_mm(group)
 
 
@@ -130,13 +130,13 @@ def _html(names: tuple[str, str], report: Comparison, pictures: dict[str, QtGui.
     head = ("", translate("GaussianCAD", "Value"), translate("GaussianCAD", "Floor"))
     parts.append(f"<h2>{escape(translate('GaussianCAD', 'Measures'))}</h2>")
     parts.append(_table(head, distance_rows(report)))
-    told = [
+    stated = [
         f"{start}{values[key]}"
         for key, start in (("protocol", ""), ("emd_method", "EMD "))
         if values.get(key)
     ]
-    told += [f"{key} {values[key]}" for key in ("points", "seed") if key in values]
-    parts.append(f'<p class="note">{escape("; ".join(told))}</p>')
+    stated += [f"{key} {values[key]}" for key in ("points", "seed") if key in values]
+    parts.append(f'<p class="note">{escape("; ".join(stated))}</p>')
     if "sheet" in pictures:
         parts.append(f'<h2 class="page">{escape(translate("GaussianCAD", "Sheet"))}</h2>')
         parts.append(_image("sheet", pictures["sheet"]))

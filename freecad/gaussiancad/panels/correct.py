@@ -73,16 +73,16 @@ def open_sheet(path: Path, page: int = 1) -> "CanvasDock | None":
         return None
     main = FreeCADGui.getMainWindow()
     others = open_docks()
-    for own in others:
-        if own.keeper.find() is group:
-            own.come_back()
-            return own
-    shared = (own.canvas.engines for own in others if own.canvas.engines.program == program)
+    for other in others:
+        if other.keeper.find() is group:
+            other.come_back()
+            return other
+    shared = (item.canvas.engines for item in others if item.canvas.engines.program == program)
     engines = next(shared, None) or Engines.of(program)
     dock = CanvasDock(path, page, engines, InDocument(group, path, page), main)
     main.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
-    for own in others:
-        main.tabifyDockWidget(own, dock)
+    for this_other in others:
+        main.tabifyDockWidget(this_other, dock)
     main.resizeDocks([dock], [_WIDTH], QtCore.Qt.Orientation.Horizontal)
     dock.show()
     dock.raise_()
@@ -93,7 +93,7 @@ def open_sheet(path: Path, page: int = 1) -> "CanvasDock | None":
 def open_docks() -> "list[CanvasDock]":
     """The canvases that are open; one that was closed stays a widget for a while."""
     found = FreeCADGui.getMainWindow().findChildren(CanvasDock)
-    return [own for own in found if own.is_open]
+    return [item for item in found if item.is_open]
 
 
 class CanvasDock(QtWidgets.QDockWidget):
@@ -265,9 +265,12 @@ class _Observer:
         if document.Name == self._dock.keeper.document:
             QtCore.QTimer.singleShot(0, self._dock.close)
 
-    def _is_its(self, own: FreeCAD.DocumentObject) -> bool:
+    def _is_its(self, document_object: FreeCAD.DocumentObject) -> bool:
         keeper = self._dock.keeper
-        return own.Name == keeper.group and own.Document.Name == keeper.document
+        return (
+            document_object.Name == keeper.group
+            and document_object.Document.Name == keeper.document
+        )
 
 
 def _complain(text: str) -> None:

@@ -80,7 +80,10 @@ def distance_rows(comparison: Comparison) -> list[tuple[str, ...]]:
     return [
         (
             title,
-            *(_text(told.get(key), digits=3) for told in (comparison.distances, comparison.floor)),
+            *(
+                _text(stated.get(key), digits=3)
+                for stated in (comparison.distances, comparison.floor)
+            ),
         )
         for key, title, _ in _rows()
     ]

@@ -41,15 +41,15 @@ def open_report(report: Path) -> "FailedDock | None":
         found = failed_sheets(report)
     except (OSError, ValueError) as error:
         known = isinstance(error, ValueError)
-        told = worded("batch-not-read", str(error)) if known else str(error)
-        QtWidgets.QMessageBox.warning(main, _TITLE, told)
+        stated = worded("batch-not-read", str(error)) if known else str(error)
+        QtWidgets.QMessageBox.warning(main, _TITLE, stated)
         return None
     if not found:
         text = translate("GaussianCAD", "Every sheet of this batch is verified.")
         QtWidgets.QMessageBox.information(main, _TITLE, text)
         return None
-    for own in main.findChildren(QtWidgets.QDockWidget, DOCK_NAME):
-        own.close()
+    for item in main.findChildren(QtWidgets.QDockWidget, DOCK_NAME):
+        item.close()
     dock = FailedDock(found, main)
     main.addDockWidget(QtCore.Qt.DockWidgetArea.LeftDockWidgetArea, dock)
     dock.show()
@@ -74,19 +74,19 @@ class FailedDock(QtWidgets.QDockWidget):
         self.setWidget(self.list)
         self._documents: dict[tuple[Path, int], str] = {}
 
-    def _open(self, own: FailedSheet) -> None:
+    def _open(self, sheet: FailedSheet) -> None:
         """Open a sheet in the document that it has, or a new one."""
-        if not own.sheet.is_file():
-            text = translate("GaussianCAD", "There is no file {0} any more.").format(own.sheet)
+        if not sheet.sheet.is_file():
+            text = translate("GaussianCAD", "There is no file {0} any more.").format(sheet.sheet)
             QtWidgets.QMessageBox.warning(self, _TITLE, text)
             return
-        key = own.sheet, own.page
+        key = sheet.sheet, sheet.page
         if self._documents.get(key) in FreeCAD.listDocuments():
             FreeCAD.setActiveDocument(self._documents[key])
             FreeCADGui.setActiveDocument(self._documents[key])
         else:
-            self._documents[key] = FreeCAD.newDocument(own.name).Name
-        dock = open_sheet(own.sheet, own.page)
+            self._documents[key] = FreeCAD.newDocument(sheet.name).Name
+        dock = open_sheet(sheet.sheet, sheet.page)
         if dock is not None:
             solved = dock.canvas.desk.solved
             solved.connect(lambda report, _: self.list.take(*key, report["status"]))

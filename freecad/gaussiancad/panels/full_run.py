@@ -25,9 +25,9 @@ def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
 
     def prepare(scratch: Path) -> list[str]:
         reading, corrections = hand_over(_known(keeper), scratch)
-        told = "" if corrections is None else str(corrections)
+        stated = "" if corrections is None else str(corrections)
         job = ReconstructJob(
-            str(sheet), str(scratch / "run"), page=page, reading=str(reading), corrections=told
+            str(sheet), str(scratch / "run"), page=page, reading=str(reading), corrections=stated
         )
         made.append(job)
         return job.arguments()

@@ -122,87 +122,89 @@ class JobList(QtWidgets.QDockWidget):
         """Put a job at the end; it starts when those before it are over."""
         item = QtWidgets.QTreeWidgetItem([job.title])
         self._tree.addTopLevelItem(item)
-        own = Entry(job, item)
-        own.tell(translate("GaussianCAD", "Waiting"))
+        entry = Entry(job, item)
+        entry.tell(translate("GaussianCAD", "Waiting"))
         button = QtWidgets.QToolButton()
         button.setText(translate("GaussianCAD", "Cancel"))
-        button.clicked.connect(lambda _=False: self.cancel(own))
+        button.clicked.connect(lambda _=False: self.cancel(entry))
         self._tree.setItemWidget(item, 2, button)
-        self._entries.append(own)
+        self._entries.append(entry)
         self._go_on()
-        return own
+        return entry
 
-    def cancel(self, own: Entry) -> None:
+    def cancel(self, entry: Entry) -> None:
         """Stop a job that works, or take one off that waits."""
-        if own.state is JobState.WAITING:
-            self._end(own, JobState.CANCELLED, translate("GaussianCAD", "Cancelled"))
-        elif own.run is not None:
-            own.tell(translate("GaussianCAD", "Cancelling"))
-            own.run.cancel()
+        if entry.state is JobState.WAITING:
+            self._end(entry, JobState.CANCELLED, translate("GaussianCAD", "Cancelled"))
+        elif entry.run is not None:
+            entry.tell(translate("GaussianCAD", "Cancelling"))
+            entry.run.cancel()
 
     def clear(self) -> None:
         """Take off what is over."""
-        for own in [each for each in self._entries if each.is_over]:
-            self._tree.takeTopLevelItem(self._tree.indexOfTopLevelItem(own.item))
-            self._entries.remove(own)
+        for this_each in [each for each in self._entries if each.is_over]:
+            self._tree.takeTopLevelItem(self._tree.indexOfTopLevelItem(this_each.item))
+            self._entries.remove(this_each)
 
     def _go_on(self) -> None:
-        if any(own.state is JobState.WORKING for own in self._entries):
+        if any(entry.state is JobState.WORKING for entry in self._entries):
             return
-        own = next((each for each in self._entries if each.state is JobState.WAITING), None)
-        if own is not None:
-            self._start(own)
+        this_each = next((each for each in self._entries if each.state is JobState.WAITING), None)
+        if this_each is not None:
+            self._start(this_each)
 
-    def _start(self, own: Entry) -> None:
-        own.state = JobState.WORKING
-        own.tell(translate("GaussianCAD", "Starting the engine"))
-        own.scratch = tempfile.TemporaryDirectory(prefix="gaussiancad-", ignore_cleanup_errors=True)
+    def _start(self, entry: Entry) -> None:
+        entry.state = JobState.WORKING
+        entry.tell(translate("GaussianCAD", "Starting the engine"))
+        entry.scratch = tempfile.TemporaryDirectory(
+            prefix="gaussiancad-", ignore_cleanup_errors=True
+        )
         try:
             preference = read_preferences().engine_python
             engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
-            arguments = own.job.prepare(Path(own.scratch.name))
+            arguments = entry.job.prepare(Path(entry.scratch.name))
         except (WorkbenchError, OSError) as error:
-            self._end(own, JobState.FAILED, str(error))
+            self._end(entry, JobState.FAILED, str(error))
             return
         watcher = Watcher(
-            on_event=lambda event: self._hear(own, event),
-            on_finished=lambda result: self._finish(own, result),
+            on_event=lambda event: self._hear(entry, event),
+            on_finished=lambda result: self._finish(entry, result),
         )
-        own.run = EngineRun(engine, arguments, watcher, _GRACE_SECONDS)
-        own.run.start()
+        entry.run = EngineRun(engine, arguments, watcher, _GRACE_SECONDS)
+        entry.run.start()
 
-    def _hear(self, own: Entry, event: Event) -> None:
+    def _hear(self, entry: Entry, event: Event) -> None:
         if event.kind is EventKind.STAGE:
             text = translate("GaussianCAD", "Stage {index} of {count}")
             index, count = event.number("index") or 0, event.number("of") or 0
-            own.tell(text.format(index=int(index), count=int(count)))
+            entry.tell(text.format(index=int(index), count=int(count)))
 
-    def _finish(self, own: Entry, result: RunResult) -> None:
+    def _finish(self, entry: Entry, result: RunResult) -> None:
         if result.state is RunState.CANCELLED:
-            self._end(own, JobState.CANCELLED, translate("GaussianCAD", "Cancelled"))
+            self._end(entry, JobState.CANCELLED, translate("GaussianCAD", "Cancelled"))
             return
         if result.state is not RunState.DONE:
-            self._end(own, JobState.FAILED, result.message)
+            self._end(entry, JobState.FAILED, result.message)
             return
         try:
-            text = own.job.absorb(Path(own.scratch.name))
+            text = entry.job.absorb(Path(entry.scratch.name))
         except WorkbenchError as error:
-            self._end(own, JobState.FAILED, error.message)
+            self._end(entry, JobState.FAILED, error.message)
         except Exception as error:  # a window must survive what FreeCAD's importers raise
             FreeCAD.Console.PrintLog(traceback.format_exc())
-            self._end(own, JobState.FAILED, str(error))
+            self._end(entry, JobState.FAILED, str(error))
         else:
-            self._end(own, JobState.DONE, text)
+            self._end(entry, JobState.DONE, text)
 
-    def _end(self, own: Entry, state: JobState, text: str) -> None:
-        own.state, own.run = state, None
-        own.tell(text)
-        button = self._tree.itemWidget(own.item, 2)
+    def _end(self, entry: Entry, state: JobState, text: str) -> None:
+        entry.state, entry.run = state, None
+        entry.tell(text)
+        button = self._tree.itemWidget(entry.item, 2)
         if button is not None:
             button.setEnabled(False)
-        if own.scratch is not None:
-            own.scratch.cleanup()
-            own.scratch = None
+        if entry.scratch is not None:
+            entry.scratch.cleanup()
+            entry.scratch = None
         QtCore.QTimer.singleShot(0, self._go_on)
 
 

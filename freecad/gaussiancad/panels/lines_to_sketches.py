@@ -91,8 +91,8 @@ class SketchesPanel(EnginePanel):
         self._document_name = document.Name if document is not None else ""
         self._lacks_views = False
         group = None if document is None else group_of(document, self._sheet, page)
-        told = None if group is None else kept_corrections(group, self._sheet, scratch)
-        corrections = "" if told is None else str(told)
+        stated = None if group is None else kept_corrections(group, self._sheet, scratch)
+        corrections = "" if stated is None else str(stated)
         self._job = ReadJob(str(self._sheet), str(scratch / "read"), page, corrections)
         return self._job.arguments()
 
@@ -150,10 +150,10 @@ class SketchesPanel(EnginePanel):
 def told_count(sheet: CleanedSheet) -> str:
     """How many sketches there are, of how many lines."""
     text = translate("GaussianCAD", "Sketches: {sketches}, of {lines} lines.")
-    told = text.format(sketches=len(sheet.views), lines=sheet.count)
+    stated = text.format(sketches=len(sheet.views), lines=sheet.count)
     if sheet.doubts:
-        told += " " + translate("GaussianCAD", "What is in doubt is below.")
-    return told
+        stated += " " + translate("GaussianCAD", "What is in doubt is below.")
+    return stated
 
 
 def _title() -> str:

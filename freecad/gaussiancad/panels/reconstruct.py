@@ -297,8 +297,8 @@ class ReconstructPanel(EnginePanel):
 
     def _suggest_target(self) -> None:
         path = self.sheet.path
-        own = self._holder if self._source is not None and self._source[0] == path else ""
-        self.target.suggest(path, self.settings.page.value(), own)
+        item = self._holder if self._source is not None and self._source[0] == path else ""
+        self.target.suggest(path, self.settings.page.value(), item)
 
     def _browse_sheet(self) -> str:
         return str(ask_sheet(self.form[0], self.sheet.path) or "")

@@ -24,7 +24,7 @@ def _told(group: FreeCAD.DocumentObject) -> tuple[str, list[str], list[str]]:
     if not text and not hasattr(group, "Status"):
         return translate("GaussianCAD", "No run has ended on this drawing yet."), [], []
     if not text:
-        return status_text(Status(group.Status)), [f"• {own}" for own in group.Reasons], []
+        return status_text(Status(group.Status)), [f"• {Reason}" for Reason in group.Reasons], []
     report = parse_report(text, json.loads(text))
     return verdict_text(report), report_lines(report), explanation_lines(report)
 
@@ -58,11 +58,11 @@ class ReportDialog(QtWidgets.QDialog):
         picture.setSizePolicy(expanding, expanding)
         tabs = QtWidgets.QTabWidget()
         tabs.setMaximumHeight(240)
-        for name, title, own in (
+        for name, title, item in (
             ("text", translate("GaussianCAD", "Details"), lines),
             ("why", translate("GaussianCAD", "Why"), why),
         ):
-            text = QtWidgets.QPlainTextEdit("\n".join(own))
+            text = QtWidgets.QPlainTextEdit("\n".join(item))
             text.setObjectName(name)
             text.setReadOnly(True)
             tabs.addTab(text, title)

@@ -41,8 +41,10 @@ class SolutionTable(QtWidgets.QTableWidget):
         self.setSelectionMode(view.SelectionMode.SingleSelection)
         # Task panels are narrow: the volume needs most of the room.
         mode = QtWidgets.QHeaderView.ResizeMode
-        for column, own in enumerate((mode.ResizeToContents, mode.Stretch, mode.ResizeToContents)):
-            self.horizontalHeader().setSectionResizeMode(column, own)
+        for column, entry in enumerate(
+            (mode.ResizeToContents, mode.Stretch, mode.ResizeToContents)
+        ):
+            self.horizontalHeader().setSectionResizeMode(column, entry)
         self.horizontalHeader().setHighlightSections(False)
         self.verticalHeader().setDefaultSectionSize(_ROW)
         self.setFixedHeight(_ROW * min(len(features), _MOST_ROWS) + 34)

@@ -156,7 +156,7 @@ class SolutionsPanel:
         report = parse_report(group.ReportJson, json.loads(group.ReportJson))
         if report.reasons:
             doubts = _text_box("doubts", 4)
-            doubts.setPlainText("\n".join(f"• {own.words}" for own in report.reasons))
+            doubts.setPlainText("\n".join(f"• {reason.words}" for reason in report.reasons))
             layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Why there is doubt")))
             layout.addWidget(doubts)
         layout.addWidget(self.keep_button)
@@ -173,10 +173,10 @@ def open_solutions(group: FreeCAD.DocumentObject) -> None:
 def _difference_lines(difference: Difference) -> list[str]:
     more = translate("GaussianCAD", "Orange: {volume} mm³ more than solution 1, {place}")
     less = translate("GaussianCAD", "Magenta: {volume} mm³ less than solution 1, {place}")
-    told = [(text, region) for text, region in ((more, difference.more), (less, difference.less))]
+    stated = [(text, region) for text, region in ((more, difference.more), (less, difference.less))]
     return [
         text.format(volume=f"{region.volume:.6g}", place=_place_text(region))
-        for text, region in told
+        for text, region in stated
         if region.shape is not None
     ]
 

@@ -42,8 +42,8 @@ class ThicknessQuestion(QtWidgets.QWidget):
         self.button.clicked.connect(self._answer)
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        for own in (question, self.length, self.button):
-            layout.addWidget(own)
+        for item in (question, self.length, self.button):
+            layout.addWidget(item)
         self.hide()
 
     @property

@@ -14,9 +14,9 @@ from gaussiancad_core.modes import ResultKind
 
 
 def _collected(named: list[str], *options: str) -> list[BatchSheet]:
-    told = build_parser().parse_args(["batch", *named, "--output", "out", *options])
-    job = job_of(told, Path(), told.output)
-    return collect_sheets(told.sheets, job, lambda own: _job_with(told, own))
+    stated = build_parser().parse_args(["batch", *named, "--output", "out", *options])
+    job = job_of(stated, Path(), stated.output)
+    return collect_sheets(stated.sheets, job, lambda item: _job_with(stated, item))
 
 
 @pytest.fixture
@@ -65,17 +65,17 @@ def test_a_table_has_options_for_each_sheet(folder: Path) -> None:
     ],
 )
 def test_a_table_that_says_nonsense_is_told_with_its_line(
-    text: str, told: str, folder: Path
+    text: str, stated: str, folder: Path
 ) -> None:
     (folder / "table.csv").write_bytes(text.encode("latin-1"))
-    with pytest.raises(UsageError, match=told):
+    with pytest.raises(UsageError, match=stated):
         _collected([str(folder / "table.csv")])
 
 
 def test_no_sheet_at_all_is_wrong_usage(tmp_path: Path) -> None:
-    with pytest.raises(UsageError) as told:
+    with pytest.raises(UsageError) as stated:
         _collected([str(tmp_path), str(tmp_path / "*.png")])
-    assert told.value.code == "no-sheets"
+    assert stated.value.code == "no-sheets"
 
 
 def test_a_table_of_more_lines_than_are_taken_is_told(

@@ -138,9 +138,9 @@ def test_nothing_outlives_a_batch_that_is_killed_and_the_next_one_goes_on(
     ("limit", "told"), [(("--seconds", "0.5"), "0.5 s"), (("--memory", "0.02"), "memory")]
 )
 def test_a_sheet_that_takes_too_much_is_ended_and_the_batch_is_not(
-    limit: tuple[str, str], told: str, sheets: Path, tmp_path: Path
+    limit: tuple[str, str], text: str, sheets: Path, tmp_path: Path
 ) -> None:
     done = _run(sheets / "l-bracket.png", "--output", tmp_path / "out", *limit)
     assert done.returncode == 1
     (row,) = _rows(tmp_path / "out").values()
-    assert row["exit_code"] == "5" and row["status"] == "failed" and told in row["message"]
+    assert row["exit_code"] == "5" and row["status"] == "failed" and text in row["message"]

@@ -72,12 +72,12 @@ def test_each_sheet_is_told_with_its_row_and_files_also_where_it_was_kept(
     assert os.fsencode(second["sheet"]) == os.fsencode(sheets) + b"/text\xe9.png"
     with open(output / "report.csv", encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    for told, row in zip((first, second), rows, strict=True):
+    for stated, row in zip((first, second), rows, strict=True):
         assert list(row) == list(BatchRow.__dataclass_fields__)
         for key in row.keys() - {"sheet"}:
-            assert str(told[key]) == row[key]
-    told = [(e["event"], e["kept"], e["done"], e["count"]) for e in (first, second)]
-    assert told == [("sheet", False, 1, 2), ("sheet", False, 2, 2)]
+            assert str(stated[key]) == row[key]
+    given = [(e["event"], e["kept"], e["done"], e["count"]) for e in (first, second)]
+    assert given == [("sheet", False, 1, 2), ("sheet", False, 2, 2)]
     _, *kept, _ = _events(sheets, "--output", output, *OPTIONS, "--resume", code=1)
     pace = {"rate": 0.0, "eta_s": None}
     assert kept == [first | {"kept": True} | pace, second | {"kept": True} | pace]
@@ -120,8 +120,8 @@ def test_the_word_cancel_and_the_end_of_stdin_end_all_with_a_whole_report(
     assert psutil.wait_procs(family, timeout=0.5)[1] == []
     assert json.loads(printed.splitlines()[-1])["code"] == "cancelled"
     with open(output / "report.csv", encoding="utf-8", newline="") as file:
-        told = [(row["exit_code"], row["code"]) for row in csv.DictReader(file)]
-    assert told == [("130", "cancelled")] * 2
+        stated = [(row["exit_code"], row["code"]) for row in csv.DictReader(file)]
+    assert stated == [("130", "cancelled")] * 2
     base = sqlite3.connect(output / "manifest.sqlite")
     assert base.execute("pragma integrity_check").fetchall() == [("ok",)]
     base.close()

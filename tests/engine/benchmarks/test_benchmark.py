@@ -30,16 +30,16 @@ def worked_on(folder: Path) -> list[str]:
 
 def test_what_is_finished_is_not_done_again(tmp_path: Path) -> None:
     plan = plan_in(tmp_path, tasks_in(tmp_path, "one", "dies", "three"))
-    told: list[str] = []
-    rows = carry_out(plan, count, told.append)
+    stated: list[str] = []
+    rows = carry_out(plan, count, stated.append)
     assert [row["task"] for row in rows] == ["one", "dies", "three"]
     assert [row.get("failure") for row in rows] == [None, "solve-crashed", None]
     assert worked_on(tmp_path) == ["dies", "one", "three"]
-    assert "3/3" in told[-2]
-    told.clear()
-    assert carry_out(plan, count, told.append) == rows
+    assert "3/3" in stated[-2]
+    stated.clear()
+    assert carry_out(plan, count, stated.append) == rows
     assert worked_on(tmp_path) == ["dies", "one", "three"]
-    assert told == ["3 of 3 tasks were finished before\n"]
+    assert stated == ["3 of 3 tasks were finished before\n"]
 
 
 def test_what_ends_a_task_is_in_its_row_and_ends_no_other(tmp_path: Path) -> None:

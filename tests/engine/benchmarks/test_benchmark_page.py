@@ -122,13 +122,13 @@ def test_what_ended_a_run_is_told(rows: list[Row]) -> None:
 
 def test_the_page_holds_every_table_chart_and_picture(content: Content) -> None:
     text = benchmark_page(content).decode("utf-8")
-    told = unescape(text)
+    stated = unescape(text)
     tables = (PUBLISHED, *content.tables, *content.ablations)
     assert len(content.ablations) == 3 and len(content.tables) == 4 + 1 + len(SHEETS)
     for table in tables:
-        assert table.title in told and table.note in told
+        assert table.title in stated and table.note in stated
         for name in (*table.head, *(cell for row in table.rows for cell in row)):
-            assert f">{name}<" in told, name
+            assert f">{name}<" in stated, name
     assert text.count("data:image/png;base64,") == 4
     # One part has five models on both sheets, the other two on each.
     assert text.count("data:image/jpeg;base64,QUJD") == len(SHEETS) * (5 + 2)

@@ -41,7 +41,7 @@ def test_the_table_tells_how_the_others_do() -> None:
         {**known, "name": "b", "unsupported": {}, "status": "failed"},
         {**known, "name": "c", "unsupported": {"free-form": 2, "leaning cone": 1}},
     ]
-    told = tables(rows)
-    assert "1 of 3 parts (free-form 1, leaning cone 1); of the 2 others 1 are exact" in told
-    assert "processor s of those that ended: median 2.00" in told
+    stated = tables(rows)
+    assert "1 of 3 parts (free-form 1, leaning cone 1); of the 2 others 1 are exact" in stated
+    assert "processor s of those that ended: median 2.00" in stated
     assert "do not express" not in tables(rows[:2])

@@ -62,5 +62,5 @@ def test_dimensions_are_drawn_around_the_views() -> None:
     for view in with_them.views:
         x0, y0, x1, y1 = (round(value) for value in view.box)
         ink = with_them.image[..., 0] < 128
-        beside = ink[y0 - 100 : y1 + 100, x0 - 100 : x1 + 100].sum()
-        assert beside > 1.3 * ink[y0 - 4 : y1 + 4, x0 - 4 : x1 + 4].sum()
+        neighbour = ink[y0 - 100 : y1 + 100, x0 - 100 : x1 + 100].sum()
+        assert neighbour > 1.3 * ink[y0 - 4 : y1 + 4, x0 - 4 : x1 + 4].sum()

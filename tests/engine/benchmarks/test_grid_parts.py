@@ -11,12 +11,12 @@ from gaussiancad_core.model.views import Segment
 
 _GRID = Grid((2, 3, 2))
 _PLACES = ((0.0, 7.0, 20.0), (0.0, 4.0, 15.0, 24.0), (0.0, 9.0, 14.0))
-_VOLUMES = np.einsum("i,j,k->ijk", *(np.diff(own) for own in _PLACES))
+_VOLUMES = np.einsum("i,j,k->ijk", *(np.diff(item) for item in _PLACES))
 
 
 def _key(strokes: tuple[Segment, ...]) -> list[tuple]:
-    ends = [sorted((own.start, own.end)) for own in strokes]
-    kinds = [own.linetype.value for own in strokes]
+    ends = [sorted((stroke.start, stroke.end)) for stroke in strokes]
+    kinds = [stroke.linetype.value for stroke in strokes]
     return sorted(
         (*np.round(np.ravel(pair), 4).tolist(), kind)
         for pair, kind in zip(ends, kinds, strict=True)
@@ -50,9 +50,9 @@ def test_looks_are_alike_where_the_strokes_are() -> None:
             seen: dict[int, set] = {}
             for part, number in zip(parts.tolist(), looks(grid)[role, hidden], strict=True):
                 strokes = grid_strokes(grid, part, places, role)
-                kept = [own for own in _key(strokes) if hidden or own[-1] == "visible"]
+                kept = [item for item in _key(strokes) if hidden or item[-1] == "visible"]
                 seen.setdefault(int(number), set()).add(tuple(kept))
-            assert all(len(own) == 1 for own in seen.values())
+            assert all(len(item) == 1 for item in seen.values())
             assert len(set().union(*seen.values())) == len(seen)
 
 

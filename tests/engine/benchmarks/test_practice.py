@@ -50,23 +50,23 @@ def sheet(tmp_path: Path, request: pytest.FixtureRequest) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize(("sheet", "case"), [(own, own) for own in _CASES], indirect=["sheet"])
+@pytest.mark.parametrize(("sheet", "case"), [(item, item) for item in _CASES], indirect=["sheet"])
 def test_what_practice_draws_is_the_part(sheet: Path, case: tuple[str, Practice]) -> None:
     name, how = case
     report = _reconstructed(sheet)
     assert _is_part(sheet, name)
     # It rests on what is usual, and says so.
     assert report["status"] == "approximate"
-    assert "nothing-hidden" in {own["code"] for own in report["assumptions"]}
+    assert "nothing-hidden" in {item["code"] for item in report["assumptions"]}
     assert bool(report["sections"]) is (how not in (Practice.NOTES, Practice.TWO, Practice.ONE))
-    for own in report["sections"]:
-        assert min(own["line_recall"], own["line_precision"]) > 0.99
-        assert own["area_agreement"] > 0.95
-    through = [own for own in report["assumptions"] if own["code"] == "hole-through"]
-    assert all(own["at"] and own["alternative"] for own in through)
+    for entry in report["sections"]:
+        assert min(entry["line_recall"], entry["line_precision"]) > 0.99
+        assert entry["area_agreement"] > 0.95
+    through = [item for item in report["assumptions"] if item["code"] == "hole-through"]
+    assert all(item["at"] and item["alternative"] for item in through)
     assert through or how is not Practice.OFFSET
-    holes = [own for own in report["notes"] if own["through"] or own["depth_mm"]]
-    assert all(own["used"] for own in holes)
+    holes = [item for item in report["notes"] if item["through"] or item["depth_mm"]]
+    assert all(hole["used"] for hole in holes)
 
 
 @pytest.mark.parametrize("sheet", [("block", Practice.BESIDE)], indirect=True)
@@ -74,22 +74,22 @@ def test_a_section_beside_travels_in_the_reading(sheet: Path) -> None:
     assert main(["read", str(sheet / "sheet.pdf"), "--output", str(sheet / "read")]) == 0
     path = sheet / "read" / "reading.json"
     reading = json.loads(path.read_text(encoding="utf-8"))
-    (section,) = (own for own in reading["views"] if own["role"] == "section")
+    (section,) = (item for item in reading["views"] if item["role"] == "section")
     assert section["looks"] == "front"
     assert section["hatch"]
-    assert any(own["view"] == section["id"] for own in reading["strokes"])
+    assert any(item["view"] == section["id"] for item in reading["strokes"])
     report = _reconstructed(sheet, "--reading", str(path))
     assert _is_part(sheet, "block")
-    (own,) = report["sections"]
-    assert own["plane"]["axis"] == "y"
-    assert own["plane"]["source"] == "trace"
+    (entry,) = report["sections"]
+    assert entry["plane"]["axis"] == "y"
+    assert entry["plane"]["source"] == "trace"
 
 
 @pytest.mark.parametrize("sheet", [("shaft", Practice.ONE)], indirect=True)
 def test_a_view_that_was_not_drawn_is_an_assumption(sheet: Path) -> None:
     report = _reconstructed(sheet)
-    assert "second-view-assumed" in {own["code"] for own in report["reasons"]}
-    assert "second-view" in {own["code"] for own in report["assumptions"]}
+    assert "second-view-assumed" in {item["code"] for item in report["reasons"]}
+    assert "second-view" in {item["code"] for item in report["assumptions"]}
     assert report["solid"]["source"] == "sketch"
     assert list(report["views"]) == ["front"]
     written = ["read", str(sheet / "sheet.pdf"), "--output", str(sheet / "read")]
@@ -124,7 +124,7 @@ def test_a_plate_in_one_view_is_as_thick_as_is_said(
     _plate(tmp_path / "sheet.pdf", *texts)
     report = _reconstructed(tmp_path, *said)
     assert report["status"] == "approximate"
-    assert "second-view-assumed" in {own["code"] for own in report["reasons"]}
+    assert "second-view-assumed" in {item["code"] for item in report["reasons"]}
     solid = report["solid"]
     assert (solid["source"], solid["faces"]) == ("sketch", 7)
     assert solid["bounding_box_mm"] == pytest.approx([80.0, 4.0, 50.0], abs=1e-3)

@@ -28,9 +28,9 @@ def test_sheets_of_one_page_are_read(
         document.save(tmp_path / "source" / f"{name}.pdf")
     monkeypatch.setattr("sys.argv", ["read_seconds.py", "--data", str(tmp_path)])
     read_seconds.main()
-    told = capsys.readouterr()
-    assert [line.split()[:3] for line in told.out.splitlines()[1:]] == [
+    stated = capsys.readouterr()
+    assert [line.split()[:3] for line in stated.out.splitlines()[1:]] == [
         ["no", "views", "1"],
-        ["all", "1", told.out.splitlines()[2].split()[2]],
+        ["all", "1", stated.out.splitlines()[2].split()[2]],
     ]
-    assert told.err.split()[-1] == "source/one"
+    assert stated.err.split()[-1] == "source/one"

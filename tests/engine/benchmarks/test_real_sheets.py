@@ -43,9 +43,9 @@ def test_a_part_is_told_from_another(data: Path) -> None:
     assert failed_at(right) == "scale" and failed_at(other) == "roles"
     counts = next(line for line in table([right, other]).splitlines() if line.startswith("all"))
     # Sheets, ended, views, of a file, roles, strokes, scale, solids, exact, verified, false.
-    told = dict(zip(COLUMNS, counts.split()[1:], strict=True))
+    stated = dict(zip(COLUMNS, counts.split()[1:], strict=True))
     names = ("sheets", "ended", "views", "file's", "roles", "solid", "exact", "verif.", "false")
-    assert [told[name] for name in names] == ["2", "2", "2", "0", "1", "2", "1", "1", "1"]
+    assert [stated[name] for name in names] == ["2", "2", "2", "0", "1", "2", "1", "1", "1"]
 
 
 def test_a_run_that_does_not_end_is_counted(data: Path) -> None:

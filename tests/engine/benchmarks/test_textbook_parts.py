@@ -62,9 +62,9 @@ def test_belts_and_slots_have_their_volume() -> None:
 @pytest.mark.parametrize("name", ["v-block", "flange", "hinge-leaf", "crank-arm"])
 def test_lines_are_those_of_the_engine(name: str) -> None:
     part = FAMILIES[name].part(20)
-    theirs, own = textbook_lines(part), part_lines(part, (Role.FRONT, Role.TOP, Role.RIGHT))
-    assert theirs.size == pytest.approx(own.size)
-    for role, strokes in own.views.items():
+    theirs, item = textbook_lines(part), part_lines(part, (Role.FRONT, Role.TOP, Role.RIGHT))
+    assert theirs.size == pytest.approx(item.size)
+    for role, strokes in item.views.items():
         for linetype in Linetype:
             lengths = [
                 sum(stroke.length for stroke in drawn if stroke.linetype is linetype)

@@ -39,9 +39,9 @@ def test_a_slant_a_step_and_a_hollow_are_alike_in_two_views() -> None:
     policies = [Policy("two", roles) for roles in names]
     # In one pair of views the edge that is cut off runs across both.
     for other in (step, hollow):
-        assert sum(slant.looks_like(other, own) for own in policies) == 1
+        assert sum(slant.looks_like(other, policy) for policy in policies) == 1
     # A round has no edges.
-    assert not any(slant.looks_like(rounded, own) for own in policies)
+    assert not any(slant.looks_like(rounded, policy) for policy in policies)
 
 
 def test_first_angle_moves_the_views_from_the_other_side() -> None:
@@ -49,6 +49,6 @@ def test_first_angle_moves_the_views_from_the_other_side() -> None:
     drawn = page.drawn(_POLICIES["all hidden lines"])
     moved = in_first(drawn, page.size)
     assert set(moved) == {Role.FRONT, Role.BOTTOM, Role.LEFT}
-    points = np.concatenate([own.sample(1.0) for own in moved[Role.LEFT]])
+    points = np.concatenate([item.sample(1.0) for item in moved[Role.LEFT]])
     assert points[:, 0].min() == pytest.approx(-page.size[1])
     assert points[:, 0].max() == pytest.approx(0.0)

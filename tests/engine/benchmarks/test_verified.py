@@ -54,10 +54,12 @@ def test_changes_keep_all_ink() -> None:
     for change in (permuted, split):
         changed = change({Role.FRONT: strokes}, Random(1))[Role.FRONT]
         for kind in Linetype:
-            own = [stroke for stroke in changed if stroke.linetype is kind]
+            this_strokes = [stroke for stroke in changed if stroke.linetype is kind]
             before = [stroke for stroke in strokes if stroke.linetype is kind]
-            assert sum(s.length for s in own) == pytest.approx(sum(s.length for s in before))
-            points = np.concatenate([stroke.sample(0.01) for stroke in own])
+            assert sum(s.length for s in this_strokes) == pytest.approx(
+                sum(s.length for s in before)
+            )
+            points = np.concatenate([stroke.sample(0.01) for stroke in this_strokes])
             for place in np.concatenate([stroke.sample(0.5) for stroke in before]):
                 assert np.hypot(*(points - place).T).min() < 0.01
     assert len(split({Role.FRONT: strokes}, Random(1))[Role.FRONT]) == 6
@@ -73,6 +75,6 @@ def test_measures_are_counted_for_the_right_shapes_alone() -> None:
     other = [{**row, "faces": 5}, {**row, "farthest": 0.3}, {**row, "valid": False}]
     assert not any(map(is_right, other))
     lines = [line.split() for line in measures_table([row, *other]).splitlines()]
-    told = ["4", "1", "8", "0.060", "0.050", "75.0", "%", "75", "%", "1.20"]
-    assert ["twins", "scan", *told] in lines
-    assert ["all", "by", "drawing", *told] in lines
+    stated = ["4", "1", "8", "0.060", "0.050", "75.0", "%", "75", "%", "1.20"]
+    assert ["twins", "scan", *stated] in lines
+    assert ["all", "by", "drawing", *stated] in lines

@@ -27,7 +27,7 @@ def test_a_pair_has_one_drawing_and_is_two_parts() -> None:
     assert same_drawing(*drawings, 30.0)
     assert not same_solid(*(grid_solid(grid, part, _PLACES) for part in pair))
     thin = with_thin_box(grid, pair, _PLACES, np.random.default_rng(0))
-    steps = np.concatenate([np.diff(own) for own in thin])
+    steps = np.concatenate([np.diff(item) for item in thin])
     assert (steps < 0.5).sum() == 1 and len(steps) == 9
 
 
@@ -41,9 +41,9 @@ def test_confusable_parts_leave_out_what_another_one_does_not_have() -> None:
         {role: grid_strokes(grid, int(part), places, role) for role in policy.roles}
         for part in (numbers[index], *others)
     ]
-    drawn = [as_drawn(own, policy) for own in whole]
-    assert len(others) >= 1 and all(same_drawing(drawn[0], own, 30.0) for own in drawn[1:])
-    assert any(same_drawing(drawn[0], own, 30.0) for own in whole[1:])
+    drawn = [as_drawn(item, policy) for item in whole]
+    assert len(others) >= 1 and all(same_drawing(drawn[0], item, 30.0) for item in drawn[1:])
+    assert any(same_drawing(drawn[0], item, 30.0) for item in whole[1:])
 
 
 @pytest.mark.parametrize("mirrored", [True, False])
@@ -72,8 +72,8 @@ def test_a_part_that_looks_like_another_one_is_not_verified(
 ) -> None:
     grid, drawn_by = Grid(shape), _POLICIES[policy]
     steps = ((10.0, 7.0, 23.0), (24.0, 8.0, 11.0, thin), (4.0, 17.0, 16.0, 7.0))
-    cut = [own[: count - 1] + own[-1:] for own, count in zip(steps, shape, strict=True)]
-    x, y, z = ((0.0, *np.cumsum(own).tolist()) for own in cut)
+    cut = [step[: count - 1] + step[-1:] for step, count in zip(steps, shape, strict=True)]
+    x, y, z = ((0.0, *np.cumsum(item).tolist()) for item in cut)
     drawn = {role: grid_strokes(grid, part, (x, y, z), role) for role in drawn_by.roles}
     result = exact_solid(exact_views(as_drawn(drawn, drawn_by), (x[-1], y[-1], z[-1])))
     assert result.status is Status.APPROXIMATE

@@ -100,8 +100,8 @@ def _faces_by_euler(circles: list[CircleCurve]) -> int:
                 on[i].add(near[0])
                 on[j].add(near[0])
                 root[find(i)] = find(j)
-    vertices = len(points) + sum(not own for own in on)
-    edges = sum(max(1, len(own)) for own in on)
+    vertices = len(points) + sum(not item for item in on)
+    edges = sum(max(1, len(item)) for item in on)
     components = len({find(i) for i in range(len(circles))})
     return edges - vertices + components + 1
 
@@ -186,13 +186,13 @@ def test_a_mixed_sheet_has_as_many_regions_as_euler_says(sheet: Arrangement) -> 
     for place, (index, low, high) in enumerate(sheet.stretches):
         curve = sheet.supports[index].curve
         opened = not isinstance(curve, CircleCurve) or high - low < TURN - 1e-9
-        own = [curve.at(low), curve.at(high)] if opened else []
+        apart = [curve.at(low), curve.at(high)] if opened else []
         for other in range(len(sheet.stretches)):
             if other != place:
-                own += _shared(sheet, place, other)
-        own = _apart(own)
-        edges += len(own) - opened
-        vertices = _apart([*vertices, *own])
+                apart += _shared(sheet, place, other)
+        apart = _apart(apart)
+        edges += len(apart) - opened
+        vertices = _apart([*vertices, *apart])
     # All of it hangs together.
     assert sheet.regions == edges - len(vertices) + 2
 
@@ -242,8 +242,8 @@ def test_traces_agree_with_locate(sheet: Arrangement, coordinate: int, value: fl
     for at, normal, index in zip(trace.positions, trace.normals, trace.supports, strict=True):
         curve = sheet.supports[index].curve
         assert curve.distance(point(at)) < 1e-9
-        own = curve.normal(curve.parameter(point(at)))
-        assert abs(own[0] * normal[0] + own[1] * normal[1]) == pytest.approx(1.0)
+        item = curve.normal(curve.parameter(point(at)))
+        assert abs(item[0] * normal[0] + item[1] * normal[1]) == pytest.approx(1.0)
         assert hypot(*normal) == pytest.approx(1.0)
     bounds = [-20.0, *trace.positions, 130.0]
     for low, high, region in zip(bounds, bounds[1:], trace.regions, strict=False):
@@ -257,8 +257,8 @@ def test_traces_agree_with_locate(sheet: Arrangement, coordinate: int, value: fl
         for p in meetings(sheet.supports[index].curve, axis_line(coordinate, value))
         if low <= sheet.supports[index].curve.parameter(p) <= high
     }
-    told = {(s, round(p, 6)) for s, p in zip(trace.supports, trace.positions, strict=True)}
-    assert told == hits
+    stated = {(s, round(p, 6)) for s, p in zip(trace.supports, trace.positions, strict=True)}
+    assert stated == hits
 
 
 @pytest.mark.parametrize("coordinate", [0, 1])
@@ -270,11 +270,11 @@ def test_the_kernels_tell_the_same_of_many_lines_and_points(
     assert found.starts[0] == 0 and found.starts[-1] == len(found.positions)
     assert not found.chained.any()
     for number, value in enumerate(values):
-        trace, own = sheet.trace(coordinate, value), slice(*found.starts[number : number + 2])
-        assert tuple(found.positions[own]) == trace.positions
-        assert tuple(map(tuple, found.normals[own])) == trace.normals
-        assert tuple(found.supports[own]) == trace.supports
-        assert (found.first[number], *found.regions[own]) == trace.regions
+        trace, item = sheet.trace(coordinate, value), slice(*found.starts[number : number + 2])
+        assert tuple(found.positions[item]) == trace.positions
+        assert tuple(map(tuple, found.normals[item])) == trace.normals
+        assert tuple(found.supports[item]) == trace.supports
+        assert (found.first[number], *found.regions[item]) == trace.regions
         for other in values:
             assert locate(sheet.table, value, other) == sheet.locate(value, other)
 

@@ -32,7 +32,7 @@ def test_columns_of_all_axes_tell_the_cell_of_a_point(
     space: Space, shares: tuple[float, float, float]
 ) -> None:
     ends = [space.values[axis] for axis in Axis]
-    point = tuple(own[0] + s * (own[-1] - own[0]) for own, s in zip(ends, shares, strict=True))
+    point = tuple(end[0] + s * (end[-1] - end[0]) for end, s in zip(ends, shares, strict=True))
     expected = space.cell_at(point)
     for normal in Axis:
         first, second = IN_PLANE[normal]
@@ -40,7 +40,7 @@ def test_columns_of_all_axes_tell_the_cell_of_a_point(
         depth = point[normal.value]
         if any(abs(depth - crossing.depth) < 1e-4 for crossing in column):
             continue
-        if any(abs(p - v) < 1e-4 for p, own in zip(point, ends, strict=True) for v in own):
+        if any(abs(p - v) < 1e-4 for p, end in zip(point, ends, strict=True) for v in end):
             continue
         before = [crossing for crossing in column if crossing.depth < depth]
         assert (before[-1].after if before else None) == expected
@@ -53,10 +53,10 @@ def test_a_column_goes_from_void_to_void_step_by_step(
 ) -> None:
     ends = [space.values[Axis(index)] for index in IN_PLANE[normal]]
     a, b = (
-        own[0] + share * (own[-1] - own[0]) for own, share in zip(ends, (one, other), strict=True)
+        end[0] + share * (end[-1] - end[0]) for end, share in zip(ends, (one, other), strict=True)
     )
     # What lies on a line may be told as either of its sides.
-    if any(abs(p - v) < 1e-4 for p, own in zip((a, b), ends, strict=True) for v in own):
+    if any(abs(p - v) < 1e-4 for p, end in zip((a, b), ends, strict=True) for v in end):
         return
     column = space.column(normal, a, b)
     if not column:
@@ -107,10 +107,10 @@ def test_thickness_is_the_longest_stretch_in_the_thinnest_direction(
             for crossing, following in pairwise(fresh.column(normal, a, b)):
                 if crossing.after is not None:
                     length = following.depth - crossing.depth
-                    own = longest.setdefault(crossing.after, {})
-                    own[normal] = max(own.get(normal, 0.0), length)
+                    item = longest.setdefault(crossing.after, {})
+                    item[normal] = max(item.get(normal, 0.0), length)
     assert longest
-    assert fresh.thickness() == {cell: min(own.values()) for cell, own in longest.items()}
+    assert fresh.thickness() == {cell: min(entry.values()) for cell, entry in longest.items()}
 
 
 def _drawn(role: Role, *sides: tuple[int, float, float, float]) -> list[Support]:
@@ -142,11 +142,13 @@ def test_beside_the_corner_at_which_a_chain_ends_is_no_sliver_of_the_outside() -
         }
     )
     inside = space.column(Axis.Z, 5.0, 2.5)
-    beside = space.column(Axis.Z, 5.0, 2.0 - 2e-5)
+    neighbour = space.column(Axis.Z, 5.0, 2.0 - 2e-5)
     assert [round(crossing.depth, 6) for crossing in inside] == [0.0, 15.0]
-    assert beside[0].depth == pytest.approx(0.0) and beside[-1].depth == pytest.approx(15.0)
-    assert space.cell_at((5.0, 2.0 - 2e-5, 12.0)) in {crossing.after for crossing in beside}
-    assert all(one.after is not None and one.after == two.before for one, two in pairwise(beside))
+    assert neighbour[0].depth == pytest.approx(0.0) and neighbour[-1].depth == pytest.approx(15.0)
+    assert space.cell_at((5.0, 2.0 - 2e-5, 12.0)) in {crossing.after for crossing in neighbour}
+    assert all(
+        one.after is not None and one.after == two.before for one, two in pairwise(neighbour)
+    )
 
 
 def test_normals_are_parallel_either_way() -> None:

@@ -42,7 +42,7 @@ def test_the_drawn_pieces_on_supports_are_as_long_as_what_is_drawn(found: Found)
     for plane in part.supports.planes.values():
         (role,) = plane.roles
         for linetype in Linetype:
-            told = sum(
+            stated = sum(
                 piece.length
                 for piece in pieces
                 if piece.role is role
@@ -59,7 +59,7 @@ def test_the_drawn_pieces_on_supports_are_as_long_as_what_is_drawn(found: Found)
                         for k in range(steps)
                     )
                     drawn += share / steps * (high - low) * support.curve.speed
-            assert told == pytest.approx(drawn, rel=0.01, abs=0.5)
+            assert stated == pytest.approx(drawn, rel=0.01, abs=0.5)
 
 
 def test_a_pieces_linetype_is_what_its_support_shows(found: Found) -> None:
@@ -87,8 +87,8 @@ def test_a_dash_of_the_outline_is_visible(length: float, linetype: Linetype) -> 
     boxes = {Role.FRONT: front}
     for role, high in ((Role.TOP, 25), (Role.RIGHT, 30)):
         wide = 40 if role is Role.TOP else 25
-        own = [(0, 0), (wide, 0), (wide, high), (0, high), (0, 0)]
-        boxes[role] = [Segment(a, b, Linetype.VISIBLE) for a, b in pairwise(own)]
+        items = [(0, 0), (wide, 0), (wide, high), (0, high), (0, 0)]
+        boxes[role] = [Segment(a, b, Linetype.VISIBLE) for a, b in pairwise(items)]
     tolerance = 0.1
     part = model_part(DrawnViews(boxes, (40.0, 25.0, 30.0), tolerance, 0.03))
     scale = part.supports.scale

@@ -69,7 +69,7 @@ def test_each_piece_is_told_by_itself(part: PartModel) -> None:
     lines = SightLines(space)
     assert lines.fit
     pieces = _pieces(part)
-    said = {id(piece): told for piece, told in lines.said(pieces)}
+    said = {id(piece): stated for piece, stated in lines.said(pieces)}
     for piece in pieces[::7]:
         assert (groups_beside(space, piece) is not None) == (id(piece) in said)
         alone = dict(SightLines(_fresh(part)).said([piece]))

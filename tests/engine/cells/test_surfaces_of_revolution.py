@@ -120,8 +120,8 @@ def test_the_kernel_meets_them_at_the_same_places(
     assert count == len(expected)
     found = sorted(zip(depths[:count].tolist(), map(tuple, normals.tolist()), strict=False))
     assert np.array([d for d, _ in found]) == pytest.approx(np.array([d for d, _ in expected]))
-    for (_, own), (_, other) in zip(found, expected, strict=True):
-        assert own == pytest.approx(other)
+    for (_, item), (_, other) in zip(found, expected, strict=True):
+        assert item == pytest.approx(other)
 
 
 def _near_border(body: RevolvedBody, point: tuple[float, ...]) -> bool:
@@ -190,9 +190,9 @@ def test_rims_are_the_outlines(normal: Axis, body: RevolvedBody) -> None:
             assert curve.centre == body.centre
             assert 0.0 <= low < high <= TURN + 1e-12
         sweep = TURN if body.sector is None else body.sector[1]
-        told = sum(high - low for _, (low, high) in rims)
+        stated = sum(high - low for _, (low, high) in rims)
         rounds = sum(profile.radius(z) > 1e-3 for z in (profile.low, profile.high))
-        assert told == pytest.approx(sweep * rounds)
+        assert stated == pytest.approx(sweep * rounds)
         return
     if body.sector:
         assert rims == []

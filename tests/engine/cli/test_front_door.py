@@ -34,9 +34,9 @@ def test_what_nobody_foresaw_is_one_line_and_a_file_to_send(
     assert main(["explain", str(_SAMPLE)]) == 6
     line = capsys.readouterr().err
     assert line.count("\n") == 1 and "[unforeseen]" in line and "ZeroDivisionError" in line
-    told = Path(re.search(r"file (\S+) ", line).group(1)).read_text("utf-8")
-    assert "by a secret" in told and "in broken" in told
-    assert hashlib.sha256(_SAMPLE.read_bytes()).hexdigest() in told
+    stated = Path(re.search(r"file (\S+) ", line).group(1)).read_text("utf-8")
+    assert "by a secret" in stated and "in broken" in stated
+    assert hashlib.sha256(_SAMPLE.read_bytes()).hexdigest() in stated
 
 
 def test_a_reader_that_has_read_enough_is_no_error() -> None:
@@ -95,9 +95,9 @@ def test_what_is_printed_on_closed_streams_goes_nowhere() -> None:
 def test_a_word_that_finds_no_room_leaves_the_exit_code(arguments: tuple[str, ...]) -> None:
     command = [sys.executable, "-m", "gaussiancad_core"]
     with open("/dev/full", "wb") as full:
-        told = subprocess.run([*command, *arguments], stderr=full, check=False)
+        stated = subprocess.run([*command, *arguments], stderr=full, check=False)
         usage = subprocess.run([*command, "nonsense"], stderr=full, check=False)
-    assert (told.returncode, usage.returncode) == (3, 2)
+    assert (stated.returncode, usage.returncode) == (3, 2)
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no full device")
@@ -122,7 +122,7 @@ def test_output_that_finds_no_room_is_told() -> None:
 def test_a_name_that_is_too_long_is_told(
     arguments: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    filled = [own.format(tmp=tmp_path, sample=_SAMPLE) for own in arguments]
+    filled = [argument.format(tmp=tmp_path, sample=_SAMPLE) for argument in arguments]
     assert main(filled) in (2, 3)
     line = capsys.readouterr().err
     assert line.count("\n") == 1 and "too long" in line

@@ -144,8 +144,8 @@ def test_what_can_be_told_at_once_loads_no_heavy_library(
 ) -> None:
     (tmp_path / "a.png").write_bytes(b"\x89PNG\r\n\x1a\n")
     (tmp_path / "a.dwg").write_bytes(b"AC1032")
-    told = _loaded(*(argument.format(tmp=tmp_path) for argument in arguments))
-    assert told == (exit_code, set())
+    stated = _loaded(*(argument.format(tmp=tmp_path) for argument in arguments))
+    assert stated == (exit_code, set())
     assert {path.name for path in tmp_path.iterdir()} == {"a.png", "a.dwg"}
 
 

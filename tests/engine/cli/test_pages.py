@@ -29,11 +29,11 @@ def test_each_page_has_a_folder_and_one_that_fails_is_told(
     sheet = _pages(tmp_path / "set.tif", _sample("boss-plate.png"), blank, _sample("l-bracket.png"))
     output = tmp_path / "out"
     assert main(["read", str(sheet), "--output", str(output), "--page", "all"]) == 1
-    told = capsys.readouterr()
-    assert [own.name for own in sorted(output.iterdir())] == ["page-1", "page-3"]
+    stated = capsys.readouterr()
+    assert [path.name for path in sorted(output.iterdir())] == ["page-1", "page-3"]
     assert (output / "page-3" / "reading.json").is_file()
-    assert told.out.count("front, top, right") == 2
-    (line,) = told.err.strip().splitlines()
+    assert stated.out.count("front, top, right") == 2
+    (line,) = stated.err.strip().splitlines()
     assert line.startswith("gaussiancad: page 2: ") and line.endswith("[blank-sheet]")
 
 

@@ -215,8 +215,8 @@ def test_a_model_that_breaks_the_library_is_one_line_and_no_traceback(
     BRepTools.Write_s(empty, str(tmp_path / "empty.brep"))
     capfd.readouterr()
     assert main(["compare", str(tmp_path / "empty.brep"), str(step)]) == 3
-    told = capfd.readouterr()
-    assert told.out == "" and told.err.count("\n") == 1
+    stated = capfd.readouterr()
+    assert stated.out == "" and stated.err.count("\n") == 1
 
 
 @pytest.mark.parametrize(
@@ -227,5 +227,5 @@ def test_a_comparison_that_takes_too_much_is_ended(
 ) -> None:
     capfd.readouterr()
     assert main(["compare", str(step), str(step), limit, "0.05"]) == 5
-    told = capfd.readouterr()
-    assert told.out == "" and told.err.count("\n") == 1 and f"[{code}]" in told.err
+    stated = capfd.readouterr()
+    assert stated.out == "" and stated.err.count("\n") == 1 and f"[{code}]" in stated.err

@@ -26,8 +26,8 @@ def test_a_hollow_box_beside_a_torus(box: Callable[..., TriangleMesh]) -> None:
     outer = box(4, 4, 4)
     inner = make_mesh(box(2, 2, 2).vertices + 1.0, box(2, 2, 2).triangles).flipped()
     torus = trimesh.creation.torus(3.0, 1.0)
-    beside = make_mesh(torus.vertices + np.array([20.0, 0.0, 0.0]), torus.faces)
-    assert topology_of(joined([outer, inner, beside])).betti == (2, 1, 1)
+    neighbour = make_mesh(torus.vertices + np.array([20.0, 0.0, 0.0]), torus.faces)
+    assert topology_of(joined([outer, inner, neighbour])).betti == (2, 1, 1)
 
 
 def test_boxes_that_touch_in_a_corner_are_two(box: Callable[..., TriangleMesh]) -> None:

@@ -99,8 +99,8 @@ def test_collinear_strokes_are_one_support_in_any_order(
 def test_visible_lines_cover_hidden_ones_and_gaps_are_blank() -> None:
     spans = (Span(0.0, 30.0, _HIDDEN, 1.0), Span(20.0, 50.0, _VISIBLE, 1.0))
     support = Support(LineCurve((0.0, 0.0), (1.0, 0.0)), {Role.FRONT: spans})
-    told = [support.linetype_at(Role.FRONT, at) for at in (10.0, 25.0, 40.0, 60.0)]
-    assert told == [_HIDDEN, _VISIBLE, _VISIBLE, None]
+    linetypes = [support.linetype_at(Role.FRONT, at) for at in (10.0, 25.0, 40.0, 60.0)]
+    assert linetypes == [_HIDDEN, _VISIBLE, _VISIBLE, None]
     assert support.linetype_at(Role.REAR, 25.0) is None
     assert support.drawn() == [(0.0, 50.0)]
 
@@ -110,8 +110,8 @@ def test_a_dashed_line_behind_a_visible_one_is_one_support() -> None:
     visible = Segment((10.0, 8.0), (20.0, 8.0), _VISIBLE)
     plane = _front([*_box(50, 20), hidden, visible])
     (support,) = (s for s in plane.supports if s.curve == LineCurve((0.0, 16.0), (1.0, 0.0)))
-    told = [support.linetype_at(Role.FRONT, at) for at in (10.0, 30.0, 60.0)]
-    assert told == [_HIDDEN, _VISIBLE, _HIDDEN]
+    linetypes = [support.linetype_at(Role.FRONT, at) for at in (10.0, 30.0, 60.0)]
+    assert linetypes == [_HIDDEN, _VISIBLE, _HIDDEN]
 
 
 _OPPOSITE = [(Role.FRONT, Role.REAR), (Role.RIGHT, Role.LEFT), (Role.TOP, Role.BOTTOM)]
@@ -262,10 +262,10 @@ def test_values_are_shared_by_the_planes(sample_views: Callable[[str], DrawnView
         (Arc((0.5, 19.5), 0.5, pi / 2.0, pi / 2.0, _VISIBLE), False),
     ],
 )
-def test_flat_quarters_between_the_axes_tell_their_circle(arc: Arc, told: bool) -> None:
+def test_flat_quarters_between_the_axes_tell_their_circle(arc: Arc, is_given: bool) -> None:
     plane = _front([*_box(50, 20), arc], tolerance=0.2)
     circles = [s for s in plane.supports if isinstance(s.curve, CircleCurve)]
-    assert (len(circles), len(plane.chains)) == ((1, 0) if told else (0, 1))
+    assert (len(circles), len(plane.chains)) == ((1, 0) if is_given else (0, 1))
 
 
 @pytest.mark.parametrize("known", [None, Axis.Z])
@@ -275,9 +275,9 @@ def test_an_extent_that_was_told_scales_a_design_step(known: Axis | None) -> Non
     long = 1.0002
 
     def box(wide: float, high: float, ribs: list[int], factor: float) -> list[Segment]:
-        own = _chain((0, 0), (wide * factor, 0), (wide * factor, high), (0, high), (0, 0))
+        chain = _chain((0, 0), (wide * factor, 0), (wide * factor, high), (0, high), (0, 0))
         lines = [_chain((x * factor, 0), (x * factor, high)) for x in ribs]
-        return own + [line for pair in lines for line in pair]
+        return chain + [line for pair in lines for line in pair]
 
     front = box(50, 20, [3, 7, 12, 18, 23, 29, 34, 41, 47], long)
     right = box(30, 20, [2, 5, 9, 13, 16, 22, 28], 1.0)

@@ -28,11 +28,11 @@ _AT = (0.0, 12.31, 31.17, 44.93, 60.0)
 
 
 def _snapped(
-    lines: list[float], *told: Told, circles: list[CircleReading] | None = None
+    lines: list[float], *stated: Told, circles: list[CircleReading] | None = None
 ) -> Snapped:
     readings = [Reading(Axis.X, at, 50.0) for at in lines]
-    numbers = ToldNumbers(told, _REACH, 0.01)
-    return snapped(readings, circles or [], _TOLERANCE, told=numbers)
+    numbers = ToldNumbers(stated, _REACH, 0.01)
+    return snapped(readings, circles or [], _TOLERANCE, stated=numbers)
 
 
 def _length(low: float, high: float) -> ToldLength:
@@ -55,20 +55,20 @@ def test_a_bore_is_known_by_its_edges_and_a_shaft_by_its_radius() -> None:
         return CircleReading(Axis.Z, CircleCurve((x, 20.0), radius), 40.0)
 
     circles = [circle(12.31, 5.0), circle(40.0, 8.0)]
-    told = (_length(0.0, 12.31), ToldRadius(Axis.Z, (40.0, 20.0), 8.0, 8.0))
-    places = _snapped([0.0, 48.0, 60.0], *told, circles=circles).places
+    stated = (_length(0.0, 12.31), ToldRadius(Axis.Z, (40.0, 20.0), 8.0, 8.0))
+    places = _snapped([0.0, 48.0, 60.0], *stated, circles=circles).places
     assert places.values[Axis.X] == pytest.approx([0.0, 12.31])
     assert places.radii == pytest.approx([8.0])
     # The shaft's side is drawn: with its place its axis is known.
-    places = _snapped([0.0, 48.0, 60.0], *told, _length(0.0, 48.0), circles=circles).places
+    places = _snapped([0.0, 48.0, 60.0], *stated, _length(0.0, 48.0), circles=circles).places
     assert places.values[Axis.X] == pytest.approx([0.0, 12.31, 40.0, 48.0])
 
 
 def test_what_was_drawn_otherwise_is_told() -> None:
-    told = ToldLength(Axis.X, 0.0, 12.31, 12.5), ToldLength(Axis.X, 0.0, 60.0, 60.05)
-    places = _snapped(list(_AT), *told).places
+    stated = ToldLength(Axis.X, 0.0, 12.31, 12.5), ToldLength(Axis.X, 0.0, 60.0, 60.05)
+    places = _snapped(list(_AT), *stated).places
     assert places.values[Axis.X] == pytest.approx([0.0, 12.5, 60.05])
-    assert places.beside == pytest.approx(0.19)
+    assert places.offset == pytest.approx(0.19)
     assert places.digit == 0.01
 
 

@@ -39,16 +39,16 @@ def test_gradients_are_those_of_the_equation(
 ) -> None:
     numbers = np.array(values[:count])
     _, terms = relation.at(numbers)
-    told = np.zeros(count)
+    stated = np.zeros(count)
     for place, factor in terms:
-        told[place] += factor
+        stated[place] += factor
     step = 1e-5
     steps = step * np.eye(count)
     found = [
         (relation.at(numbers + d)[0] - relation.at(numbers - d)[0]) / (2 * step) for d in steps
     ]
     # Near a circle's centre its gradient turns fast.
-    assert told == pytest.approx(np.array(found), abs=1e-5) or _is_at_centre(relation, numbers)
+    assert stated == pytest.approx(np.array(found), abs=1e-5) or _is_at_centre(relation, numbers)
 
 
 def _is_at_centre(relation: Relation, numbers: np.ndarray) -> bool:
@@ -100,6 +100,6 @@ def test_circles_touch_where_they_share_a_point_and_a_tangent(
 def test_lines_cross_where_both_are_drawn() -> None:
     one = Slant((0.0, 0.0), (10.0, 10.0), 1.0)
     across = Slant((0.0, 8.0), (8.0, 0.0), 1.0)
-    before, beside = Slant((0.0, 30.0), (30.0, 0.0), 1.0), Slant((0.0, 1.0), (9.0, 10.0), 1.0)
+    before, neighbour = Slant((0.0, 30.0), (30.0, 0.0), 1.0), Slant((0.0, 1.0), (9.0, 10.0), 1.0)
     assert list(crossings([one, across])) == [pytest.approx((4.0, 4.0))]
-    assert list(crossings([one, before])) == list(crossings([one, beside])) == []
+    assert list(crossings([one, before])) == list(crossings([one, neighbour])) == []

@@ -29,8 +29,8 @@ def test_coordinates_on_a_step_become_its_multiples(steps: set[int], off: float,
     # Steps that are multiples of it fit some sets of coordinates as well.
     assert found.length / length == pytest.approx(round(found.length / length))
     for step, away in zip(sorted(steps), aside, strict=True):
-        told = found.multiple(step * length + away)
-        assert told is None or told == pytest.approx(step * length)
+        stated = found.multiple(step * length + away)
+        assert stated is None or stated == pytest.approx(step * length)
 
 
 @given(count=st.integers(1, 25), seed=st.integers(0, 10000), coarse=st.booleans())

@@ -71,8 +71,8 @@ def test_an_arc_does_not_go_on_to_a_tangent_that_nothing_is_drawn_on() -> None:
     arc = CircleCurve((0.0, 50.0), 15.6)
     ends = (-0.073, 2.0)
     drawn = [(0, DrawnStretch(_FRONT, ends, _HIDDEN, 1.0))]
-    (own,) = supports_with_spans([arc], drawn, [axis_line(0, 15.6)], _TOLERANCE)
-    assert sum(high - low for low, high in own.drawn()) == pytest.approx(2.073)
+    (item,) = supports_with_spans([arc], drawn, [axis_line(0, 15.6)], _TOLERANCE)
+    assert sum(high - low for low, high in item.drawn()) == pytest.approx(2.073)
 
 
 def test_arcs_end_where_they_touch_though_another_view_has_a_value_beside_it() -> None:
@@ -105,6 +105,6 @@ def test_pieces_of_an_arc_that_nearly_touch_are_one(
         (0, DrawnStretch(_FRONT, (0.3, 1.0), Linetype.VISIBLE, 1.0)),
         (0, DrawnStretch(_FRONT, (1.0 + gap / 40.0, 1.7), other, 1.0)),
     ]
-    (own,) = supports_with_spans([arc], strokes, [], 0.006)
-    assert len(own.drawn()) == pieces
-    assert own.linetype_at(_FRONT, 1.5) is other
+    (item,) = supports_with_spans([arc], strokes, [], 0.006)
+    assert len(item.drawn()) == pieces
+    assert item.linetype_at(_FRONT, 1.5) is other

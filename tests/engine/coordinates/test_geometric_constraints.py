@@ -39,23 +39,23 @@ def test_the_edge_of_two_chamfers_runs_through_both(errors: list[float]) -> None
     readings += [(Axis.X, 63.0 + e[0]), (Axis.Y, 76.0 + e[1])]
     readings += [(Axis.Z, 63.0 + e[2]), (Axis.Z, 76.0 + e[3])]
     front = Slant((63.0, 100.0 + e[4]), (100.0, 63.0), 52.0)
-    beside = Slant((76.0 + e[5], 100.0), (100.0, 76.0), 34.0)
+    neighbour = Slant((76.0 + e[5], 100.0), (100.0, 76.0), 34.0)
     edge = Slant((63.0, 76.0 + e[6]), (87.0 + e[7], 100.0), 34.0)
     planes = [
         PlaneReading(Axis.Y, (front,), (front.start, front.end, (87.0 + e[6], 76.0))),
-        PlaneReading(Axis.X, (beside,), (beside.start, beside.end)),
+        PlaneReading(Axis.X, (neighbour,), (neighbour.start, neighbour.end)),
         PlaneReading(Axis.Z, (edge,), (edge.start, edge.end)),
     ]
     snap = with_lone_values(_snap(readings, []), [Reading(Axis.X, edge.end[0], 1e-3)])
     found = adjusted(snap, planes, _TOLERANCE)
-    lines = {axis: own[0] for axis, own in found.lines.items()}
+    lines = {axis: line[0] for axis, line in found.lines.items()}
     for t in (0.0, 0.4, 1.0):
         z = 76.0 + 24.0 * t
         ((x, _),) = meetings(lines[Axis.Y], LineCurve((0.0, z), (1.0, 0.0)))
         ((y, _),) = meetings(lines[Axis.X], LineCurve((0.0, z), (1.0, 0.0)))
         assert lines[Axis.Z].distance((x, y)) < 1e-7
-    for axis, own in snap.values.items():
-        assert found.snap.values[axis] == pytest.approx(own, abs=_TOLERANCE)
+    for axis, value in snap.values.items():
+        assert found.snap.values[axis] == pytest.approx(value, abs=_TOLERANCE)
 
 
 @given(_RADIUS, _ERROR, _ERROR, st.floats(0.5, 1.15))
@@ -69,9 +69,9 @@ def test_the_edge_of_a_flat_on_a_cylinder_is_where_they_meet(
     snap = _snap(readings, [circle])
     plane = PlaneReading(Axis.Y, (), ((x, z),))
     found = adjusted(snap, [plane], _TOLERANCE).snap
-    ((_, own),) = found.circles
+    ((_, item),) = found.circles
     corner = found.values[Axis.X][0], found.values[Axis.Z][0]
-    assert own.distance(corner) < 1e-7
+    assert item.distance(corner) < 1e-7
     assert hypot(corner[0] - x, corner[1] - z) < 0.1
 
 
@@ -148,8 +148,8 @@ def test_a_corner_is_on_a_circle_only_where_it_is_drawn() -> None:
     around = replace(low, arcs=((circle, pi, pi), (circle, 0.0, pi / 2.0 + 0.7)))
     found = adjusted(snap, [around], _TOLERANCE).snap
     assert found.values != snap.values
-    ((_, own),) = found.circles
-    assert own.distance((found.values[Axis.X][0], found.values[Axis.Z][0])) < 1e-7
+    ((_, item),) = found.circles
+    assert item.distance((found.values[Axis.X][0], found.values[Axis.Z][0])) < 1e-7
 
 
 def test_a_corner_that_only_passes_by_is_left() -> None:

@@ -37,8 +37,8 @@ def _rounded(number: float, parts: float = 4.0) -> float:
 def _readings(parts: float = 4.0) -> list[Reading]:
     readings = []
     for axis in Axis:
-        own = [0.0, *_MULTIPLES[axis], *_ODD[axis], _EXTENTS[axis]]
-        readings += [Reading(axis, _rounded(number * _STEP, parts), 1.0) for number in own]
+        items = [0.0, *_MULTIPLES[axis], *_ODD[axis], _EXTENTS[axis]]
+        readings += [Reading(axis, _rounded(number * _STEP, parts), 1.0) for number in items]
     return readings
 
 
@@ -54,7 +54,7 @@ def _beside(snap: Snapped) -> list[float]:
 def test_measures_on_quarters_of_a_pixel_become_what_they_were_meant_to_be() -> None:
     """Fourteen of eighteen are multiples of a step that the longest extent is none of."""
     snap = snapped(_readings(), [], _PIXEL, noise=_NOISE)
-    drawn = [abs(_rounded(n * _STEP) - n * _STEP) for own in _MULTIPLES.values() for n in own]
+    drawn = [abs(_rounded(n * _STEP) - n * _STEP) for item in _MULTIPLES.values() for n in item]
     assert max(drawn) > 0.1 * _PIXEL
     assert max(_beside(snap)) < 0.03
 
@@ -63,7 +63,9 @@ def test_measures_on_whole_pixels_do_if_the_scale_is_known() -> None:
     """A step of five pixels, of which chance comes within half of one too often otherwise."""
     millimetre = _STEP
     snap = snapped(_readings(1.0), [], _PIXEL, millimetre=millimetre, noise=0.12 * _PIXEL)
-    drawn = [abs(_rounded(n * _STEP, 1.0) - n * _STEP) for own in _MULTIPLES.values() for n in own]
+    drawn = [
+        abs(_rounded(n * _STEP, 1.0) - n * _STEP) for item in _MULTIPLES.values() for n in item
+    ]
     assert max(drawn) > 0.4 * _PIXEL
     assert max(_beside(snap)) < 0.15
     assert snap.step is None and not snap.nominal
@@ -92,18 +94,18 @@ def test_measures_move_only_where_that_is_asked_for() -> None:
 @pytest.mark.parametrize("count", [5, 9, 16, 30])
 @pytest.mark.parametrize("noise", [0.035, 0.12, 0.25])
 def test_random_measures_lie_on_no_lattice(count: int, noise: float) -> None:
-    told = 0
+    stated = 0
     rough = Roughness(_PIXEL, noise * _PIXEL, UNITS / 90.0)
     for seed in range(60):
         random = np.random.default_rng(1000 * count + seed)
         groups = [sorted(random.uniform(0.0, UNITS, count // 2)) for _ in range(2)]
-        told += told_lattice([*groups, [], random.uniform(1.0, 20.0, 2)], rough) is not None
-    assert told == 0
+        stated += told_lattice([*groups, [], random.uniform(1.0, 20.0, 2)], rough) is not None
+    assert stated == 0
 
 
 def test_what_follows_from_other_measures_is_no_evidence() -> None:
     """Circles about random places, their sides on one axis, and their mirror images."""
-    told = 0
+    stated = 0
     for seed in range(40):
         random = np.random.default_rng(seed)
         numbers, circles = [0.0, UNITS], []
@@ -114,5 +116,5 @@ def test_what_follows_from_other_measures_is_no_evidence() -> None:
                 numbers += [x, UNITS / 2.0, radius, x - radius, x + radius]
                 circles.append((Axis.Y, at, at + 1, at + 2))
                 values[Axis.X] += [at + 3, at + 4]
-        told += likely_numbers(np.array(numbers), values, circles, _ROUGH) is not None
-    assert told == 0
+        stated += likely_numbers(np.array(numbers), values, circles, _ROUGH) is not None
+    assert stated == 0

@@ -17,7 +17,7 @@ def _equal(one: int, other: int) -> Linear:
 
 @given(st.lists(st.tuples(_NUMBER, _WEIGHT), min_size=2, max_size=6))
 def test_equal_numbers_become_their_weighted_mean(readings: list[tuple[float, float]]) -> None:
-    observed, weights = (list(own) for own in zip(*readings, strict=True))
+    observed, weights = (list(item) for item in zip(*readings, strict=True))
     chain = [_equal(k, k + 1) for k in range(len(observed) - 1)]
     # The last says what the others do already.
     found = solved(observed, weights, [*chain, _equal(0, len(observed) - 1)], 1e3)

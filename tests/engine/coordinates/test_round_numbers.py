@@ -43,9 +43,9 @@ def test_half_a_pixel_beside_is_another_measure() -> None:
 
 
 def test_nothing_is_round_where_the_scale_is_not_known_or_pixels_are_large() -> None:
-    own = _rod(10.006, 14.985, 40.02)
-    assert round_numbers(*own, Roughness(0.1, 0.004)) is None
-    assert round_numbers(*own, Roughness(tolerance=5.0, noise=0.2, millimetre=1.0)) is None
+    rod = _rod(10.006, 14.985, 40.02)
+    assert round_numbers(*rod, Roughness(0.1, 0.004)) is None
+    assert round_numbers(*rod, Roughness(tolerance=5.0, noise=0.2, millimetre=1.0)) is None
 
 
 @given(st.floats(3.0, 40.0), st.floats(1.0, 70.0), st.floats(1.0, 99.0))

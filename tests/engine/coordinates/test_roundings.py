@@ -28,14 +28,14 @@ def test_a_fillet_between_a_line_and_an_arc() -> None:
 
 
 @pytest.mark.parametrize(("sweep", "told"), [(80.0, True), (70.0, True), (40.0, False)])
-def test_a_fillet_between_two_lines(sweep: float, told: bool) -> None:
+def test_a_fillet_between_two_lines(sweep: float, is_given: bool) -> None:
     turn = sweep * pi / 180.0
     fillet = Arc((0.0, 2.0), 2.0, -pi / 2.0, turn, V)
     end = 2.0 * sin(turn), 2.0 - 2.0 * cos(turn)
     along = end[0] + 9.0 * cos(turn), end[1] + 9.0 * sin(turn)
     # The first line runs past.
     lines = [Segment((-10.0, 0.0), (10.0, 0.0), V), Segment(end, along, V)]
-    assert is_rounding(fillet, [fillet, *lines], TOLERANCE) is told
+    assert is_rounding(fillet, [fillet, *lines], TOLERANCE) is is_given
     assert not is_rounding(fillet, [fillet, *lines], 0.6)
 
 
@@ -51,14 +51,14 @@ def test_an_arc_that_meets_its_neighbours_at_an_angle_is_none() -> None:
     [(37.0, 8.0, True), (52.0, 6.0, True), (37.0, 4.0, False), (20.0, 40.0, False)],
 )
 def test_a_flat_fillet_between_two_lines_tells_its_circle_where_it_rises_enough(
-    sweep: float, radius: float, told: bool
+    sweep: float, radius: float, is_given: bool
 ) -> None:
     turn = sweep * pi / 180.0
     fillet = Arc((0.0, radius), radius, -pi / 2.0, turn, V)
     end = radius * sin(turn), radius - radius * cos(turn)
     along = end[0] + 9.0 * cos(turn), end[1] + 9.0 * sin(turn)
     lines = [Segment((-10.0, 0.0), (0.0, 0.0), V), Segment(end, along, V)]
-    assert is_rounding(fillet, [fillet, *lines], TOLERANCE) is told
+    assert is_rounding(fillet, [fillet, *lines], TOLERANCE) is is_given
     # Arcs that follow a free curve go on in each other.
     next_arc = Arc((0.0, 3.0 * radius), 3.0 * radius, -pi / 2.0 - 0.5, 0.5, V)
     assert not is_rounding(fillet, [fillet, next_arc, lines[1]], TOLERANCE)

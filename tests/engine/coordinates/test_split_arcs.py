@@ -91,11 +91,11 @@ def test_what_was_read_stays() -> None:
 
 def test_flat_arcs_of_one_very_circle_tell_it() -> None:
     one = Arc(_ARC.centre, _ARC.radius, 0.4, 0.03, Linetype.VISIBLE)
-    other, beside = replace(one, start_angle=0.5), replace(one, start_angle=0.5, radius=12.01)
+    other, neighbour = replace(one, start_angle=0.5), replace(one, start_angle=0.5, radius=12.01)
     exact = _views()
     assert is_piece(one, (one, other), exact)
     assert not is_piece(one, (one,), exact)
-    assert not is_piece(one, (one, beside), exact)
+    assert not is_piece(one, (one, neighbour), exact)
     assert not is_piece(one, (one, other), replace(exact, apart=0.01))
 
 

@@ -122,8 +122,8 @@ def test_upright_dimensions_are_read_from_the_right() -> None:
         upright = line.strokes[0].start[0] == line.strokes[0].end[0]
         assert text.label.angle == pytest.approx(-np.pi / 2.0 if upright else 0.0)
         # The text stands above its line, seen along it.
-        beside = 0 if upright else 1
-        assert text.label.centre[beside] < line.strokes[0].start[beside]
+        neighbour = 0 if upright else 1
+        assert text.label.centre[neighbour] < line.strokes[0].start[neighbour]
 
 
 def test_inline_texts_are_level_and_interrupt_their_lines() -> None:

@@ -29,7 +29,11 @@ def test_every_bore_has_a_thin_arc_around_it_and_dashes_beside_it() -> None:
         arc, *lines = note.strokes
         assert isinstance(arc, Arc)
         assert arc.sweep == pytest.approx(1.5 * np.pi)
-        rim = next(own for own in rims if np.hypot(*np.subtract(own.centre, arc.centre)) < 0.01)
+        rim = next(
+            this_rim
+            for this_rim in rims
+            if np.hypot(*np.subtract(this_rim.centre, arc.centre)) < 0.01
+        )
         assert rim.radius / arc.radius == pytest.approx(0.83)
         # Dashes of both sides in both other views, none longer than the plate is thick.
         assert all(isinstance(line, Segment) for line in lines)

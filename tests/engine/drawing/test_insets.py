@@ -26,9 +26,9 @@ def _sheet(lines: PartLines, look: str) -> Sheet:
 @pytest.mark.parametrize("inset", Inset)
 def test_an_inset_stands_beside_the_views(lines: PartLines, inset: Inset) -> None:
     sheet = _sheet(lines, f"inset={inset.value}")
-    own = [mark for mark in sheet.annotations if mark.kind.value == inset.value]
-    assert own
-    for mark in own:
+    marks = [mark for mark in sheet.annotations if mark.kind.value == inset.value]
+    assert marks
+    for mark in marks:
         x0, y0, x1, y1 = mark.box
         for view in sheet.views:
             u0, v0, u1, v1 = view.box

@@ -33,14 +33,14 @@ def _boxes(
     [(Projection.THIRD, TOP, RIGHT), (Projection.FIRST, BOTTOM, LEFT)],
 )
 def test_what_stands_above_and_right_of_the_front_view(
-    projection: Projection, above: Role, beside: Role
+    projection: Projection, above: Role, role: Role
 ) -> None:
-    boxes = _boxes((FRONT, above, beside), projection)
+    boxes = _boxes((FRONT, above, role), projection)
     front = boxes[FRONT]
     assert boxes[above][3] < front[1]
-    assert boxes[beside][0] > front[2]
+    assert boxes[role][0] > front[2]
     assert (boxes[above][0], boxes[above][2]) == (front[0], front[2])
-    assert (boxes[beside][1], boxes[beside][3]) == (front[1], front[3])
+    assert (boxes[role][1], boxes[role][3]) == (front[1], front[3])
 
 
 @pytest.mark.parametrize(
@@ -48,11 +48,11 @@ def test_what_stands_above_and_right_of_the_front_view(
     [(Projection.FIRST, TOP, RIGHT), (Projection.THIRD, BOTTOM, LEFT)],
 )
 def test_what_stands_below_and_left_of_the_front_view(
-    projection: Projection, below: Role, beside: Role
+    projection: Projection, below: Role, role: Role
 ) -> None:
-    boxes = _boxes((FRONT, below, beside), projection)
+    boxes = _boxes((FRONT, below, role), projection)
     assert boxes[below][1] > boxes[FRONT][3]
-    assert boxes[beside][2] < boxes[FRONT][0]
+    assert boxes[role][2] < boxes[FRONT][0]
 
 
 @pytest.mark.parametrize("projection", Projection)

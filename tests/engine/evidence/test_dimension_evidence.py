@@ -39,12 +39,12 @@ SHEET = SimpleNamespace(
     ],
 )
 def test_a_dimension_measures_along_the_axis_of_its_column_or_row(
-    span: Span, told: tuple[Axis, float, float]
+    span: Span, stated: tuple[Axis, float, float]
 ) -> None:
     found = told_numbers(SHEET, [Measure(span, 7.0, 0.1)], 0.0)
-    axis, low, high = told
-    (own,) = found.lengths
-    assert own == ToldLength(axis, pytest.approx(low), pytest.approx(high), 7.0)
+    axis, low, high = stated
+    (item,) = found.lengths
+    assert item == ToldLength(axis, pytest.approx(low), pytest.approx(high), 7.0)
 
 
 def test_of_two_numbers_for_one_length_the_longer_counts() -> None:
@@ -56,13 +56,13 @@ def test_of_two_numbers_for_one_length_the_longer_counts() -> None:
     found = told_numbers(SHEET, measures, 0.0)
     # Zeros at the end may be left out: all are rounded like it.
     assert found.digit == 0.01
-    assert [own.value for own in found.lengths] == [59.98, 60.12, 60.1, 60.0]
+    assert [length.value for length in found.lengths] == [59.98, 60.12, 60.1, 60.0]
 
 
 def test_a_circle_lies_in_the_plane_of_its_view() -> None:
     bore = Arc((30.0, 220.0), 8.0, 0.0, 6.28, Linetype.VISIBLE)
-    (own,) = told_numbers(SHEET, [Measure(bore, 4.1, 0.1)], 0.0).lengths
-    assert own == ToldRadius(Axis.X, pytest.approx((15.0, 30.0)), 4.0, 4.1)
+    (item,) = told_numbers(SHEET, [Measure(bore, 4.1, 0.1)], 0.0).lengths
+    assert item == ToldRadius(Axis.X, pytest.approx((15.0, 30.0)), 4.0, 4.1)
 
 
 def test_what_is_beside_all_views_measures_nothing() -> None:
@@ -81,11 +81,13 @@ def test_the_rougher_the_lines_the_more_a_number_may_differ(noise: float, reach:
 @pytest.mark.parametrize(
     ("off", "used", "told"), [(0.002, True, False), (0.005, False, False), (0.02, False, True)]
 )
-def test_numbers_count_only_at_the_scale_that_was_taken(off: float, used: bool, told: bool) -> None:
+def test_numbers_count_only_at_the_scale_that_was_taken(
+    off: float, used: bool, is_given: bool
+) -> None:
     measures = (Measure(Span(True, 100.0, 220.0), 60.0, 0.1),)
     for sign in (1.0, -1.0):
         scale = SheetScale(PIXEL * math.exp(sign * off), ScaleSource.DIMENSION, measures=measures)
         assert trusted(SHEET, scale) == (measures if used else ())
-        assert contradicts(SHEET, scale) is told
+        assert contradicts(SHEET, scale) is is_given
     assert trusted(SHEET, None) == ()
     assert not contradicts(SHEET, SheetScale(None, ScaleSource.DEFAULT))

@@ -81,9 +81,9 @@ def test_a_hole_begins_where_the_pad_under_it_ends() -> None:
 
 
 def test_the_earliest_face_that_is_there_counts_then_the_first_pad() -> None:
-    beside = _slab((60, 0), (90, 40), 0.0, 10.0)
-    assert _begins(_PLATE, beside, _drilled(10.0, (70, 20))) == Support(1, Side.END)
-    assert _begins(_PLATE, beside, _drilled(10.0, (60, 20))) == Support(0, Side.END)
+    neighbour = _slab((60, 0), (90, 40), 0.0, 10.0)
+    assert _begins(_PLATE, neighbour, _drilled(10.0, (70, 20))) == Support(1, Side.END)
+    assert _begins(_PLATE, neighbour, _drilled(10.0, (60, 20))) == Support(0, Side.END)
     assert _begins(_PLATE, _BOSS, _drilled(10.0, (200, 20))) == Support(0, Side.END)
     assert _begins(_PLATE, _BOSS, _drilled(30.0, (50, 20))) is None
 

@@ -83,10 +83,10 @@ def test_a_sketch_has_its_plane_its_edges_and_what_fixes_them(flange: FeatureLis
 
 
 def test_numbers_tell_where_they_are_from(flange: FeatureList) -> None:
-    plain, told = _values(flange), _values(flange, 60.0, 10.0, 5.0)
+    plain, stated = _values(flange), _values(flange, 60.0, 10.0, 5.0)
     sources = re.findall(r'"(sheet|measured)"', json.dumps(plain))
     assert set(sources) == {"measured"}
-    pad = told["features"][0]
+    pad = stated["features"][0]
     assert pad["sources"] == {"length": "sheet"}
     dimensions = {
         round(constraint["value"], 6): constraint["source"]
@@ -94,7 +94,7 @@ def test_numbers_tell_where_they_are_from(flange: FeatureList) -> None:
         if "value" in constraint
     }
     assert dimensions == {60.0: "sheet", 40.0: "measured"}
-    drilled = [f for f in told["features"] if f["kind"] == "hole" and f["diameter"] == 5.0]
+    drilled = [f for f in stated["features"] if f["kind"] == "hole" and f["diameter"] == 5.0]
     assert [feature["sources"]["diameter"] for feature in drilled] == ["sheet"]
 
 

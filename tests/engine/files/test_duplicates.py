@@ -31,10 +31,10 @@ CURVES: list[Curve] = [
 
 @pytest.mark.parametrize("curve", CURVES)
 def test_a_curve_that_is_drawn_again_is_one(curve: Curve) -> None:
-    own = VectorStroke(curve, 2.0, layer="A")
-    assert distinct_strokes([own, own, own]) == (own,)
-    wider = replace(own, width=3.0)
-    assert distinct_strokes([own, wider]) == (wider,)
+    vector_stroke = VectorStroke(curve, 2.0, layer="A")
+    assert distinct_strokes([vector_stroke, vector_stroke, vector_stroke]) == (vector_stroke,)
+    wider = replace(vector_stroke, width=3.0)
+    assert distinct_strokes([vector_stroke, wider]) == (wider,)
 
 
 def test_a_line_that_is_drawn_back_is_one() -> None:
@@ -56,15 +56,15 @@ def test_a_line_that_is_drawn_back_is_one() -> None:
     ],
 )
 def test_what_differs_stays(other: dict[str, object]) -> None:
-    own = VectorStroke(CURVES[0], 2.0, layer="A")
-    pair = own, replace(own, **other)
+    vector_stroke = VectorStroke(CURVES[0], 2.0, layer="A")
+    pair = vector_stroke, replace(vector_stroke, **other)
     assert distinct_strokes(pair) == pair
 
 
 def test_arcs_with_the_same_ends_are_told_apart_by_their_way() -> None:
     centre = (50.0, 50.0)
     upper, lower = (CircularArc(centre, 20.0, start, np.pi) for start in (0.0, np.pi))
-    pair = tuple(VectorStroke(own, None) for own in (upper, lower))
+    pair = tuple(VectorStroke(item, None) for item in (upper, lower))
     assert distinct_strokes(pair) == pair
 
 
@@ -73,22 +73,22 @@ def test_free_curves_with_the_same_ends_middle_and_length_are_told_apart(waves: 
     x = np.linspace(0.0, 200.0, 161)
     y = 20.0 * np.sin(waves * FULL_TURN * x / 200.0)
     pair = tuple(
-        VectorStroke(Chain(tuple(zip(x.tolist(), (100.0 + own).tolist(), strict=True))), None)
-        for own in (y, -y)
+        VectorStroke(Chain(tuple(zip(x.tolist(), (100.0 + item).tolist(), strict=True))), None)
+        for item in (y, -y)
     )
     assert distinct_strokes(pair) == pair
 
 
 def test_a_free_curve_that_is_drawn_back_is_one() -> None:
     points = ((0.0, 0.0), (5.0, 9.0), (20.0, 12.0), (31.0, 40.0))
-    there, back = (VectorStroke(Chain(own), None) for own in (points, points[::-1]))
+    there, back = (VectorStroke(Chain(item), None) for item in (points, points[::-1]))
     assert distinct_strokes([there, back]) == (there,)
 
 
 def test_ellipses_with_the_same_ends_and_middle_are_told_apart() -> None:
     pair = tuple(
-        VectorStroke(EllipticArc((150.0, 90.0), (40.0, 0.0), own, 0.0, FULL_TURN), None)
-        for own in (0.5, 0.6)
+        VectorStroke(EllipticArc((150.0, 90.0), (40.0, 0.0), item, 0.0, FULL_TURN), None)
+        for item in (0.5, 0.6)
     )
     assert distinct_strokes(pair) == pair
     tilts = (0.9, 0.3), (0.9, -0.3)
@@ -101,15 +101,15 @@ def test_ellipses_with_the_same_ends_and_middle_are_told_apart() -> None:
 
 @given(
     st.lists(
-        st.tuples(*[st.integers(0, 9)] * 4).filter(lambda own: own[:2] != own[2:]), max_size=20
+        st.tuples(*[st.integers(0, 9)] * 4).filter(lambda item: item[:2] != item[2:]), max_size=20
     )
 )
 def test_each_line_is_there_once_in_the_files_order(ends: list[tuple[int, int, int, int]]) -> None:
     strokes = [VectorStroke(Line((a, b), (c, d)), None) for a, b, c, d in ends]
     seen, first = set(), []
-    for own, (a, b, c, d) in zip(strokes, ends, strict=True):
+    for stroke, (a, b, c, d) in zip(strokes, ends, strict=True):
         key = frozenset(((a, b), (c, d)))
         if key not in seen:
             seen.add(key)
-            first.append(own)
+            first.append(stroke)
     assert distinct_strokes(strokes) == tuple(first)

@@ -252,8 +252,8 @@ def test_line_weights(read: Read) -> None:
     model.add_line((10, 30), (90, 30), dxfattribs={"layer": "THICK"})
     model.add_line((10, 40), (90, 40))
     model.add_lwpolyline([(10, 50), (90, 50)], dxfattribs={"const_width": 1.5})
-    own, layer, default, wide = (stroke.width for stroke in _rest(read(doc)))
-    assert own == pytest.approx(0.35 * MM)
+    item, layer, default, wide = (stroke.width for stroke in _rest(read(doc)))
+    assert item == pytest.approx(0.35 * MM)
     assert layer == pytest.approx(0.7 * MM)
     assert default is None
     assert wide == pytest.approx(1.5 * MM)
@@ -410,7 +410,9 @@ def test_a_unit_that_is_named_is_kept_at_any_size(
     doc.modelspace().add_lwpolyline([(0, 0), (size, 0), (size, size / 2)], close=True)
     doc.modelspace().add_line((0, 0), (0, size), dxfattribs={"lineweight": 100})
     content = read(doc)
-    lengths = [own.curve.length * 25.4 / content.pixels_per_inch for own in content.vectors.strokes]
+    lengths = [
+        stroke.curve.length * 25.4 / content.pixels_per_inch for stroke in content.vectors.strokes
+    ]
     assert lengths[0] == pytest.approx(size_mm)
     assert content.vectors.unit_mm == pytest.approx(millimetres)
     assert "paper-size-unknown" not in {note.code for note in content.notes}
@@ -427,7 +429,7 @@ def test_notes_beside_a_drawing_without_paper_are_on_its_sheet(read: Read) -> No
         model.add_text(text, height=4).set_placement(place)
     content = read(doc)
     height, width = content.grey.shape
-    *near, far = (own.box for own in content.vectors.texts)
+    *near, far = (this_text.box for this_text in content.vectors.texts)
     for x0, y0, x1, y1 in near:
         assert 0.0 < x0 < x1 < width
         assert 0.0 < y0 < y1 < height
@@ -619,7 +621,7 @@ def test_lines_of_several_strands_are_drawn(read: Read) -> None:
     doc = _framed(_a4())
     doc.modelspace().add_mline([(20, 20), (90, 20)], dxfattribs={"scale_factor": 5.0})
     content = read(doc)
-    assert [type(own.curve) for own in _rest(content)] == [Line, Line]
+    assert [type(item.curve) for item in _rest(content)] == [Line, Line]
     assert content.notes == ()
 
 

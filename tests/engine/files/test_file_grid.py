@@ -61,14 +61,14 @@ def test_the_step_is_measured_in_the_file_s_own_numbers(scale: float) -> None:
     for _ in range(40):
         step, begin, off = lot.uniform(0.02, 0.65), lot.uniform(), lot.uniform(0.0, 0.2)
         exact = slanted(lot, 60)
-        own = step / scale
-        rounded = (np.round(exact / own) + begin) * own
+        item = step / scale
+        rounded = (np.round(exact / item) + begin) * item
         # Some shapes were put on the sheet as they were.
         kept = np.arange(len(exact)) < off * len(exact)
         rounded[kept] = exact[kept]
         # PDFium tells numbers in single precision.
-        told = rounded.astype(np.float32).astype(float)
-        found.append(rounding_step(told, scale) == pytest.approx(step, rel=2e-3))
+        stated = rounded.astype(np.float32).astype(float)
+        found.append(rounding_step(stated, scale) == pytest.approx(step, rel=2e-3))
     assert np.mean(found) >= 0.9
 
 
@@ -93,10 +93,10 @@ def test_a_design_in_round_measures_is_rounded_to_nothing(step: float, seed: int
 def test_lengths_tell_a_design_whose_views_stand_on_a_fine_grid(seed: int) -> None:
     """At 7.125 px to the millimetre and 60 px between views all places are multiples of 3/8 px."""
     lot = np.random.default_rng(seed)
-    beside = (
+    neighbour = (
         np.cumsum(lot.integers(40, 90, size=(3, 2)), axis=0) * 7.125 + 60.0 * np.arange(3)[:, None]
     )
-    views = [design(lot, 7.125, 4) + own for own in beside]
+    views = [design(lot, 7.125, 4) + item for item in neighbour]
     assert rounding_step(np.concatenate(views), 1.0) == 0.0
     # Lengths that are no multiples of anything longer were rounded.
     plotted = design(lot, 0.375, 12)
@@ -108,13 +108,13 @@ def test_lengths_tell_a_design_whose_views_stand_on_a_fine_grid(seed: int) -> No
 def test_slanted_lines_tell_a_fine_design_from_rounding(seed: int) -> None:
     """Twentieths of a millimetre might be a printer's dots; then arrow heads are on them, too."""
     lot = np.random.default_rng(seed)
-    own, heads = design(lot, 0.05, 20), slanted(lot, 30)
+    item, heads = design(lot, 0.05, 20), slanted(lot, 30)
     dots = np.round(heads / 0.05) * 0.05
-    assert rounding_step(np.concatenate([own, heads]), MILLIMETRE) == 0.0
+    assert rounding_step(np.concatenate([item, heads]), MILLIMETRE) == 0.0
     step = 0.05 * MILLIMETRE
-    assert rounding_step(np.concatenate([own, dots]), MILLIMETRE) == pytest.approx(step)
+    assert rounding_step(np.concatenate([item, dots]), MILLIMETRE) == pytest.approx(step)
     # Nothing tells: the wider bound is the one that holds.
-    assert rounding_step(own, MILLIMETRE) == pytest.approx(step)
+    assert rounding_step(item, MILLIMETRE) == pytest.approx(step)
 
 
 @settings(max_examples=10, deadline=None)
@@ -165,7 +165,7 @@ def test_no_lines_have_no_step() -> None:
 
 
 def path(ends: np.ndarray, matrix: np.ndarray, *curves: Line | CircularArc) -> WrittenPath:
-    strokes = [VectorStroke(own, 1.0) for own in curves]
+    strokes = [VectorStroke(curve, 1.0) for curve in curves]
     return WrittenPath(lambda _: strokes, ends, matrix)
 
 

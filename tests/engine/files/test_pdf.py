@@ -126,12 +126,12 @@ def test_where_pictures_are_is_known(
     ).vectors
     # In the form (x, y) is turned to (300 - y, x).
     boxes = [(50.0, 60.0, 90.0, 80.0), (220.0, 50.0, 240.0, 90.0)]
-    told = [
+    stated = [
         (x0 * SCALE, (HEIGHT - y1) * SCALE, x1 * SCALE, (HEIGHT - y0) * SCALE)
         for x0, y0, x1, y1 in boxes
     ]
     assert not drawing.complete
-    assert np.allclose(drawing.pictures, told, atol=2e-3)
+    assert np.allclose(drawing.pictures, stated, atol=2e-3)
 
 
 def test_crop_boxes_move_the_origin(pdf: type, save: Save) -> None:
@@ -230,9 +230,9 @@ def test_slanted_letters_narrower_than_told_are_one_text(
             at += 30.0
             continue
         x, y = turn @ (at, 0.0) + start
-        matrix = " ".join(f"{own:.4f}" for own in (*letters.T.ravel(), x, y))
+        matrix = " ".join(f"{item:.4f}" for item in (*letters.T.ravel(), x, y))
         content += f"BT /T 10 Tf {matrix} Tm ({piece}) Tj ET ".encode()
-        at += narrow * sum(2.78 if own == "," else 5.56 for own in piece)
+        at += narrow * sum(2.78 if item == "," else 5.56 for item in piece)
     assert written(content) == ["48,5", "7"]
 
 

@@ -40,7 +40,7 @@ def _turning(start: float, end: float, count: int) -> np.ndarray:
 def test_an_arc_is_one_however_its_points_are_rounded(step: float, share: float) -> None:
     lot = np.random.default_rng(0)
     drawn = [(lot.uniform(12, 120), lot.uniform(0.8, 2 * np.pi)) for _ in range(400)]
-    whole = [_is_whole(*own, lot.uniform(0.0, 6.0), step) for own in drawn]
+    whole = [_is_whole(*item, lot.uniform(0.0, 6.0), step) for item in drawn]
     # Rounding may part the end of one from the rest.
     assert np.mean(whole) >= share
 

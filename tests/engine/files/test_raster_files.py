@@ -112,7 +112,7 @@ def test_truncated_headers_are_damage(save: Callable, tmp_path: Path) -> None:
 def test_ink_has_its_colour_on_paper_of_any_colour(
     tmp_path: Path, paper: tuple[int, int, int], shade: tuple[float, float]
 ) -> None:
-    across, down = (1.0 - own * np.linspace(0.0, 1.0, 1200) for own in shade)
+    across, down = (1.0 - item * np.linspace(0.0, 1.0, 1200) for item in shade)
     light = np.array(paper) * (across[None, :] * down[:, None])[..., None]
     passed = np.ones_like(light)
     inks = {200: (0.1, 0.1, 0.1), 500: (0.9, 0.1, 0.1), 800: (0.15, 0.25, 0.95)}
@@ -124,9 +124,9 @@ def test_ink_has_its_colour_on_paper_of_any_colour(
     tint = read_raster(tmp_path / "a.png", 1).tint
     rest = tint.copy()
     for row, hue in {500: 0, 800: 116}.items():
-        own = tint[row : row + 5, 100:1100].astype(int) - 1
+        entry = tint[row : row + 5, 100:1100].astype(int) - 1
         # Hues are a circle of 180.
-        assert (np.abs((own - hue + 90) % 180 - 90) <= 8).mean() > 0.99
+        assert (np.abs((entry - hue + 90) % 180 - 90) <= 8).mean() > 0.99
         rest[row : row + 5, 100:1100] = 0
     assert (rest > 0).mean() < 1e-4
 

@@ -50,7 +50,7 @@ def test_what_says_no_unit_is_drawn_as_paper_where_that_may_be() -> None:
     assert none.scale == pytest.approx(0.003)
     for sizing in (metric, imperial, none):
         assert sizing.pixels_per_inch is None
-        assert [own.code for own in notes_on(Path("a.dxf"), sizing)] == ["paper-size-unknown"]
+        assert [note.code for note in notes_on(Path("a.dxf"), sizing)] == ["paper-size-unknown"]
 
 
 @pytest.mark.parametrize(("width", "height"), [(1189.0, 841.0), (2378.0, 841.0)])

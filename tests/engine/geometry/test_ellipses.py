@@ -62,9 +62,9 @@ def test_steps_lead_to_the_nearest_ellipse(
 ) -> None:
     """Points that lie beside an ellipse, now outside and now inside, and a start that is off."""
     at = start + np.linspace(0.0, sweep, 80)
-    beside = 0.002 * ellipse.semi_minor * np.cos(40.0 * (at - start))
+    neighbour = 0.002 * ellipse.semi_minor * np.cos(40.0 * (at - start))
     points = np.concatenate(
-        [_points(ellipse, np.array([t]), d) for t, d in zip(at, beside, strict=True)]
+        [_points(ellipse, np.array([t]), d) for t, d in zip(at, neighbour, strict=True)]
     )
     shift = 0.02 * ellipse.semi_minor
     found = WholeEllipse(

@@ -45,8 +45,8 @@ def test_arcs_that_follow_a_curve_of_two_cylinders_become_that_curve(
 def test_traces_of_planes_cylinders_and_bodies_stay(name: str, sample_views: Views) -> None:
     views = replace(sample_views(name), tolerance=_PIXEL)
     followed = with_followed_curves(views, find_supports(views))
-    for role, own in (followed or views).strokes.items():
-        for stroke, drawn in zip(own, views.strokes[role], strict=True):
+    for role, this_stroke in (followed or views).strokes.items():
+        for stroke, drawn in zip(this_stroke, views.strokes[role], strict=True):
             assert stroke == drawn or not isinstance(drawn, Segment | Arc)
 
 

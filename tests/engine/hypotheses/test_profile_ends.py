@@ -33,8 +33,8 @@ def test_a_drill_s_tip_is_on_its_axis_at_its_own_height(off: float) -> None:
 
 
 def test_what_ends_elsewhere_stays() -> None:
-    for own in (LineProfile(2.0, 10.0, 1.0, 3.0), LineProfile(20.2, 23.8, 4.3, 6.7)):
-        assert ENDS.met_by(own) == own
+    for item in (LineProfile(2.0, 10.0, 1.0, 3.0), LineProfile(20.2, 23.8, 4.3, 6.7)):
+        assert ENDS.met_by(item) == item
     # A cone that would become a cylinder, or a disc, is left as it was read.
     flat = LineProfile(0.0, 20.0, 4.04, 3.96)
     assert ENDS.met_by(flat) == flat

@@ -94,8 +94,8 @@ def _cut_cone(misread: float, tolerance: float) -> PartSupports:
     }
     level = [((0.0, 0.0), (80.0, 0.0))]
     strokes = {
-        role: tuple(Segment(p, q, Linetype.VISIBLE) for p, q in (*level, *own))
-        for role, own in outlines.items()
+        role: tuple(Segment(p, q, Linetype.VISIBLE) for p, q in (*level, *outline))
+        for role, outline in outlines.items()
     }
     circles = tuple(Arc((40.0, 40.0), r, 0.0, 2.0 * pi, Linetype.VISIBLE) for r in (40.0, 16.0))
     views = DrawnViews({**strokes, Role.TOP: circles}, (80.0, 80.0, 60.0), tolerance)
@@ -107,9 +107,9 @@ def test_outlines_of_a_cone_are_the_same_in_all_views() -> None:
     (body,) = find_bodies(supports)
     rims = [rim for rim, _ in body.rims(Axis.X)]
 
-    def beside(own: PartSupports) -> list[float]:
+    def offsets(part_supports: PartSupports) -> list[float]:
         """Units from the ends of the right view's outlines to those of the cone."""
-        slants = [s for s in own.planes[Axis.X].supports if s.curve.axis is None]
+        slants = [s for s in part_supports.planes[Axis.X].supports if s.curve.axis is None]
         return [
             min(rim.distance(s.curve.at(end)) for rim in rims)
             for s in slants
@@ -117,7 +117,7 @@ def test_outlines_of_a_cone_are_the_same_in_all_views() -> None:
             for end in stretch
         ]
 
-    before, after = beside(supports), beside(retraced(supports, (), [body]))
+    before, after = offsets(supports), offsets(retraced(supports, (), [body]))
     assert len(before) == len(after) == 4
     assert max(before) > 0.01
     assert max(after) < 1e-9

@@ -48,8 +48,8 @@ def test_a_frustum_is_one_cone(low: int, high: int, height: int) -> None:
     assert (body.axis, body.sector) == (Axis.Z, None)
     assert body.centre == pytest.approx((max(low, high) * scale,) * 2, abs=1e-4)
     assert isinstance(body.profile, LineProfile)
-    told = (body.profile.low, body.profile.high, body.profile.at_low, body.profile.at_high)
-    assert told == pytest.approx((0.0, height * scale, low * scale, high * scale), abs=1e-3)
+    stated = (body.profile.low, body.profile.high, body.profile.at_low, body.profile.at_high)
+    assert stated == pytest.approx((0.0, height * scale, low * scale, high * scale), abs=1e-3)
 
 
 def test_a_slant_that_one_view_lacks_is_no_cone() -> None:
@@ -157,7 +157,7 @@ def test_a_fillet_at_which_no_circle_is_drawn_goes_on_from_its_cone() -> None:
     rounds = [Arc((30.0, 30.0), r, 0.0, TURN, Linetype.VISIBLE) for r in (10.0, 30.0)]
     strokes = {Role.FRONT: drawn, Role.RIGHT: drawn, Role.TOP: rounds}
     bodies = find_bodies(find_supports(exact_views(strokes, (60.0, 60.0, 20.0))))
-    below, fillet = sorted((body.profile for body in bodies), key=lambda own: own.low)
+    below, fillet = sorted((body.profile for body in bodies), key=lambda item: item.low)
     scale = 100.0 / 60.0
     assert isinstance(below, LineProfile) and isinstance(fillet, ArcProfile)
     assert (below.low, below.high) == pytest.approx((0.0, 10.0 * scale), abs=1e-3)

@@ -74,7 +74,7 @@ def test_its_lines_may_be_drawn_or_not() -> None:
     found = with_untold_chamfers(_block(_bore(), _bore()))
     for axis in (Axis.X, Axis.Y):
         slants = [s for s in found.planes[axis].supports if s.curve.axis is None]
-        spans = [span for s in slants for own in s.spans.values() for span in own]
+        spans = [span for s in slants for this_span in s.spans.values() for span in this_span]
         assert [span.confidence for span in spans] == [0.0, 0.0]
 
 
@@ -170,9 +170,9 @@ def test_the_undercut_between_a_shoulder_and_a_pin_is_a_cone(shoulder: float, co
     supports = find_supports(DrawnViews(strokes, (30.0, 30.0, 20.0), 0.1))
     found = _cones(supports)
     units = [(cone.low, cone.high, cone.at_low, cone.at_high) for cone in found]
-    told = [9.0, 10.0, 3.0, _BORE]
+    stated = [9.0, 10.0, 3.0, _BORE]
     assert len(units) == cones
-    assert all([v / supports.scale for v in own] == pytest.approx(told) for own in units)
+    assert all([v / supports.scale for v in unit] == pytest.approx(stated) for unit in units)
 
 
 @pytest.mark.parametrize(("farther", "cones"), [(0.0, 2), (0.3, 2), (0.6, 0)])
@@ -185,5 +185,5 @@ def test_the_ground_of_a_groove_is_told_by_its_circle(farther: float, cones: int
     ground = [Segment((_CENTRE - reach, 1.0), (_CENTRE + reach, 1.0), _HIDDEN)]
     supports = _block(ground, ground, radii=(3.0, 4.0, 5.0))
     units = [(cone.low, cone.high, cone.at_low, cone.at_high) for cone in _cones(supports)]
-    told = sorted([round(v / supports.scale, 3) for v in own] for own in units)
-    assert told == [[0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 5.0, 4.0]][:cones]
+    stated = sorted([round(v / supports.scale, 3) for v in unit] for unit in units)
+    assert stated == [[0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 5.0, 4.0]][:cones]

@@ -17,7 +17,7 @@ from gaussiancad_core.model.views import Linetype, Segment
 _TOLERANCE = 0.1
 
 
-def _cut_corner(leg: tuple[float, float, float], told: tuple[Role, ...]) -> DrawnViews:
+def _cut_corner(leg: tuple[float, float, float], roles: tuple[Role, ...]) -> DrawnViews:
     """A block of 40 mm whose lower left front corner is cut off; its edges in some views."""
     x, y, z = leg
     cuts = {
@@ -28,7 +28,7 @@ def _cut_corner(leg: tuple[float, float, float], told: tuple[Role, ...]) -> Draw
     corners = ((0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0), (0.0, 0.0))
     outline = tuple(Segment(a, b, Linetype.VISIBLE) for a, b in pairwise(corners))
     strokes = {
-        role: (*outline, Segment(*cuts[role], Linetype.HIDDEN)) if role in told else outline
+        role: (*outline, Segment(*cuts[role], Linetype.HIDDEN)) if role in roles else outline
         for role in cuts
     }
     return DrawnViews(strokes, (40.0, 40.0, 40.0), _TOLERANCE)
@@ -58,9 +58,9 @@ def test_an_edge_of_two_views_may_be_drawn_in_the_third(y: int, z: int) -> None:
     (span,) = found[0].spans[Role.RIGHT]
     assert span.confidence == 0.0
     ends = [found[0].curve.at(at) for at in (span.low, span.high)]
-    told = sorted((a / supports.scale, b / supports.scale) for a, b in ends)
-    assert told[0] == pytest.approx((0.0, 0.0), abs=1e-6)
-    assert told[1] == pytest.approx((y, z), abs=1e-6)
+    stated = sorted((a / supports.scale, b / supports.scale) for a, b in ends)
+    assert stated[0] == pytest.approx((0.0, 0.0), abs=1e-6)
+    assert stated[1] == pytest.approx((y, z), abs=1e-6)
     middle = (span.low + span.high) / 2.0
     assert found[0].linetype_at(Role.RIGHT, middle) is None
     assert found[0].is_open_at(Role.RIGHT, middle)

@@ -27,14 +27,14 @@ def test_columns_enter_and_leave_in_turn_and_hold_the_volume(part: SamplePart) -
 
 def test_a_column_tells_depth_normal_and_face() -> None:
     shape = sample("pocket-block").build()
-    beside, through, outside = SightLines(shape, Role.TOP.frame, 1e-6).columns(
+    neighbour, through, outside = SightLines(shape, Role.TOP.frame, 1e-6).columns(
         np.array([[5.0, 5.0], [30.0, 20.0], [100.0, 5.0]])
     )
-    assert beside.depth == pytest.approx([-30.0, 0.0])
+    assert neighbour.depth == pytest.approx([-30.0, 0.0])
     assert through.depth == pytest.approx([-12.0, 0.0])
-    np.testing.assert_allclose(beside.normal, [[0, 0, 1], [0, 0, -1]], atol=1e-12)
-    assert beside.face[1] == through.face[1]
-    assert beside.face[0] != through.face[0]
+    np.testing.assert_allclose(neighbour.normal, [[0, 0, 1], [0, 0, -1]], atol=1e-12)
+    assert neighbour.face[1] == through.face[1]
+    assert neighbour.face[0] != through.face[0]
     assert len(outside.depth) == 0
     assert outside.sound
 

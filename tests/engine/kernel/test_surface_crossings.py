@@ -76,8 +76,8 @@ def test_crossings_lie_on_the_surface_and_know_its_normal_and_parameters(
         np.testing.assert_allclose([back.X(), back.Y(), back.Z()], point, atol=1e-7)
         assert np.linalg.norm(normal) == pytest.approx(1.0)
         step = 1e-5
-        beside = adaptor.Value(u + step, v)
-        tangent = (np.array([beside.X(), beside.Y(), beside.Z()]) - point) / step
+        neighbour = adaptor.Value(u + step, v)
+        tangent = (np.array([neighbour.X(), neighbour.Y(), neighbour.Z()]) - point) / step
         assert abs(normal @ tangent) < 1e-3 * max(1.0, np.linalg.norm(tangent))
 
 

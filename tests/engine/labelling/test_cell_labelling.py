@@ -106,8 +106,8 @@ def test_all_others_are_enumerated(rules: list[Rule]) -> None:
     }
     others = _others(rules, found, known)
     assert others.complete
-    told = [tuple(labels[cell] for cell in known) for labels in (found.labels, *others.labels)]
-    assert len(told) == len(set(told)) and set(told) == fitting
+    stated = [tuple(labels[cell] for cell in known) for labels in (found.labels, *others.labels)]
+    assert len(stated) == len(set(stated)) and set(stated) == fitting
     some = _others(rules, found, known, 1)
     assert len(some.labels) == min(1, len(fitting) - 1)
     assert some.complete == (len(fitting) == 1)
@@ -147,7 +147,7 @@ def test_what_is_given_up_weighs_least(rules: list[Rule]) -> None:
     def cost(labels: Labels) -> int:
         return sum(round(10.0 * rule.weight) for rule in _broken(rules, labels))
 
-    every = (dict(zip(_CELLS, told, strict=True)) for told in product((False, True), repeat=4))
+    every = (dict(zip(_CELLS, stated, strict=True)) for stated in product((False, True), repeat=4))
     assert cost(found.labels) == min(cost(labels) for labels in every)
     assert list(found.given_up) == _broken(rules, found.labels)
 
@@ -219,11 +219,11 @@ def test_one_wrong_line_is_given_up_and_only_that(rules: tuple[Rule, ...], place
     wrong = drawn[int(place * len(drawn))]
     # A speck of a line says nothing where there is one that all others speak of.
     flipped = replace(rules[wrong], linetype=None, weight=0.01)
-    told = [*rules[:wrong], flipped, *rules[wrong + 1 :]]
+    stated = [*rules[:wrong], flipped, *rules[wrong + 1 :]]
     if not _forced(rules, wrong):
         pytest.skip("the others do not tell this line")
-    assert _best(told, relaxed=False) == Labelling(None, (), True)
-    found = _best(told)
+    assert _best(stated, relaxed=False) == Labelling(None, (), True)
+    found = _best(stated)
     assert found.given_up == (flipped,) and found.complete
     assert found.labels is not None and drawn_under(rules[wrong], found.labels) is not None
     assert _broken([r for i, r in enumerate(rules) if i != wrong], found.labels) == []
@@ -232,8 +232,8 @@ def test_one_wrong_line_is_given_up_and_only_that(rules: tuple[Rule, ...], place
 
 def _forced(rules: tuple[Rule, ...], wrong: int) -> bool:
     flipped = replace(rules[wrong], linetype=None)
-    told = [*rules[:wrong], flipped, *rules[wrong + 1 :]]
-    return _best(told, relaxed=False).labels is None
+    stated = [*rules[:wrong], flipped, *rules[wrong + 1 :]]
+    return _best(stated, relaxed=False).labels is None
 
 
 def _more_than_places(places: int, weight: float) -> list[Rule]:
@@ -242,12 +242,12 @@ def _more_than_places(places: int, weight: float) -> list[Rule]:
     solid = (0, 1, 1, 0)
     at = [[(thing + 1, place + 1, 1, 0) for place in range(places)] for thing in range(places + 1)]
     rules = [_edge((None, solid), Linetype.VISIBLE, weight)]
-    for own in at:
-        somewhere = Group((), tuple((None, cell) for cell in own), ())
+    for item in at:
+        somewhere = Group((), tuple((None, cell) for cell in item), ())
         rules.append(replace(rules[0], groups=(somewhere,)))
     always = (None, solid)
     for place in range(places):
-        for one, other in combinations([own[place] for own in at], 2):
+        for one, other in combinations([entry[place] for entry in at], 2):
             unless = Group((), (), ((one, solid),))
             here = Group((), ((None, other),), ((None, other),))
             behind = Group((), (), (always,)), Group((), (always,), (always,))

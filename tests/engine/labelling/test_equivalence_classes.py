@@ -67,8 +67,8 @@ def _cells_of(rules: Sequence[Rule]) -> list[Cell]:
 
 
 def _all_labels(cells: Sequence[Cell]) -> Iterator[Labels]:
-    for told in product((False, True), repeat=len(cells)):
-        yield dict(zip(cells, told, strict=True))
+    for stated in product((False, True), repeat=len(cells)):
+        yield dict(zip(cells, stated, strict=True))
 
 
 def _sum(form: Form, chosen: int) -> bool:
@@ -85,8 +85,8 @@ def test_forms_are_all_solutions_of_the_equations(count: int, data: st.DataObjec
         for x in range(2**count)
         if not any(_sum(equation, x) for equation in equations)
     }
-    told = [tuple(_sum(f, chosen) for f in forms) for chosen in range(2 ** len(free))]
-    assert len(set(told)) == len(told) and set(told) == solutions
+    stated = [tuple(_sum(f, chosen) for f in forms) for chosen in range(2 ** len(free))]
+    assert len(set(stated)) == len(stated) and set(stated) == solutions
 
 
 @given(st.lists(st.integers(0, 2**8 - 1), max_size=12))
@@ -113,11 +113,11 @@ def test_blocks_are_all_labels_under_which_blank_rules_hold(
         for labels in _all_labels(cells)
         if all(holds(rule, labels) for rule in hard if _is_blank(rule))
     ]
-    told = [
+    stated = [
         {cell: _sum(blocks.forms[cell], chosen) for cell in cells}
         for chosen in range(2 ** len(blocks.free))
     ]
-    assert sorted(told, key=_order) == sorted(fitting, key=_order)
+    assert sorted(stated, key=_order) == sorted(fitting, key=_order)
 
 
 def _is_blank(rule: Rule) -> bool:
@@ -137,8 +137,8 @@ def test_what_is_said_of_blocks_is_what_rules_say(
     cells = _cells_of(rules)
     labels = {cell: _sum(blocks.forms[cell], chosen) for cell in cells}
     sayings = Sayings(blocks)
-    told = [(sayings.of(rule), rule) for rule in rules]
-    for said, rule in told:
+    stated = [(sayings.of(rule), rule) for rule in rules]
+    for said, rule in stated:
         assert _holds(said, chosen) == holds(rule, labels)
         if rule.weight >= lightest and _is_blank(rule):
             assert said.is_trivial

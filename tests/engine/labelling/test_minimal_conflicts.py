@@ -76,8 +76,8 @@ def test_each_line_of_the_wrong_linetype_is_told(sample_views: Views) -> None:
             untold.append(strokes[index])
             continue
         assert conflict.minimal
-        told = [line for line in conflict.suspects if _same_line(line, strokes[index])]
-        assert [(line.drawn, line.fitting) for line in told] == [(wrong, right)]
+        lines = [line for line in conflict.suspects if _same_line(line, strokes[index])]
+        assert [(line.drawn, line.fitting) for line in lines] == [(wrong, right)]
     # A sheet of no thickness over the step would hide its edge.
     assert [(line.start, line.end) for line in untold] == [((14.0, 0.0), (14.0, 50.0))]
 
@@ -92,10 +92,10 @@ def test_a_spurious_line_through_everything_is_told(
     line = Segment((0.0, 0.37 * z), (x, (0.61 if slanted else 0.37) * z), linetype)
     conflict = _conflict(_with(views, Role.FRONT, [*views.strokes[Role.FRONT], line]))
     assert conflict is not None and conflict.minimal
-    told = [one for one in conflict.lines if one.role is Role.FRONT and _same_line(one, line)]
-    assert len(told) == 1 and told[0].drawn is linetype
-    assert [one for one in conflict.suspects] == told
-    assert told[0].fitting is not linetype
+    ones = [one for one in conflict.lines if one.role is Role.FRONT and _same_line(one, line)]
+    assert len(ones) == 1 and ones[0].drawn is linetype
+    assert [one for one in conflict.suspects] == ones
+    assert ones[0].fitting is not linetype
 
 
 def test_no_part_of_a_minimal_conflict_contradicts_itself(sample_views: Views) -> None:

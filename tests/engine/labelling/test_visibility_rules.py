@@ -76,8 +76,8 @@ def test_the_truth_fulfils_every_rule(
     part = model_part(sample_views(name))
     labels = _truth(part, sample_solid(name))
     assert any(labels.values())
-    told = {rule.linetype for rule in part.rules}
-    assert told >= {Linetype.VISIBLE, None}
+    stated = {rule.linetype for rule in part.rules}
+    assert stated >= {Linetype.VISIBLE, None}
     wrong = [rule for rule in part.rules if drawn_under(rule, labels) is not rule.linetype]
     assert wrong == []
 

@@ -56,8 +56,8 @@ def test_the_file_says_what_the_network_says_and_the_same_twice(
 
 def test_the_digest_lies_beside_the_file(written: tuple[LabelsNetwork, Path, str]) -> None:
     _, path, digest = written
-    beside = path.with_name("labels.onnx.sha256").read_text(encoding="ascii")
-    assert beside == digest + "\n"
+    neighbour = path.with_name("labels.onnx.sha256").read_text(encoding="ascii")
+    assert neighbour == digest + "\n"
     assert hashlib.sha256(path.read_bytes()).hexdigest() == digest
 
 
@@ -65,9 +65,11 @@ def test_the_file_has_what_is_told_and_half_the_bytes(
     written: tuple[LabelsNetwork, Path, str],
 ) -> None:
     network, path, _ = written
-    told = {own.key: own.value for own in onnx.load(path).metadata_props}
-    assert told == {"temperature": "0.8"}
-    count = sum(own.numel() for own in network.parameters())
+    stated = {
+        metadata_prop.key: metadata_prop.value for metadata_prop in onnx.load(path).metadata_props
+    }
+    assert stated == {"temperature": "0.8"}
+    count = sum(parameter.numel() for parameter in network.parameters())
     assert path.stat().st_size < 2.1 * count
 
 

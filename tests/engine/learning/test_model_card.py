@@ -39,23 +39,25 @@ def test_the_shipped_card_is_of_the_shipped_network(path: Path, shipped: Card) -
     assert shipped.schema == SCHEMA
     digest = path.with_name("labels.onnx.sha256").read_text(encoding="ascii").strip()
     assert shipped.sha256 == digest
-    assert shipped.classes == tuple(own.name.lower() for own in InkClass)
-    assert shipped.parameters == sum(own.numel() for own in LabelsNetwork().parameters())
+    assert shipped.classes == tuple(item.name.lower() for item in InkClass)
+    assert shipped.parameters == sum(
+        parameter.numel() for parameter in LabelsNetwork().parameters()
+    )
 
 
 def test_the_shipped_card_names_every_source(shipped: Card) -> None:
     data = shipped.data
-    assert sum(own.sheets for own in data.trained_on) == 23
-    assert all(own.licence.startswith(("BSD", "CC0")) for own in data.trained_on)
-    checked = {own.name for own in data.validated_on}
-    assert not checked & {own.name for own in data.trained_on}
-    assert {own.source for own in shipped.figures} == checked | {"all"}
-    assert {own.factor for own in shipped.figures} == {1.0, 0.6, 0.4}
+    assert sum(item.sheets for item in data.trained_on) == 23
+    assert all(item.licence.startswith(("BSD", "CC0")) for item in data.trained_on)
+    checked = {item.name for item in data.validated_on}
+    assert not checked & {item.name for item in data.trained_on}
+    assert {figure.source for figure in shipped.figures} == checked | {"all"}
+    assert {figure.factor for figure in shipped.figures} == {1.0, 0.6, 0.4}
 
 
 def test_the_figures_of_the_shipped_card_follow_from_its_counts(shipped: Card) -> None:
-    for own in shipped.figures:
-        assert own == figure_of(own.source, own.factor, np.array(own.px))
+    for figure in shipped.figures:
+        assert figure == figure_of(figure.source, figure.factor, np.array(figure.px))
 
 
 def test_what_has_no_pixel_has_no_share() -> None:
@@ -71,9 +73,9 @@ def test_a_card_is_read_as_written(shipped: Card, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("key", ["sha256", "data", "training", "figures", "calibration"])
 def test_a_card_without_a_key_is_none(path: Path, tmp_path: Path, key: str) -> None:
-    told = json.loads(path.read_text(encoding="utf-8"))
-    del told[key]
-    (tmp_path / "card.json").write_text(json.dumps(told), encoding="utf-8")
+    stated = json.loads(path.read_text(encoding="utf-8"))
+    del stated[key]
+    (tmp_path / "card.json").write_text(json.dumps(stated), encoding="utf-8")
     with pytest.raises(UnreadableError, match=key) as error:
         read_card(tmp_path / "card.json")
     assert error.value.code == "file-unreadable"

@@ -38,9 +38,9 @@ _SHEETS = 30
 
 def _part() -> DrawnPart:
     """A block with a rounded edge and a bore, by hand: nothing here needs the kernel."""
-    edges = [segment(*own) for own in ([(0, 0), (60, 0)], [(60, 0), (60, 40)])]
-    edges += [segment(*own) for own in ([(60, 40), (0, 40)], [(0, 40), (0, 0)])]
-    visible = tuple(own.astype(np.float32) for own in edges)
+    edges = [segment(*item) for item in ([(0, 0), (60, 0)], [(60, 0), (60, 40)])]
+    edges += [segment(*item) for item in ([(60, 40), (0, 40)], [(0, 40), (0, 0)])]
+    visible = tuple(edge.astype(np.float32) for edge in edges)
     hidden = tuple(segment((x, 0), (x, 40)).astype(np.float32) for x in (20.0, 30.0))
     tangent = (segment((50, 0), (50, 40)).astype(np.float32),)
     circle = Circle((25.0, 20.0), 5.0, 0.0, 2.0 * np.pi, hidden=False)
@@ -66,20 +66,20 @@ def test_the_same_seed_gives_the_same_samples() -> None:
 
 def test_samples_have_the_size_that_was_asked_for() -> None:
     for seed in range(4):
-        for own in samples(seed, [_part()], 224, 2):
-            for layer in (own.grey, own.classes, own.extra):
+        for sample in samples(seed, [_part()], 224, 2):
+            for layer in (sample.grey, sample.classes, sample.extra):
                 assert layer.shape == (224, 224) and layer.dtype == np.uint8
 
 
 def test_a_piece_may_be_larger_than_the_sheet() -> None:
-    own = next(samples(1, [_part()], 3040, 1))
-    assert own.grey.shape == own.classes.shape == own.extra.shape == (3040, 3040)
+    sample = next(samples(1, [_part()], 3040, 1))
+    assert sample.grey.shape == sample.classes.shape == sample.extra.shape == (3040, 3040)
 
 
 def test_every_class_is_on_some_sheet(sheets: list[Rendered]) -> None:
     found = set().union(*(np.unique(sheet.classes).tolist() for sheet in sheets))
-    assert found >= {int(own) for own in InkClass}
-    assert found <= {*(int(own) for own in InkClass), UNKNOWN}
+    assert found >= {int(item) for item in InkClass}
+    assert found <= {*(int(item) for item in InkClass), UNKNOWN}
 
 
 def test_what_has_a_class_is_darker_than_paper(sheets: list[Rendered]) -> None:
@@ -130,8 +130,8 @@ def test_marks_beyond_the_sheet_leave_it_empty() -> None:
 
 def test_dashes_are_as_long_as_their_pattern_says() -> None:
     pieces = dashed(segment((0.0, 0.0), (100.0, 0.0)), (10.0, 5.0))
-    assert [length(own) for own in pieces] == pytest.approx([10.0] * 7)
-    assert [own[0, 0] for own in pieces] == pytest.approx([15.0 * own for own in range(7)])
+    assert [length(piece) for piece in pieces] == pytest.approx([10.0] * 7)
+    assert [piece[0, 0] for piece in pieces] == pytest.approx([15.0 * item for item in range(7)])
 
 
 def test_a_line_is_cut_at_a_border() -> None:
@@ -154,11 +154,11 @@ def test_slabs_and_squashed_parts_fit_together() -> None:
         chance = random.Random(seed)
         part = slab(chance)
         thin = squashed(part, chance)
-        for own in (part, thin):
-            width, height = np.ptp(own.views[Role.FRONT].box(), axis=0)
-            depth = np.ptp(own.views[Role.TOP].box(), axis=0)[1]
-            assert np.ptp(own.views[Role.TOP].box(), axis=0)[0] == pytest.approx(width, rel=1e-3)
-            side = np.ptp(own.views[Role.RIGHT].box(), axis=0)
+        for item in (part, thin):
+            width, height = np.ptp(item.views[Role.FRONT].box(), axis=0)
+            depth = np.ptp(item.views[Role.TOP].box(), axis=0)[1]
+            assert np.ptp(item.views[Role.TOP].box(), axis=0)[0] == pytest.approx(width, rel=1e-3)
+            side = np.ptp(item.views[Role.RIGHT].box(), axis=0)
             assert side == pytest.approx([depth, height], rel=1e-3)
 
 
@@ -176,7 +176,7 @@ def test_sheets_are_lettered_without_any_font_of_the_system(
 
 def test_letters_that_a_font_lacks_are_replaced() -> None:
     lettering = Lettering(None, cv2.FONT_HERSHEY_SIMPLEX, 1.0)
-    plain, crossed = (text_mask(own, 12.0, lettering) for own in ("O12", "⌀12"))
+    plain, crossed = (text_mask(item, 12.0, lettering) for item in ("O12", "⌀12"))
     assert plain.shape == crossed.shape
     assert crossed.sum() > plain.sum()
 
@@ -186,9 +186,9 @@ def test_spoiling_keeps_the_truth_on_the_ink(seed: int) -> None:
     sheet = Canvas(200, 200)
     sheet.lines([rectangle(40.0, 60.0, 160.0, 140.0)], InkClass.VISIBLE, 5.0, 255)
     clean = rendered(sheet, smooth=True)
-    own = spoiled(clean, np.random.default_rng(seed))
-    ink = own.grey[own.classes == InkClass.VISIBLE].astype(float)
-    paper = own.grey[own.classes == InkClass.PAPER].astype(float)
+    this_spoiled = spoiled(clean, np.random.default_rng(seed))
+    ink = this_spoiled.grey[this_spoiled.classes == InkClass.VISIBLE].astype(float)
+    paper = this_spoiled.grey[this_spoiled.classes == InkClass.PAPER].astype(float)
     inverted = np.median(paper) < np.median(ink)
     contrast = np.median(paper) - np.median(ink)
     assert contrast < -30.0 if inverted else contrast > 30.0

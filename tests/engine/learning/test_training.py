@@ -84,7 +84,7 @@ def drawn(seed: int, size: int = SIZE) -> Sample:
 
 def composed(seed: int, parts: Sequence[int], size: int, most: int) -> Iterator[Sample]:
     """Stands for the sheets."""
-    yield from (drawn(1000 * seed + own + parts[0], size) for own in range(most))
+    yield from (drawn(1000 * seed + item + parts[0], size) for item in range(most))
 
 
 GENERATOR = Generator(draw=lambda seed, most: list(range(seed, seed + most)), compose=composed)
@@ -100,9 +100,11 @@ def sheets_folder(folder: Path, licences: bool = True) -> Path:
     """Two sheets of one maker and one of another."""
     folder.mkdir()
     for seed, name in enumerate(("one+a", "one+b", "other+c")):
-        own = drawn(seed, 160)
-        classes = np.where(own.classes > InkClass.HIDDEN, SOME_ANNOTATION, own.classes)
-        cv2.imwrite(str(folder / f"{name}.img.png"), own.grey)
+        this_drawn = drawn(seed, 160)
+        classes = np.where(
+            this_drawn.classes > InkClass.HIDDEN, SOME_ANNOTATION, this_drawn.classes
+        )
+        cv2.imwrite(str(folder / f"{name}.img.png"), this_drawn.grey)
         cv2.imwrite(str(folder / f"{name}.lab.png"), classes.astype(np.uint8))
     if licences:
         (folder / "LICENCES.json").write_text(json.dumps({"one": "CC0-1.0"}))
@@ -111,7 +113,7 @@ def sheets_folder(folder: Path, licences: bool = True) -> Path:
 
 def test_training_makes_the_loss_fall() -> None:
     plan = FeedPlan(SIZE, batch=4, slots=32, paced=True)
-    with feeding(plan, lambda _: (drawn(own % 20) for own in count())) as feed:
+    with feeding(plan, lambda _: (drawn(item % 20) for item in count())) as feed:
         trained = train(
             starting_network(None, 1), feed, BySteps(20), most=2e-3, device=CPU, tell=silent
         )
@@ -126,7 +128,7 @@ def test_training_by_the_clock_ends_with_it() -> None:
     begun = time.monotonic()
     trained = train(
         starting_network(None, 1),
-        (batches[own % 4] for own in count()),
+        (batches[item % 4] for item in count()),
         ByClock(1.0),
         most=1e-3,
         device=CPU,
@@ -138,22 +140,22 @@ def test_training_by_the_clock_ends_with_it() -> None:
 
 def _batches(seed: int) -> Iterator[Batch]:
     for number in count():
-        samples = [drawn(seed + 4 * number + own) for own in range(4)]
-        maps = np.stack([[own.grey, own.classes, own.extra] for own in samples], axis=1)
+        samples = [drawn(seed + 4 * number + item) for item in range(4)]
+        maps = np.stack([[sample.grey, sample.classes, sample.extra] for sample in samples], axis=1)
         yield Batch(maps, np.ones(4, np.float32), 4 * (number + 1))
 
 
 def test_a_loss_that_is_no_number_is_not_learnt_from() -> None:
     def broken() -> Iterator[Batch]:
-        for number, own in enumerate(_batches(1)):
+        for number, batch in enumerate(_batches(1)):
             gain = np.full(4, np.nan if number == 2 else 1.0, np.float32)
-            yield replace(own, gain=gain)
+            yield replace(batch, gain=gain)
 
     trained = train(
         starting_network(None, 1), broken(), BySteps(5), most=1e-3, device=CPU, tell=silent
     )
     assert len(trained.losses) == 4
-    assert all(torch.isfinite(own).all() for own in trained.network.state_dict().values())
+    assert all(torch.isfinite(item).all() for item in trained.network.state_dict().values())
 
 
 def test_an_error_of_the_feed_ends_the_training() -> None:
@@ -170,9 +172,9 @@ def test_paced_batches_are_the_same_with_any_speed_of_the_workers() -> None:
 
     def stream(pause: float) -> list[Batch]:
         def made(number: int) -> Iterator[Sample]:
-            for own in count():
+            for item in count():
                 time.sleep(pause)
-                yield drawn(100 * number + own)
+                yield drawn(100 * number + item)
 
         with feeding(plan, made) as feed:
             return list(islice(feed, 30))
@@ -185,8 +187,8 @@ def test_paced_batches_are_the_same_with_any_speed_of_the_workers() -> None:
 @pytest.mark.parametrize("paced", [True, False])
 def test_batches_are_whole_samples_that_change(paced: bool) -> None:
     def numbered(number: int) -> Iterator[Sample]:
-        for own in count():
-            level = np.full((SIZE, SIZE), own % 250, np.uint8)
+        for item in count():
+            level = np.full((SIZE, SIZE), item % 250, np.uint8)
             yield Sample(level, level, level)
 
     seen: list[set[int]] = []
@@ -210,11 +212,11 @@ def test_a_lost_worker_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
 
     with (
         feeding(FeedPlan(SIZE, batch=4, slots=32), ending) as feed,
-        pytest.raises(EngineError) as told,
+        pytest.raises(EngineError) as stated,
     ):
         next(iter(feed))
-    assert told.value.code == "worker-lost"
-    assert "7" in str(told.value.message)
+    assert stated.value.code == "worker-lost"
+    assert "7" in str(stated.value.message)
 
 
 def test_a_sheet_that_fails_is_left_out_and_many_end_the_worker(
@@ -233,8 +235,11 @@ def test_a_sheet_that_fails_is_left_out_and_many_end_the_worker(
 
 
 def test_the_loss_knows_what_counts() -> None:
-    own = drawn(4)
-    truth = torch.from_numpy(np.stack([own.classes])), torch.from_numpy(np.stack([own.extra]))
+    this_drawn = drawn(4)
+    truth = (
+        torch.from_numpy(np.stack([this_drawn.classes])),
+        torch.from_numpy(np.stack([this_drawn.extra])),
+    )
     right = torch.full((1, len(InkClass) + 2, SIZE, SIZE), -20.0)
     right.scatter_(1, truth[0][:, None].long(), 20.0)
     right[:, len(InkClass)] = torch.where((truth[1] & EITHER) == ON_HIDDEN, 20.0, -20.0)
@@ -254,7 +259,7 @@ def test_the_loss_knows_what_counts() -> None:
 
 
 def test_the_rate_rises_and_falls_and_goes_with_the_batch() -> None:
-    rates = [rate_at(own, 1e-3) for own in np.linspace(0.0, 1.0, 200)]
+    rates = [rate_at(item, 1e-3) for item in np.linspace(0.0, 1.0, 200)]
     top = int(np.argmax(rates))
     assert rates[0] == rates[-1] == pytest.approx(1e-5)
     assert np.all(np.diff(rates[: top + 1]) > 0) and np.all(np.diff(rates[top:]) < 0)
@@ -272,13 +277,13 @@ def test_the_temperature_is_found_again() -> None:
 
 
 def test_figures_count_every_known_pixel_of_ink() -> None:
-    sheets = [PublishedSheet(own, own, drawn(own_seed)) for own_seed, own in enumerate("ab")]
+    sheets = [PublishedSheet(item, item, drawn(own_seed)) for own_seed, item in enumerate("ab")]
     found = figures_of(LabelsNetwork().eval(), sheets, CPU)
-    assert [(own.source, own.factor) for own in found] == [
+    assert [(item.source, item.factor) for item in found] == [
         (source, factor) for factor in (1.0, 0.6, 0.4) for source in ("a", "b", "all")
     ]
     whole = found[2]
-    ink = sum((own.truth.classes > 0).sum() for own in sheets)
+    ink = sum((sheet.truth.classes > 0).sum() for sheet in sheets)
     assert np.sum(whole.px) == ink
     assert np.array_equal(whole.px, np.add(found[0].px, found[1].px))
     for row, kind in enumerate(whole.recall):
@@ -291,18 +296,18 @@ def test_published_sheets_are_read_with_their_licences(tmp_path: Path) -> None:
     assert dict(published.licences) == {"one": "CC0-1.0", "other": NOT_TOLD}
     rng = np.random.default_rng(2)
     crops = [published_crop(published.sheets, SIZE, rng) for _ in range(40)]
-    assert all(own.grey.shape == own.classes.shape == (SIZE, SIZE) for own in crops)
-    known = {int(own) for crop in crops for own in np.unique(crop.classes)}
+    assert all(crop.grey.shape == crop.classes.shape == (SIZE, SIZE) for crop in crops)
+    known = {int(item) for crop in crops for item in np.unique(crop.classes)}
     assert known - {UNKNOWN} == {0, InkClass.VISIBLE, InkClass.HIDDEN, SOME_ANNOTATION}
     assert sum((crop.classes == InkClass.VISIBLE).any() for crop in crops) > 20
 
 
 def test_two_runs_give_the_same_files(tmp_path: Path) -> None:
     published = sheets_folder(tmp_path / "published")
-    outs = [tmp_path / own for own in ("a", "b")]
+    outs = [tmp_path / item for item in ("a", "b")]
     for out in outs:
         make(order(out, published=published), GENERATOR, silent)
-    one, other = (torch.load(own / "weights.pt", weights_only=True) for own in outs)
+    one, other = (torch.load(this_out / "weights.pt", weights_only=True) for this_out in outs)
     assert one.keys() == other.keys()
     assert all(torch.equal(one[name], other[name]) for name in one)
     assert one["head.0.weight"].dtype == torch.float16
@@ -319,11 +324,14 @@ def test_a_run_writes_the_network_with_its_temperature_and_card(tmp_path: Path) 
     data = (out / "labels.onnx").read_bytes()
     digest = hashlib.sha256(data).hexdigest()
     assert card.sha256 == digest == (out / "labels.onnx.sha256").read_text().strip()
-    told = {own.key: own.value for own in onnx.load_model_from_string(data).metadata_props}
+    stated = {
+        metadata_prop.key: metadata_prop.value
+        for metadata_prop in onnx.load_model_from_string(data).metadata_props
+    }
     assert card.calibration is not None
-    assert float(told["temperature"]) == card.calibration.temperature
+    assert float(stated["temperature"]) == card.calibration.temperature
     assert card.calibration.surprise_after <= card.calibration.surprise
-    assert {own.source for own in card.figures} == {"one", "other", "all", "generated"}
+    assert {figure.source for figure in card.figures} == {"one", "other", "all", "generated"}
     assert (card.data.parts, card.data.held_out) == (12, 1)
     assert card.training.steps == 3
     again = make(order(tmp_path / "on", steps=0, start=out / "weights.pt"), GENERATOR, silent)
@@ -337,7 +345,7 @@ def test_no_step_changes_no_weights(tmp_path: Path) -> None:
     start = tmp_path / "a" / "weights.pt"
     make(order(tmp_path / "b", steps=0, start=start), GENERATOR, silent)
     one, other = (
-        torch.load(tmp_path / own / "weights.pt", weights_only=True) for own in ("a", "b")
+        torch.load(tmp_path / item / "weights.pt", weights_only=True) for item in ("a", "b")
     )
     assert all(torch.equal(one[name], other[name]) for name in one)
 
@@ -347,10 +355,10 @@ def test_what_is_missing_is_one_sentence(
     tmp_path: Path, option: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     wrong = {option[2:]: tmp_path / "absent"}
-    with pytest.raises(UnreadableError) as told:
+    with pytest.raises(UnreadableError) as stated:
         make(order(tmp_path / "out", **wrong), GENERATOR, silent)
-    assert told.value.code == "file-missing"
-    assert "absent" in str(told.value.message)
+    assert stated.value.code == "file-missing"
+    assert "absent" in str(stated.value.message)
     assert not (tmp_path / "out").exists()
 
 
@@ -370,15 +378,15 @@ def test_damaged_folders_are_told(
     path.unlink()
     if content is not None:
         path.write_bytes(content)
-    with pytest.raises(UnreadableError) as told:
+    with pytest.raises(UnreadableError) as stated:
         published_sheets(path.parent)
-    assert told.value.code == code
+    assert stated.value.code == code
 
 
 def test_a_folder_without_sheets_and_truth_of_another_size_are_told(tmp_path: Path) -> None:
-    with pytest.raises(UsageError) as told:
+    with pytest.raises(UsageError) as stated:
         published_sheets(tmp_path)
-    assert told.value.code == "no-sheets"
+    assert stated.value.code == "no-sheets"
     folder = sheets_folder(tmp_path / "sheets")
     cv2.imwrite(str(folder / "one+a.ext.png"), np.zeros((5, 5), np.uint8))
     with pytest.raises(UnreadableError, match="differ in size"):
@@ -404,14 +412,14 @@ def test_weights_that_are_none_and_a_gpu_that_is_none_are_told(tmp_path: Path) -
 )
 def test_wrong_numbers_are_one_line(wrong: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--out", "absent", *wrong]) == 2
-    told = capsys.readouterr().err.strip()
-    assert told.endswith("[wrong-usage]")
-    assert "\n" not in told
+    stated = capsys.readouterr().err.strip()
+    assert stated.endswith("[wrong-usage]")
+    assert "\n" not in stated
 
 
 def test_an_output_that_is_a_file_is_told(tmp_path: Path) -> None:
     taken = tmp_path / "file"
     taken.touch()
-    with pytest.raises(UsageError) as told:
+    with pytest.raises(UsageError) as stated:
         make(order(taken), GENERATOR, silent)
-    assert told.value.code == "output-not-writable"
+    assert stated.value.code == "output-not-writable"

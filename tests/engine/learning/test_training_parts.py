@@ -45,8 +45,8 @@ def test_views_of_a_part_share_their_extents(parts: list[DrawnPart]) -> None:
                 (frame.right_axis, frame.up_axis), np.ptp(view.box(), axis=0), strict=True
             ):
                 extents.setdefault(axis.value, []).append(float(extent))
-        for own in extents.values():
-            assert max(own) - min(own) < 2e-3 * max(own)
+        for this_extent in extents.values():
+            assert max(this_extent) - min(this_extent) < 2e-3 * max(this_extent)
 
 
 def test_the_same_seed_draws_the_same_part_in_any_number(parts: list[DrawnPart]) -> None:
@@ -87,7 +87,7 @@ def test_a_change_goes_to_each_line() -> None:
     view = PartView((line,), (line,), (line, line))
 
     def parted(chain: np.ndarray) -> list[np.ndarray]:
-        return [np.stack(own) for own in pairwise(chain)]
+        return [np.stack(item) for item in pairwise(chain)]
 
     changed = view.each(parted)
-    assert [len(own) for own in (changed.visible, changed.hidden, changed.tangent)] == [2, 2, 4]
+    assert [len(item) for item in (changed.visible, changed.hidden, changed.tangent)] == [2, 2, 4]

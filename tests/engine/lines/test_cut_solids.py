@@ -96,6 +96,6 @@ def test_hidden_lines_can_be_left_out(solid) -> None:  # noqa: ANN001
     drawn = draw_sheet(solid, roles, Projection.THIRD, style)
     whole = draw_sheet(solid, roles, Projection.THIRD, parse_style("clean"))
     for role in roles:
-        visible = [own for own in whole[role].strokes if own.linetype is Linetype.VISIBLE]
+        visible = [stroke for stroke in whole[role].strokes if stroke.linetype is Linetype.VISIBLE]
         assert list(drawn[role].strokes) == visible
     assert any(len(drawn[role].strokes) < len(whole[role].strokes) for role in roles)

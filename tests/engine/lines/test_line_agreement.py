@@ -98,8 +98,8 @@ _STROKE = st.builds(
 @settings(max_examples=40, deadline=None)
 @given(st.lists(_STROKE, max_size=6), st.lists(_STROKE, max_size=6))
 def test_more_result_never_lowers_recall(sheet: list[Stroke], more: list[Stroke]) -> None:
-    own = match_lines(sheet, _lines(*sheet), 1.0).agreement
+    agreement = match_lines(sheet, _lines(*sheet), 1.0).agreement
     both = match_lines(sheet, _lines(*sheet, *more), 1.0).agreement
-    assert own == Agreement(1.0, 1.0, 1.0, 1.0)
+    assert agreement == Agreement(1.0, 1.0, 1.0, 1.0)
     assert (both.visible_recall, both.hidden_recall) == (1.0, 1.0)
     assert 0.0 <= both.worst <= 1.0

@@ -31,14 +31,14 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="forks only ther
 
 @pytest.fixture
 def server() -> Iterator[ForkServer]:
-    own = ForkServer(PREFERRED)
-    yield own
-    own.close()
+    fork_server = ForkServer(PREFERRED)
+    yield fork_server
+    fork_server.close()
 
 
-def _started(own: Starter, *arguments: str) -> tuple[Process, "tempfile._TemporaryFileWrapper"]:
+def _started(starter: Starter, *arguments: str) -> tuple[Process, "tempfile._TemporaryFileWrapper"]:
     errors = tempfile.TemporaryFile()  # noqa: SIM115
-    return own.start(list(arguments), 1 << 30, -3, errors), errors
+    return starter.start(list(arguments), 1 << 30, -3, errors), errors
 
 
 def _said(errors: "tempfile._TemporaryFileWrapper") -> str:
@@ -53,11 +53,11 @@ def _long(folder: Path) -> list[str]:
 
 def test_a_forked_process_ends_as_an_interpreter_does(server: ForkServer, tmp_path: Path) -> None:
     for arguments in (["explain", str(tmp_path / "none")], ["explain"], ["--help"]):
-        told = []
-        for own in (server, Interpreters()):
-            process, errors = _started(own, *arguments)
-            told.append((process.wait(60.0), _said(errors)))
-        assert told[0] == told[1]
+        stated = []
+        for item in (server, Interpreters()):
+            process, errors = _started(item, *arguments)
+            stated.append((process.wait(60.0), _said(errors)))
+        assert stated[0] == stated[1]
 
 
 def test_many_are_told_apart(server: ForkServer, tmp_path: Path) -> None:
@@ -80,13 +80,13 @@ def test_processes_die_with_their_server_and_others_are_started_without(
     server: ForkServer, tmp_path: Path
 ) -> None:
     process, _ = _started(server, *_long(tmp_path / "out"))
-    own = psutil.Process(process.pid)
-    parent = own.parent()
+    this_process = psutil.Process(process.pid)
+    parent = this_process.parent()
     assert parent is not None
     parent.kill()
     assert process.wait(10.0) == -signal.SIGKILL
     until = time.monotonic() + 60.0
-    while own.is_running() and own.status() != psutil.STATUS_ZOMBIE:
+    while this_process.is_running() and this_process.status() != psutil.STATUS_ZOMBIE:
         assert time.monotonic() < until
         time.sleep(0.05)
     other, errors = _started(server, "explain", str(tmp_path / "none"))
@@ -119,9 +119,9 @@ def test_modules_with_threads_are_not_forked(
 def test_the_modules_of_a_batch_have_no_threads() -> None:
     from gaussiancad_core.batches.batch_run import _MODULES
 
-    own = starter(_MODULES)
-    assert isinstance(own, ForkServer)
-    own.close()
+    this_starter = starter(_MODULES)
+    assert isinstance(this_starter, ForkServer)
+    this_starter.close()
 
 
 def test_solids_are_the_same_to_the_byte(tmp_path: Path) -> None:

@@ -67,7 +67,7 @@ def test_a_process_that_dies_is_told_with_its_stage(
     assert errors.count(b"\n") == 1 and f"[{said}]".encode() in errors
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["status"] == "failed" and report["stage"]
-    assert [own["code"] for own in report["reasons"]] == [said]
+    assert [item["code"] for item in report["reasons"]] == [said]
     # What was finished stays, nothing half is left, and the next run finds nothing foreign.
     assert {"reading.json", "report.json"} <= {path.name for path in tmp_path.iterdir()}
     assert not list(tmp_path.glob(".gaussiancad-*"))
@@ -103,7 +103,7 @@ def test_a_way_in_which_a_library_ends_the_run_is_left_out(tmp_path: Path) -> No
     assert _rest_of(started) == 0
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["status"] == "approximate"
-    assert "solid-way-left-out" in [own["code"] for own in report["reasons"]]
+    assert "solid-way-left-out" in [item["code"] for item in report["reasons"]]
     assert report["solid"]["valid"]
     assert not list(tmp_path.glob(".gaussiancad-*"))
 
@@ -176,8 +176,8 @@ def test_a_signal_to_the_command_alone_cancels_it(tmp_path: Path, number: str) -
     started = subprocess.Popen([*command, "--output", str(tmp_path)], stderr=subprocess.PIPE)
     engine = _engine_of(started)
     started.send_signal(getattr(signal, number))
-    _, told = started.communicate(timeout=_PATIENCE_S)
+    _, stated = started.communicate(timeout=_PATIENCE_S)
     assert started.returncode == 130
-    lines = told.decode().splitlines()
+    lines = stated.decode().splitlines()
     assert len(lines) == 1 and "[cancelled]" in lines[0]
     assert not engine.is_running()

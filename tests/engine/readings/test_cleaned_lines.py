@@ -71,20 +71,20 @@ def _opened(content: bytes) -> Drawing:
 def test_each_view_is_a_block_in_millimetres_with_a_layer_for_each_kind() -> None:
     drawing = _opened(lines_dxf(_known()))
     assert drawing.units == ezdxf.units.MM
-    placed = {own.dxf.name: tuple(own.dxf.insert)[:2] for own in drawing.modelspace()}
+    placed = {item.dxf.name: tuple(item.dxf.insert)[:2] for item in drawing.modelspace()}
     assert placed == {
         "FRONT": (100.0 * _MM, 300.0 * _MM),
         "SECTION": (200.0 * _MM, 50.0 * _MM),
     }
     line, arc, circle = drawing.blocks.get("FRONT")
-    assert [own.dxf.layer for own in (line, arc, circle)] == ["VISIBLE", "HIDDEN", "VISIBLE"]
+    assert [item.dxf.layer for item in (line, arc, circle)] == ["VISIBLE", "HIDDEN", "VISIBLE"]
     assert tuple(line.dxf.start)[:2] == (0.0, 0.0)
     assert tuple(line.dxf.end)[:2] == (400.0 * _MM, 0.0)
     # Up and to the left on the sheet.
     assert arc.dxf.radius == 80.0 * _MM
     assert (arc.dxf.start_angle, arc.dxf.end_angle) == pytest.approx((90.0, 180.0))
     assert tuple(circle.dxf.center)[:2] == (200.0 * _MM, 100.0 * _MM)
-    assert [own.dxf.layer for own in drawing.blocks.get("SECTION")] == ["TANGENT", "CENTRE"]
+    assert [block.dxf.layer for block in drawing.blocks.get("SECTION")] == ["TANGENT", "CENTRE"]
 
 
 @pytest.mark.parametrize("suffix", [".dxf", ".svg"])
@@ -93,8 +93,8 @@ def test_what_is_written_is_read_again_where_it_was(suffix: str, tmp_path: Path)
     path.write_bytes((lines_dxf if suffix == ".dxf" else lines_svg)(_known()))
     image = read_sheet(path)
     assert image.vectors is not None
-    found = np.concatenate([own.curve.sample(1.0) for own in image.vectors.strokes])
-    drawn = np.concatenate([points_of(own) for own in (*_STROKES[:4], _STROKES[-1])])
+    found = np.concatenate([stroke.curve.sample(1.0) for stroke in image.vectors.strokes])
+    drawn = np.concatenate([points_of(item) for item in (*_STROKES[:4], _STROKES[-1])])
     size = np.ptp(drawn, axis=0)
     assert np.ptp(found, axis=0) / np.ptp(drawn, axis=0) == pytest.approx(
         np.ptp(found, axis=0).max() / size.max(), rel=1e-3

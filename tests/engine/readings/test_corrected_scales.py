@@ -25,10 +25,10 @@ def test_lengths_of_one_scale_agree_up_to_a_click(scale: float, miss: float) -> 
     assert contradicting_lengths(_UNTOLD, [along, up]) is None
 
 
-@given(st.floats(0.2, 5.0).filter(lambda own: abs(own - 1.0) > 0.05))
+@given(st.floats(0.2, 5.0).filter(lambda item: abs(item - 1.0) > 0.05))
 def test_lengths_of_two_scales_contradict(wrong: float) -> None:
-    told = [_told(_ALONG, 80.0), _told(_UP, 40.0 * wrong)]
-    earlier, last = contradicting_lengths(_UNTOLD, told)
+    stated = [_told(_ALONG, 80.0), _told(_UP, 40.0 * wrong)]
+    earlier, last = contradicting_lengths(_UNTOLD, stated)
     assert (earlier.length_mm, last.length_mm) == (80.0, 40.0 * wrong)
 
 

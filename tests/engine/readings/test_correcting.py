@@ -57,15 +57,15 @@ _READING = msgspec.convert(
 
 
 def _with(*operations: dict) -> tuple[SheetReading, tuple[int, ...]]:
-    told = msgspec.convert(
+    stated = msgspec.convert(
         {"schema": CORRECTIONS_SCHEMA, "sheet_sha256": "0", "ops": list(operations)}, Corrections
     )
-    found = corrected(_READING, told.ops)
+    found = corrected(_READING, stated.ops)
     return found.reading, found.unmatched
 
 
 def _kinds(reading: SheetReading) -> dict[str, tuple[str | None, str]]:
-    return {own.id: (own.view, own.kind.value) for own in reading.strokes}
+    return {stroke.id: (stroke.view, stroke.kind.value) for stroke in reading.strokes}
 
 
 def test_what_is_taken_for_a_centre_line_becomes_a_hidden_one_of_the_view_around_it() -> None:
@@ -76,8 +76,8 @@ def test_what_is_taken_for_a_centre_line_becomes_a_hidden_one_of_the_view_around
 
 
 def test_a_target_is_found_by_its_place_where_ids_have_changed() -> None:
-    own = {"id": "s2", "line": [[11.0, 10.5], [109.0, 10.5]]}
-    found, unmatched = _with({"op": "erase", "target": own})
+    entry = {"id": "s2", "line": [[11.0, 10.5], [109.0, 10.5]]}
+    found, unmatched = _with({"op": "erase", "target": entry})
     assert unmatched == () and sorted(_kinds(found)) == ["s2", "s3", "s4"]
     gone = {"id": "s1", "line": [[10.0, 50.0], [110.0, 50.0]]}
     found, unmatched = _with({"op": "erase", "target": gone}, {"op": "unit", "value": "mm"})
@@ -88,14 +88,14 @@ def test_a_line_that_is_drawn_twice_is_one_and_none_without_its_view() -> None:
     line = {"op": "draw", "view": "top", "kind": "visible", "line": [[10, 210], [110, 210]]}
     other = {**line, "line": [[10, 260], [110, 260]]}
     found, unmatched = _with(line, line, other, {**line, "view": "nowhere"})
-    drawn = [own for own in found.strokes if own.source == "given"]
-    assert [own.id for own in drawn] == ["p1", "p2"] and unmatched == (4,)
+    drawn = [stroke for stroke in found.strokes if stroke.source == "given"]
+    assert [item.id for item in drawn] == ["p1", "p2"] and unmatched == (4,)
 
 
 def test_a_box_with_a_role_is_a_view_with_the_lines_in_it() -> None:
     box = {"op": "view", "id": "lines-1", "role": "right", "box": [304, 14, 346, 56]}
     found, _ = _with(box)
-    view = next(own for own in found.views if own.id == "lines-1")
+    view = next(this_view for this_view in found.views if this_view.id == "lines-1")
     assert (view.role, view.used, view.source) == (ViewRole.RIGHT, True, "given")
     assert _kinds(found)["s4"] == ("lines-1", "visible")
     new = {"op": "view", "id": "mine", "role": "left", "box": [304, 14, 346, 56]}
@@ -132,8 +132,8 @@ def test_another_projection_leaves_what_a_person_named() -> None:
 
 def test_inches_make_all_lengths_longer_and_millimetres_make_them_what_they_were() -> None:
     found, _ = _with({"op": "unit", "value": "in"})
-    (own,) = found.dimensions
-    lengths = (own.value_mm, own.told_mm, own.digit_mm, found.scale.mm_per_px)
+    (item,) = found.dimensions
+    lengths = (item.value_mm, item.told_mm, item.digit_mm, found.scale.mm_per_px)
     assert lengths == pytest.approx((1270.0, 1270.0, 25.4, 12.7))
     back, _ = _with({"op": "unit", "value": "in"}, {"op": "unit", "value": "mm"})
     assert back.scale.mm_per_px == pytest.approx(0.5)
@@ -149,17 +149,21 @@ def test_inches_make_all_lengths_longer_and_millimetres_make_them_what_they_were
     ],
 )
 def test_the_scale_is_told_in_three_ways(scale: dict, expected: tuple) -> None:
-    own = _with({"op": "scale", **scale})[0].scale
-    assert (own.mm_per_px, own.axis, own.length_mm) == expected and own.source == "given"
+    this_scale = _with({"op": "scale", **scale})[0].scale
+    assert (
+        this_scale.mm_per_px,
+        this_scale.axis,
+        this_scale.length_mm,
+    ) == expected and this_scale.source == "given"
 
 
 @pytest.mark.parametrize(("axis", "known"), [("y", (0.5, "dimension")), ("z", (None, "given"))])
 def test_an_extent_that_no_view_shows_leaves_the_scale(axis: str, known: tuple) -> None:
     lone = msgspec.structs.replace(_READING, views=(_READING.views[0], _READING.views[2]))
-    told = msgspec.convert({"op": "scale", "axis": axis, "length_mm": 4.0}, ScaleOperation)
-    own = corrected(lone, (told,)).reading.scale
-    assert (own.mm_per_px, own.source) == known
-    assert (own.axis, own.length_mm) == (axis, 4.0)
+    stated = msgspec.convert({"op": "scale", "axis": axis, "length_mm": 4.0}, ScaleOperation)
+    scale = corrected(lone, (stated,)).reading.scale
+    assert (scale.mm_per_px, scale.source) == known
+    assert (scale.axis, scale.length_mm) == (axis, 4.0)
 
 
 @pytest.mark.parametrize(
@@ -172,16 +176,16 @@ def test_a_scale_that_says_nothing_finds_no_place(scale: dict) -> None:
 
 def test_a_number_is_put_right_and_measures_what_it_did() -> None:
     found, _ = _with({"op": "dimension", "id": "d1", "value_mm": 52.25})
-    (own,) = found.dimensions
-    assert (own.value_mm, own.told_mm, own.digit_mm) == (52.25, 52.25, pytest.approx(0.01))
-    assert own.measures == _READING.dimensions[0].measures
+    (item,) = found.dimensions
+    assert (item.value_mm, item.told_mm, item.digit_mm) == (52.25, 52.25, pytest.approx(0.01))
+    assert item.measures == _READING.dimensions[0].measures
     assert _with({"op": "dimension", "id": "d9", "value_mm": 1.0})[1] == (1,)
 
 
 def test_all_within_a_polygon_is_ignored() -> None:
     polygon = [[0, 0], [200, 0], [200, 20], [0, 20]]
     found, _ = _with({"op": "region", "polygon": polygon, "kind": "ignore"})
-    changed = [own.id for own in found.strokes if own.kind is StrokeKind.IGNORE]
+    changed = [stroke.id for stroke in found.strokes if stroke.kind is StrokeKind.IGNORE]
     assert changed == ["s1"]
 
 
@@ -201,9 +205,9 @@ def test_a_hole_is_told_once() -> None:
     deep = {"op": "note", "circle": _CIRCLE, "depth_mm": 7.5}
     found, unmatched = _with(through, deep, {"op": "note", "circle": _CIRCLE}, {**deep, **through})
     assert unmatched == (3, 4)
-    (own,) = found.notes
-    assert (own.circle, own.depth_mm, own.through) == (tuple(_CIRCLE), 7.5, False)
-    assert own.box == (48.0, 218.0, 72.0, 242.0)
+    (item,) = found.notes
+    assert (item.circle, item.depth_mm, item.through) == (tuple(_CIRCLE), 7.5, False)
+    assert item.box == (48.0, 218.0, 72.0, 242.0)
 
 
 @pytest.mark.parametrize(
@@ -224,10 +228,10 @@ def test_a_section_looks_as_its_role_says(
     plane = {"op": "section", "id": "cut", "in_view": "shown", "line": line}
     found, unmatched = _with(section, shown, plane)
     assert unmatched == ()
-    (own,) = found.sections
-    assert own.way == pytest.approx(way)
-    assert own.in_view.value == in_view and own.looks.value == role
-    assert not own.straight and own.line == ((10.0, 230.0), (110.0, 240.0))
+    (item,) = found.sections
+    assert item.way == pytest.approx(way)
+    assert item.in_view.value == in_view and item.looks.value == role
+    assert not item.straight and item.line == ((10.0, 230.0), (110.0, 240.0))
     again, _ = _with(section, shown, plane, {**plane, "line": line[:1] + line[-1:]})
     assert len(again.sections) == 1 and again.sections[0].straight
 
@@ -246,7 +250,7 @@ def test_what_was_corrected_is_counted() -> None:
 
 
 def test_ink_is_traced_in_its_view_alone() -> None:
-    told = msgspec.convert(
+    stated = msgspec.convert(
         {
             "schema": CORRECTIONS_SCHEMA,
             "sheet_sha256": "0",
@@ -264,19 +268,19 @@ def test_ink_is_traced_in_its_view_alone() -> None:
         asked.append((at, box))
         return {"line": ((10.0, 230.0), (110.0, 230.0))} if at[1] > 100 else None
 
-    found = corrected(_READING, told.ops, Ink(trace=trace))
+    found = corrected(_READING, stated.ops, Ink(trace=trace))
     assert found.unmatched == (2, 3)
     assert asked == [((60.0, 230.0), (10, 210, 110, 260)), ((60.0, 30.0), (10, 10, 110, 60))]
-    own = found.reading.strokes[-1]
-    assert (own.view, own.kind.value, own.source) == ("top", "hidden", "given")
+    stroke = found.reading.strokes[-1]
+    assert (stroke.view, stroke.kind.value, stroke.source) == ("top", "hidden", "given")
 
 
 def test_lines_that_a_boxed_view_takes_in_are_left_out_no_more() -> None:
     box = {"op": "view", "id": "right", "role": "right", "box": [295, 5, 355, 65]}
     found, _ = _with(box)
-    assert "lines-1" not in {own.id for own in found.views}
+    assert "lines-1" not in {view.id for view in found.views}
     found, _ = _with({**box, "box": [295, 5, 330, 65]})
-    assert "lines-1" in {own.id for own in found.views}
+    assert "lines-1" in {view.id for view in found.views}
     # A box that was cut out of the group tells as well where the view is.
     found, _ = _with({**box, "box": [310, 20, 340, 50]})
-    assert "lines-1" not in {own.id for own in found.views}
+    assert "lines-1" not in {view.id for view in found.views}

@@ -49,22 +49,22 @@ def values(path: Path) -> dict[str, Any]:
 
 def made(sheet: Path, output: Path, *options: str | Path) -> dict[str, Any]:
     words = ["reconstruct", sheet, "--output", output, "--result", "solid", "--length", "x=90"]
-    assert main([str(own) for own in (*words, *options)]) == 0
+    assert main([str(word) for word in (*words, *options)]) == 0
     return values(output / "report.json")
 
 
 def edge_of(reading: dict[str, Any]) -> dict[str, Any]:
     """The stroke at the doubtful edge."""
     (found,) = (
-        own
-        for own in reading["strokes"]
-        if "line" in own and all(abs(x - _EDGE[0]) < 3.0 for x, _ in own["line"])
+        item
+        for item in reading["strokes"]
+        if "line" in item and all(abs(x - _EDGE[0]) < 3.0 for x, _ in item["line"])
     )
     return found
 
 
 def codes(report: dict[str, Any]) -> list[str]:
-    return [own["code"] for own in report["reasons"]]
+    return [item["code"] for item in report["reasons"]]
 
 
 @pytest.fixture(scope="module")
@@ -86,8 +86,8 @@ def test_it_is_written_with_its_confidence_and_what_it_would_be(read: Path) -> N
     assert (edge["why"]["by"], edge["why"]["otherwise"]) == ("network", "dimension")
     assert 0.0 < edge["why"]["margin"] < 0.5
     # It is the only one: all others are known.
-    assert min(own.get("confidence", 1.0) for own in reading["strokes"] if own != edge) > 0.9
-    (problem,) = (own for own in reading["problems"] if own["code"] == "labels-doubtful")
+    assert min(item.get("confidence", 1.0) for item in reading["strokes"] if item != edge) > 0.9
+    (problem,) = (item for item in reading["problems"] if item["code"] == "labels-doubtful")
     assert problem["args"]["count"] == 1 and "kind" in problem["offers"]
 
 
@@ -125,13 +125,13 @@ def is_visible(edge: dict[str, Any]) -> dict[str, Any]:
 
 def corrected(read: Path, folder: Path, operation: dict[str, Any]) -> dict[str, Any]:
     """The report of a run in a folder over a reading and one correction of it."""
-    told = {
+    stated = {
         "schema": "gaussiancad-corrections/1",
         "sheet_sha256": hashlib.sha256(SHEET.read_bytes()).hexdigest(),
         "ops": [operation],
     }
     path = folder / "corrections.json"
-    path.write_text(json.dumps(told), encoding="utf-8")
+    path.write_text(json.dumps(stated), encoding="utf-8")
     return made(SHEET, folder / "out", "--reading", read, "--corrections", path)
 
 
@@ -160,7 +160,7 @@ def test_an_annotation_may_be_an_edge_and_a_person_says_so(
     assert (edge["view"], edge["kind"]) == (None, "dimension")
     assert 0.5 < edge["confidence"] < 0.62
     assert edge["why"]["otherwise"] == "visible"
-    assert "labels-doubtful" in [own["code"] for own in reading["problems"]]
+    assert "labels-doubtful" in [item["code"] for item in reading["problems"]]
     report = corrected(tmp_path / "reading.json", tmp_path, is_visible(edge))
     assert report["status"] == "verified"
     assert edge_of(values(tmp_path / "out" / "reading.json"))["view"] == "top"

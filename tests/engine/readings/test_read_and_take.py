@@ -68,13 +68,14 @@ def test_a_hidden_line_that_was_missed_is_drawn_by_hand(
     sheet: Path, read: Path, tmp_path: Path
 ) -> None:
     values = _json(read)
-    hidden = [own for own in values["strokes"] if own["kind"] == "hidden"]
+    hidden = [item for item in values["strokes"] if item["kind"] == "hidden"]
     assert hidden
-    values["strokes"] = [own for own in values["strokes"] if own["kind"] != "hidden"]
+    values["strokes"] = [item for item in values["strokes"] if item["kind"] != "hidden"]
     read.write_text(json.dumps(values))
     assert _made(sheet, tmp_path / "without", "--reading", read)["status"] != "verified"
     drawn = [
-        {"op": "draw", "view": own["view"], "kind": "hidden", "line": own["line"]} for own in hidden
+        {"op": "draw", "view": item["view"], "kind": "hidden", "line": item["line"]}
+        for item in hidden
     ]
     _correct(sheet, drawn)
     report = _made(sheet, tmp_path / "mended", "--reading", read)
@@ -82,8 +83,8 @@ def test_a_hidden_line_that_was_missed_is_drawn_by_hand(
     assert report["solid"]["volume_mm3"] == pytest.approx(
         _made(sheet, tmp_path / "again")["solid"]["volume_mm3"], rel=1e-6
     )
-    (told,) = [own for own in report["warnings"] if own["code"] == "corrected"]
-    assert told["message"].startswith(f"{len(hidden)} correction(s)")
+    (stated,) = [item for item in report["warnings"] if item["code"] == "corrected"]
+    assert stated["message"].startswith(f"{len(hidden)} correction(s)")
 
 
 def _correct(sheet: Path, operations: list[dict[str, Any]]) -> Path:
@@ -100,7 +101,7 @@ def test_corrections_beside_a_sheet_are_taken_and_those_without_a_place_are_told
     line = [[1.0, 1.0], [9.0, 1.0]]
     _correct(sheet, [{"op": "erase", "target": {"id": "s1", "line": line}}])
     report = _made(sheet, tmp_path / "out")
-    assert [own["code"] for own in report["reasons"]] == ["corrections-unmatched"]
+    assert [item["code"] for item in report["reasons"]] == ["corrections-unmatched"]
     assert report["status"] == "approximate"
 
 
@@ -114,9 +115,9 @@ def test_reading_never_fails_for_geometry(tmp_path: Path) -> None:
     output = tmp_path / "out"
     assert main(["read", str(tmp_path / "apart.png"), "--output", str(output)]) == 0
     values = _json(output / "reading.json")
-    (refused,) = [own for own in values["problems"] if own["severity"] == "refused"]
+    (refused,) = [item for item in values["problems"] if item["severity"] == "refused"]
     assert refused["offers"] and values["strokes"] == []
-    assert [own["role"] for own in values["views"]] == ["ignore", "ignore"]
+    assert [item["role"] for item in values["views"]] == ["ignore", "ignore"]
 
 
 def test_a_plate_in_one_view_is_read_and_told_its_thickness_and_scale(tmp_path: Path) -> None:
@@ -130,9 +131,9 @@ def test_a_plate_in_one_view_is_read_and_told_its_thickness_and_scale(tmp_path: 
     def refused() -> list[dict[str, Any]]:
         assert main(["read", str(path), "--output", str(output)]) == 0
         values = _json(output / "reading.json")
-        assert [own["role"] for own in values["views"]] == ["front"]
+        assert [item["role"] for item in values["views"]] == ["front"]
         assert len(values["strokes"]) == 4
-        return [own for own in values["problems"] if own["severity"] == "refused"]
+        return [item for item in values["problems"] if item["severity"] == "refused"]
 
     (problem,) = refused()
     assert (problem["code"], problem["offers"]) == ("one-view", ["scale", "view"])
@@ -142,8 +143,8 @@ def test_a_plate_in_one_view_is_read_and_told_its_thickness_and_scale(tmp_path: 
     (problem,) = refused()
     assert problem["args"] == {"axis": "y", "case": "scale"}
     width = {"op": "scale", "points": [[100, 100], [300, 100]], "length_mm": 80}
-    for told in ([thickness, width], [width, thickness]):
-        _correct(path, told)
+    for stated in ([thickness, width], [width, thickness]):
+        _correct(path, stated)
         assert refused() == []
     extents = _made(path, tmp_path / "made")["bounding_box_mm"]
     assert extents == pytest.approx([80, 5, 60], rel=0.02)
@@ -184,35 +185,35 @@ def test_a_file_that_is_no_reading_is_told_by_its_place(
 
 def _repeat(strokes: list[dict[str, Any]], count: int) -> None:
     """The strokes, and one of them that often, under new names."""
-    drawn = next(own for own in strokes if own["kind"] == "visible" and "line" in own)
+    drawn = next(stroke for stroke in strokes if stroke["kind"] == "visible" and "line" in stroke)
     strokes += [{**drawn, "id": f"again{number}"} for number in range(count)]
 
 
 @pytest.mark.parametrize(
     "case",
     [
-        (lambda own: own["sheet"].update(sha256="0"), "reading-of-another-sheet", 2),
-        (lambda own: own["views"][1].update(role="front"), "role-repeated", 2),
-        (lambda own: own["views"].append(own["views"][0]), "reading-not-read", 3),
-        (lambda own: own["strokes"][0]["line"][0].append(3.0), "reading-not-read", 3),
-        (lambda own: own["strokes"][0].update(line=[[1e9, 0], [0, 0]]), "reading-not-read", 3),
-        (lambda own: own["strokes"][0].update(line=[[2e5, 0], [0, 0]]), "reading-not-read", 3),
-        (lambda own: own["strokes"].append(own["strokes"][-1]), "reading-not-read", 3),
-        (lambda own: _repeat(own["strokes"], 3_001), "part-too-complex", 4),
-        (lambda own: _repeat(own["strokes"], 20_001), "too-many-elements", 5),
+        (lambda item: item["sheet"].update(sha256="0"), "reading-of-another-sheet", 2),
+        (lambda item: item["views"][1].update(role="front"), "role-repeated", 2),
+        (lambda item: item["views"].append(item["views"][0]), "reading-not-read", 3),
+        (lambda item: item["strokes"][0]["line"][0].append(3.0), "reading-not-read", 3),
+        (lambda item: item["strokes"][0].update(line=[[1e9, 0], [0, 0]]), "reading-not-read", 3),
+        (lambda item: item["strokes"][0].update(line=[[2e5, 0], [0, 0]]), "reading-not-read", 3),
+        (lambda item: item["strokes"].append(item["strokes"][-1]), "reading-not-read", 3),
+        (lambda item: _repeat(item["strokes"], 3_001), "part-too-complex", 4),
+        (lambda item: _repeat(item["strokes"], 20_001), "too-many-elements", 5),
         (
-            lambda own: own.update(
-                strokes=[], views=[{**view, "box": [1, 1, 40, 40]} for view in own["views"]]
+            lambda item: item.update(
+                strokes=[], views=[{**view, "box": [1, 1, 40, 40]} for view in item["views"]]
             ),
             "empty-view-box",
             2,
         ),
         (
-            lambda own: [stroke.update(kind="ignore") for stroke in own["strokes"]],
+            lambda item: [stroke.update(kind="ignore") for stroke in item["strokes"]],
             "empty-view",
             4,
         ),
-        (lambda own: own.update(views=own["views"][:1]), "one-view", 4),
+        (lambda item: item.update(views=item["views"][:1]), "one-view", 4),
     ],
 )
 def test_a_reading_that_cannot_be_taken_says_why(
@@ -264,7 +265,7 @@ def test_a_sheet_is_explained_without_a_run(
     capsys.readouterr()
     assert main(["explain", str(sheet)]) == 0
     assert capsys.readouterr().out.startswith("The front view at ")
-    (x0, y0), (x1, y1) = next(own["line"] for own in _json(read)["strokes"] if "line" in own)
+    (x0, y0), (x1, y1) = next(item["line"] for item in _json(read)["strokes"] if "line" in item)
     place = f"{(x0 + x1) / 2.0},{(y0 + y1) / 2.0}"
     assert main(["explain", str(sheet), "--at", place]) == 0
     assert "A visible line of" in capsys.readouterr().out
@@ -298,24 +299,24 @@ def test_views_that_a_person_boxes_are_read_from_the_ink(
 
 def test_a_hole_is_as_deep_as_a_person_says(sheet: Path, read: Path, tmp_path: Path) -> None:
     values = _json(read)
-    values["strokes"] = [own for own in values["strokes"] if own["kind"] != "hidden"]
+    values["strokes"] = [item for item in values["strokes"] if item["kind"] != "hidden"]
     read.write_text(json.dumps(values))
     through = _made(sheet, tmp_path / "through", "--reading", read)
-    holes = [own for own in through["assumptions"] if own["code"] == "hole-through"]
+    holes = [item for item in through["assumptions"] if item["code"] == "hole-through"]
     assert len(holes) == 2
     (x, y, radius, *_) = next(
-        own["arc"] for own in values["strokes"] if own["view"] == "top" and "arc" in own
+        item["arc"] for item in values["strokes"] if item["view"] == "top" and "arc" in item
     )
     deep = {"op": "note", "circle": [x, y, radius], "depth_mm": 5.0}
-    told = {
+    stated = {
         "schema": "gaussiancad-corrections/1",
         "sheet_sha256": values["sheet"]["sha256"],
         "ops": [deep],
     }
     corrections = tmp_path / "told.json"
-    corrections.write_text(json.dumps(told))
+    corrections.write_text(json.dumps(stated))
     blind = _made(sheet, tmp_path / "blind", "--reading", read, "--corrections", corrections)
-    assert len([own for own in blind["assumptions"] if own["code"] == "hole-through"]) == 1
+    assert len([item for item in blind["assumptions"] if item["code"] == "hole-through"]) == 1
     more = blind["solid"]["volume_mm3"] - through["solid"]["volume_mm3"]
     rings = 3.141592653589793 * (radius * through["scale_mm_per_pixel"]) ** 2
     # The foot is 12 mm thick.

@@ -19,7 +19,7 @@ _SWEEP = st.floats(0.05, 2.0 * np.pi)
 _RADIUS = st.floats(5.0, 900.0)
 _LINETYPE = st.sampled_from(Linetype)
 
-_SEGMENTS = st.builds(Segment, _POINT, _POINT, _LINETYPE).filter(lambda own: own.length > 2.0)
+_SEGMENTS = st.builds(Segment, _POINT, _POINT, _LINETYPE).filter(lambda item: item.length > 2.0)
 _ARCS = st.builds(Arc, _POINT, _RADIUS, _ANGLE, _SWEEP, _LINETYPE)
 _ELLIPSES = st.tuples(_RADIUS, st.floats(0.2, 0.95)).flatmap(
     lambda axes: st.builds(
@@ -48,8 +48,8 @@ def test_a_stroke_comes_back_where_it_was(stroke: Stroke, turn: Turn) -> None:
     found = stroke_of(entry, turn)
     assert type(found) is type(stroke) and found.linetype is stroke.linetype
     shares = np.linspace(0.0, 1.0, 9)
-    expected, own = (_along(each, shares) for each in (stroke, found))
-    assert np.abs(expected - own).max() < 0.002
+    expected, item = (_along(each, shares) for each in (stroke, found))
+    assert np.abs(expected - item).max() < 0.002
     # Its points on the sheet as stored are those of the shape itself.
     assert np.abs(points_of(entry)[[0, -1]] - turn.to_stored(expected[[0, -1]])).max() < 0.01
 

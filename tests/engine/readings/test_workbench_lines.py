@@ -24,8 +24,8 @@ _BOXES = {"front": [100.0, 160.0, 500.0, 300.0], "left": [600.0, 160.0, 700.0, 3
 def _reading(scale: dict) -> SheetReading:
     shapes = [
         *(
-            {"view": role, "kind": "visible", "line": [own[:2], own[2:]]}
-            for role, own in _BOXES.items()
+            {"view": role, "kind": "visible", "line": [item[:2], item[2:]]}
+            for role, item in _BOXES.items()
         ),
         {"view": "front", "kind": "hidden", "arc": [300.0, 220.0, 50.0, 0.3, 2.0]},
         {"view": "front", "kind": "visible", "arc": [300.0, 220.0, 20.0, 0.3, tau]},
@@ -43,8 +43,8 @@ def _reading(scale: dict) -> SheetReading:
         "projection": {"value": "first", "source": "given"},
         "unit": {},
         "scale": scale,
-        "views": [{"id": role, "role": role, "box": own} for role, own in _BOXES.items()],
-        "strokes": [{"id": f"s{n}", **own} for n, own in enumerate(shapes)],
+        "views": [{"id": role, "role": role, "box": item} for role, item in _BOXES.items()],
+        "strokes": [{"id": f"s{n}", **shape} for n, shape in enumerate(shapes)],
     }
     return msgspec.convert(values, SheetReading)
 
@@ -74,14 +74,14 @@ def test_each_view_has_the_same_lines() -> None:
     reading = _reading({"source": "dimension", "mm_per_px": 0.125})
     drawing = ezdxf.read(io.StringIO(lines_dxf(reading).decode("utf-8")))
     sheet = cleaned_lines.cleaned_sheet(_values(reading))
-    assert [own.role for own in sheet.views] == [*_BOXES]
+    assert [this_view.role for this_view in sheet.views] == [*_BOXES]
     for view in sheet.views:
         block = list(drawing.blocks.get(view.role.upper()))
         for layers, mine in (
             (("VISIBLE",), view.edges),
             (("HIDDEN", "CENTRE", "TANGENT", "CUT"), view.helpers),
         ):
-            theirs = [own for own in block if own.dxf.layer in layers]
+            theirs = [item for item in block if item.dxf.layer in layers]
             # The left view's right is -Y: its lines lie where Y is from 0 to the part's depth.
             moved = sheet.size[1] if view.role == "left" else 0.0
             assert len(mine) == len(theirs) > 0
@@ -97,7 +97,7 @@ def _facts(shape: Shape, moved: float) -> list[float]:
     x, y, *sizes = numbers
     first, sweep = sizes[-2:]
     if name == "arc":
-        ends = [] if is_whole(shape) else [degrees(own) % 360.0 for own in (first, first + sweep)]
+        ends = [] if is_whole(shape) else [degrees(item) % 360.0 for item in (first, first + sweep)]
         return [x + moved, y, sizes[0], *ends]
     major, minor, rotation = sizes[:3]
     # DXF tells of a whole ellipse that it begins at its axis.

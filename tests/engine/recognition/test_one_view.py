@@ -73,7 +73,7 @@ def _told(
 ) -> Unseen | None:
     run = _notes()
     found = told_unseen((view,), scale, notes, options, run)
-    assert [own.code for own in run.report.reasons] == ["second-view-assumed"]
+    assert [reason.code for reason in run.report.reasons] == ["second-view-assumed"]
     return found
 
 

@@ -53,14 +53,14 @@ def _job(sheet: Path, tmp_path: Path, page: int = 1) -> Job:
 def test_the_layout_that_brings_views_together_is_taken(tmp_path: Path) -> None:
     report = reconstruct(_job(_drawing(tmp_path / "a.dxf", 1), tmp_path), Silence())
     assert report.solid.bounding_box_mm == pytest.approx((60.0, 40.0, 20.0), abs=1e-3)
-    assert "other-page-taken" in {own.code for own in report.warnings}
+    assert "other-page-taken" in {warning.code for warning in report.warnings}
     assert report.settings["page"] == 1
 
 
 def test_the_page_that_was_told_is_taken_without_a_word(tmp_path: Path) -> None:
     report = reconstruct(_job(_drawing(tmp_path / "a.dxf", 1), tmp_path, 2), Silence())
     assert report.solid.bounding_box_mm == pytest.approx((60.0, 40.0, 20.0), abs=1e-3)
-    assert "other-page-taken" not in {own.code for own in report.warnings}
+    assert "other-page-taken" not in {warning.code for warning in report.warnings}
 
 
 def test_of_several_layouts_none_is_taken_and_the_refusal_names_the_pages(tmp_path: Path) -> None:
@@ -87,5 +87,5 @@ def test_a_page_without_views_tells_how_many_pages_there_are(tmp_path: Path, suf
 def test_a_reading_of_a_page_without_views_tells_of_the_others(tmp_path: Path) -> None:
     read_to_file(_job(_drawing(tmp_path / "a.dxf", 1), tmp_path), Silence())
     found = open_typed(tmp_path / "out" / "reading.json", SheetReading, "reading-not-read")
-    refused = [own for own in found.problems if own.severity == "refused"]
-    assert refused and all("2 pages" in own.message for own in refused)
+    refused = [problem for problem in found.problems if problem.severity == "refused"]
+    assert refused and all("2 pages" in item.message for item in refused)

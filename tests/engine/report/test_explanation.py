@@ -156,8 +156,8 @@ def test_what_nobody_knows_the_size_of_has_no_measures(
     scale: str, warnings: list[dict], known: bool
 ) -> None:
     measures = {"uncertainty_mm": 0.0812, "source": "drawing"}
-    told = {"status": "verified", "scale_source": scale, "warnings": warnings}
-    line = verdict({**_REPORT, **told, "measures": measures})
+    stated = {"status": "verified", "scale_source": scale, "warnings": warnings}
+    line = verdict({**_REPORT, **stated, "measures": measures})
     assert line.startswith("Shape verified. Measures" if known else "Size unknown")
 
 
@@ -166,14 +166,14 @@ def test_what_nobody_knows_the_size_of_has_no_measures(
     [(["photographed-at-a-slant"], []), ([], ["views-disagree"])],
 )
 def test_views_that_fit_no_one_scale_have_no_bound(reasons: list[str], warnings: list[str]) -> None:
-    told = {
+    stated = {
         "status": "approximate",
         "scale_source": "dimension",
         "measures": None,
         "reasons": [{"code": code, "message": ""} for code in reasons],
         "warnings": [{"code": code, "message": ""} for code in warnings],
     }
-    line = verdict({**_REPORT, **told})
+    line = verdict({**_REPORT, **stated})
     assert line.startswith("Shape not certain. How exact its measures are is not known")
 
 
@@ -226,8 +226,8 @@ def test_all_that_was_tried_is_told_in_order() -> None:
         ((50, 62), "the solid lacks 4.1 mm of line in the front view, at (52, 61) px"),
     ],
 )
-def test_a_place_is_told_what_is_known_of_it(at: tuple[float, float], told: str) -> None:
-    assert told in explained_place(_REPORT, _READING, at)
+def test_a_place_is_told_what_is_known_of_it(at: tuple[float, float], text: str) -> None:
+    assert text in explained_place(_REPORT, _READING, at)
 
 
 def test_a_view_is_told_with_what_was_given_up_in_it() -> None:
@@ -302,6 +302,6 @@ def test_a_construction_that_is_none_is_told_in_one_line(
     assert main(["explain", str(folder)]) == 0
     (folder / "construction.json").write_text(text, encoding="utf-8")
     assert main(["explain", str(folder)]) == 3
-    told = capsys.readouterr().err.strip()
-    assert told.count("\n") == 0
-    assert told.endswith(("[damaged-report]", "[old-report]"))
+    stated = capsys.readouterr().err.strip()
+    assert stated.count("\n") == 0
+    assert stated.endswith(("[damaged-report]", "[old-report]"))

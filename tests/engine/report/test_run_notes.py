@@ -58,10 +58,10 @@ def test_values_go_with_a_message_into_the_event_and_the_report(
     notes.warn("lines-left-out", Message("{count} groups", count=2))
     notes.doubt("two-views", "two")
     notes.tell(assumptions=(Assumption("a", Message("{view}", view=Role.TOP), None, "b"),))
-    told = {"code": "lines-left-out", "message": "2 groups", "args": {"count": 2}}
-    assert heard.events == [("warning", told)]
+    stated = {"code": "lines-left-out", "message": "2 groups", "args": {"count": 2}}
+    assert heard.events == [("warning", stated)]
     written = json.loads(json.dumps(notes.report.as_json()))
-    assert written["warnings"] == [told]
+    assert written["warnings"] == [stated]
     assert written["reasons"] == [{"code": "two-views", "message": "two"}]
     assert written["assumptions"][0]["args"] == {"view": "top"}
 

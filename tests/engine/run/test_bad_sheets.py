@@ -41,8 +41,8 @@ def test_a_missing_line_is_named_boxed_and_marked(tmp_path: Path) -> None:
     )
     report = json.loads((output / "report.json").read_text())
     assert report["status"] == "approximate"
-    told = {reason["code"]: reason["message"] for reason in report["reasons"]}
-    assert "a hidden line is missing in the top view" in told["lines-contradict"]
+    stated = {reason["code"]: reason["message"] for reason in report["reasons"]}
+    assert "a hidden line is missing in the top view" in stated["lines-contradict"]
     suspect = report["conflict"][0]
     assert (suspect["view"], suspect["drawn"], suspect["fitting"]) == ("top", None, "hidden")
     assert np.allclose(suspect["box"], [left, height, right, height], atol=8.0)

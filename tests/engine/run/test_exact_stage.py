@@ -40,13 +40,13 @@ def _reading(strokes: Strokes, projection: Projection) -> Reading:
         View(
             role,
             (0.0, 0.0, 100.0, 100.0),
-            tuple(own),
+            tuple(stroke),
             np.zeros((2, 2), bool),
             np.zeros((2, 2, 3), np.uint8),
             (0.0, 0.0),
             1.0,
         )
-        for role, own in strokes.items()
+        for role, stroke in strokes.items()
     )
     drawn = tuple(
         SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=(), step=0.0) for _ in views
@@ -61,14 +61,14 @@ def _both(strokes: Strokes) -> tuple[Reading, Reading]:
     The depth axis runs backwards in those, from minus the depth to 0.
     """
     moved: Strokes = {}
-    for role, own in strokes.items():
+    for role, stroke in strokes.items():
         right = -_SIZE[1] if role is Role.RIGHT else 0.0
         up = -_SIZE[1] if role is Role.TOP else 0.0
         moved[_OPPOSITE[role]] = [
             Segment(
                 (s.start[0] + right, s.start[1] + up), (s.end[0] + right, s.end[1] + up), s.linetype
             )
-            for s in own
+            for s in stroke
         ]
     return _reading(strokes, Projection.THIRD), _reading(moved, Projection.FIRST)
 
@@ -269,8 +269,8 @@ def test_a_file_is_known_as_well_as_the_grid_to_which_it_was_rounded(
     pixel = third.registered.mm_per_pixel
     source = StrokesSource.VECTOR
     drawn = tuple(
-        SimpleNamespace(dash=None, source=source, strokes=(), step=own)
-        for own in (0.0, step, 0.0)[: len(third.registered.drawn)]
+        SimpleNamespace(dash=None, source=source, strokes=(), step=item)
+        for item in (0.0, step, 0.0)[: len(third.registered.drawn)]
     )
     agreed = AxisExtents({}, {}, {axis: Residual(0.0, 0.0, 9) for axis in Axis})
     views = drawn_views(replace(third.registered, extents=agreed, drawn=drawn))
@@ -288,17 +288,17 @@ def test_of_two_readings_without_a_solid_the_one_that_explains_more_is_taken() -
     odd = _step()
     odd[Role.FRONT] += _chain((5, 3), (33, 11))
     third, first = _both(odd)
-    for own, other in ((third, first), (first, third)):
-        found = find_exact(own, other)
+    for item, other in ((third, first), (first, third)):
+        found = find_exact(item, other)
         assert found.reading is third and found.decided and found.sketched
 
 
 def test_where_sketches_explain_as_much_the_reading_as_named_stays_and_nothing_is_told() -> None:
     odd = _block()
     odd[Role.FRONT] += _chain((5, 3), (33, 11))
-    for own, other in (_both(odd), _both(odd)[::-1]):
-        found = find_exact(own, other)
-        assert found.reading is own
+    for item, other in (_both(odd), _both(odd)[::-1]):
+        found = find_exact(item, other)
+        assert found.reading is item
         assert not found.decided
 
 
@@ -320,12 +320,12 @@ def _holds(root: object, kind: type) -> bool:
     """Whether anything of a kind hangs on an object."""
     seen, waiting = set(), [root]
     while waiting:
-        own = waiting.pop()
-        if isinstance(own, kind):
+        item = waiting.pop()
+        if isinstance(item, kind):
             return True
-        if id(own) not in seen and not isinstance(own, (type, ModuleType, FunctionType)):
-            seen.add(id(own))
-            waiting += gc.get_referents(own)
+        if id(item) not in seen and not isinstance(item, (type, ModuleType, FunctionType)):
+            seen.add(id(item))
+            waiting += gc.get_referents(item)
     return False
 
 

@@ -46,12 +46,12 @@ def test_colmap_reads_cameras_poses_and_points(folder: Path, cameras: tuple[Came
     by_name = {image.name: image for image in model.images.values()}
     for camera in cameras:
         image = by_name[f"{camera.role.value}.png"]
-        own = model.cameras[image.camera_id]
-        assert own.model == pycolmap.CameraModelId.PINHOLE
-        assert (own.width, own.height) == (camera.width, camera.height)
+        this_camera = model.cameras[image.camera_id]
+        assert this_camera.model == pycolmap.CameraModelId.PINHOLE
+        assert (this_camera.width, this_camera.height) == (camera.width, camera.height)
         assert (folder / "images" / image.name).is_file()
         for point, pixel in zip(POINTS, camera.project(POINTS), strict=True):
-            assert own.img_from_cam(image.cam_from_world() * point) == pytest.approx(
+            assert this_camera.img_from_cam(image.cam_from_world() * point) == pytest.approx(
                 pixel, abs=1e-5
             )
         assert image.projection_center() == pytest.approx(camera.position, rel=1e-9)

@@ -63,7 +63,7 @@ def _drawing(unit: int = _MM) -> tuple[ezdxf.document.Drawing, Modelspace]:
 
 
 def _codes(found: list[dict]) -> set[str]:
-    return {own["code"] for own in found}
+    return {item["code"] for item in found}
 
 
 @pytest.mark.parametrize("layer", ["0", "HOLES"])
@@ -107,7 +107,7 @@ def test_a_frame_around_a_single_view_is_told_as_not_used_and_in_doubt(run: Run)
     _note(model, "Dicke 3", (80.0, 20.0))
     report, extents, _ = run(doc)
     assert extents == pytest.approx([60.0, 3.0, 40.0], abs=1e-3)
-    assert [own["kind"] for own in report["unused"]] == ["frame"]
+    assert [item["kind"] for item in report["unused"]] == ["frame"]
     assert "frame-left-out" in _codes(report["reasons"])
     assert "frame-left-out" not in _codes(report["warnings"])
 

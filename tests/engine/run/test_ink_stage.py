@@ -49,7 +49,8 @@ def _with_radii(result: ExactResult, mm: float) -> ExactResult:
     verification = result.verification
     lines = {
         role: tuple(
-            replace(own, radius=own.radius + mm) if isinstance(own, Arc) else own for own in drawn
+            replace(item, radius=item.radius + mm) if isinstance(item, Arc) else item
+            for item in drawn
         )
         for role, drawn in verification.lines.items()
     }

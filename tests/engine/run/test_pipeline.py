@@ -389,8 +389,8 @@ def test_a_killed_run_leaves_no_half_file_and_is_swept(sheet: Path, tmp_path: Pa
     assert left.startswith(STAGING_PREFIX)
     again = _started(sheet, output, "views")
     assert not (output / left).exists()
-    (own,) = {path.name for path in output.iterdir()} - whole
-    assert own.startswith(STAGING_PREFIX)
+    (item,) = {path.name for path in output.iterdir()} - whole
+    assert item.startswith(STAGING_PREFIX)
     again.kill()
     again.wait()
 

@@ -58,19 +58,19 @@ class _Engine:
 @pytest.fixture
 def engine(tmp_path: Path) -> Iterator[_Engine]:
     sheet = Path(shutil.copy(SAMPLES / "l-bracket.png", tmp_path))
-    own = _Engine(sheet)
-    yield own
-    own.process.kill()
-    own.process.wait()
+    this_engine = _Engine(sheet)
+    yield this_engine
+    this_engine.process.kill()
+    this_engine.process.wait()
 
 
 def _corrections(path: Path, reading: dict[str, Any], *operations: dict[str, Any]) -> str:
-    own = {
+    entry = {
         "schema": CORRECTIONS_SCHEMA,
         "sheet_sha256": reading["sheet"]["sha256"],
         "ops": list(operations),
     }
-    path.write_text(json.dumps(own), encoding="utf-8")
+    path.write_text(json.dumps(entry), encoding="utf-8")
     return str(path)
 
 
@@ -82,13 +82,13 @@ def test_a_sheet_is_shown_read_corrected_and_solved(engine: _Engine, tmp_path: P
     read = engine.ask("read", output=out)
     assert read["refused"] == 0
     reading = json.loads(Path(read["reading"]).read_text(encoding="utf-8"))
-    front = next(own for own in reading["views"] if own["role"] == "front")
-    line = next(own for own in reading["strokes"] if own["view"] == "front" and "line" in own)
+    front = next(item for item in reading["views"] if item["role"] == "front")
+    line = next(item for item in reading["strokes"] if item["view"] == "front" and "line" in item)
     (x0, y0), (x1, y1) = line["line"]
     middle = [(x0 + x1) / 2, (y0 + y1) / 2 + 1]
     traced = engine.ask("trace", at=middle, box=front["box"])["shape"]
     ends = sorted(map(tuple, traced["line"]))
-    assert ends == [pytest.approx(own, abs=0.5) for own in sorted([(x0, y0), (x1, y1)])]
+    assert ends == [pytest.approx(item, abs=0.5) for item in sorted([(x0, y0), (x1, y1)])]
     assert engine.ask("trace", at=[5, 5], box=front["box"])["shape"] is None
 
     again = {"op": "view", "id": "mine", "role": "front", "box": front["box"]}
@@ -98,19 +98,19 @@ def test_a_sheet_is_shown_read_corrected_and_solved(engine: _Engine, tmp_path: P
     reread = engine.ask("reread", corrections=boxed, output=str(tmp_path / "boxed"))
     corrected = json.loads(Path(reread["reading"]).read_text(encoding="utf-8"))
     assert corrected["corrected"] == 2
-    assert {own["id"] for own in corrected["views"] if own["role"] == "front"} == {"mine"}
+    assert {item["id"] for item in corrected["views"] if item["role"] == "front"} == {"mine"}
 
-    told = _corrections(
+    stated = _corrections(
         tmp_path / "told.json",
         reading,
         {"op": "scale", "points": [[0, 0], [100, 0]], "length_mm": 50.0},
     )
-    solved = engine.ask("solve", reading=read["reading"], corrections=told, output=out + "/part")
+    solved = engine.ask("solve", reading=read["reading"], corrections=stated, output=out + "/part")
     assert solved["status"] == "verified"
     report = json.loads(Path(solved["report"]).read_text(encoding="utf-8"))
     assert report["scale_mm_per_pixel"] == pytest.approx(0.5)
-    assert "corrected" in {own["code"] for own in report["warnings"]}
-    assert {own["id"] for own in engine.events if own["event"] == "stage"} >= {2, 6}
+    assert "corrected" in {item["code"] for item in report["warnings"]}
+    assert {event["id"] for event in engine.events if event["event"] == "stage"} >= {2, 6}
     engine.process.stdin.close()
     assert engine.process.wait(30) == 0
 

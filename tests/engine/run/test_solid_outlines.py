@@ -57,7 +57,7 @@ def test_outlines_that_are_whole_stay_as_the_sheet_has_them(viewed: Viewed) -> N
     views = viewed(PLATE)
     found = with_solid_outlines(views, _result(views, PLATE, Status.VERIFIED))
     assert found.closed == ()
-    assert all(own is given for own, given in zip(found.views.views, views.views, strict=True))
+    assert all(view is given for view, given in zip(found.views.views, views.views, strict=True))
 
 
 def test_a_solid_with_other_lines_than_the_sheet_knows_no_better(viewed: Viewed) -> None:

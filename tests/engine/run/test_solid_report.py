@@ -32,7 +32,8 @@ def _rectangle(x: float, y: float, width: float, height: float) -> list[Segment]
 def _reading(projection: Projection, strokes: dict[Role, list[Segment]]) -> Reading:
     mask, colour = np.zeros((2, 2), bool), np.zeros((2, 2, 3), np.uint8)
     views = tuple(
-        View(role, _BOX, tuple(own), mask, colour, (0.0, 0.0), 1.0) for role, own in strokes.items()
+        View(role, _BOX, tuple(stroke), mask, colour, (0.0, 0.0), 1.0)
+        for role, stroke in strokes.items()
     )
     drawn = tuple(SimpleNamespace(source=StrokesSource.VECTOR, step=0.0) for _ in views)
     registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)

@@ -67,7 +67,7 @@ def _section(scale: float) -> list[Line]:
             if piece.length > 0.1:
                 (x0, y0), (x1, y1) = piece.coords
                 lines.append((x0, y0, x1, y1))
-    return [tuple(scale * own for own in line) for line in lines]
+    return [tuple(scale * item for item in line) for line in lines]
 
 
 @pytest.fixture
@@ -101,8 +101,8 @@ def test_a_section_beside_leaves_nothing_in_doubt(run) -> None:  # noqa: ANN001
     assert not report.unused
     assert [reason.code for reason in report.reasons] == []
     assert report.status is Status.VERIFIED
-    (own,) = report.sections
-    assert own.area_agreement > 0.95
+    (item,) = report.sections
+    assert item.area_agreement > 0.95
     assert report.solid.volume_mm3 == pytest.approx(80 * 40 * 50 - 20 * 20 * 15)
 
 
@@ -110,7 +110,7 @@ def test_a_section_that_was_not_used_is_a_reason(run) -> None:  # noqa: ANN001
     report = run(hidden=True, section=0.5)
     assert report.status is Status.APPROXIMATE
     assert [reason.code for reason in report.reasons] == ["unused-view"]
-    assert [own.kind for own in report.unused] == ["section"]
+    assert [item.kind for item in report.unused] == ["section"]
     assert report.solid.volume_mm3 == pytest.approx(80 * 40 * 50 - 20 * 20 * 15)
 
 
@@ -118,7 +118,7 @@ def test_without_hidden_lines_nothing_proves_that_there_is_nothing_inside(run) -
     report = run(hidden=False, section=0.0)
     assert report.status is Status.APPROXIMATE
     assert [reason.code for reason in report.reasons] == ["sketched", "assumed"]
-    assert [own.code for own in report.assumptions] == ["nothing-hidden"]
+    assert [assumption.code for assumption in report.assumptions] == ["nothing-hidden"]
     assert {view.hidden_lines for view in report.views.values()} == {"none"}
 
 

@@ -115,7 +115,7 @@ def test_a_view_that_is_one_line_is_told_by_place() -> None:
 
 @pytest.mark.parametrize("role", [Role.FRONT, Role.TOP])
 def test_a_view_alone_is_as_deep_as_is_known(read, role: Role) -> None:  # noqa: ANN001
-    (view,) = (own for own in read("bored-plate").views if own.role is role)
+    (view,) = (this_view for this_view in read("bored-plate").views if this_view.role is role)
     x0, _, x1, _ = view.box
     axis = role.frame.look_axis[0]
     along, up = role.frame.right_axis[0], role.frame.up_axis[0]

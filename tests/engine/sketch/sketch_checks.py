@@ -20,7 +20,9 @@ def drawn(shape: TopoDS_Shape, roles: tuple[Role, ...] = ROLES, *, hidden: bool)
     """Views of a shape in the corner of its axes, with or without hidden lines."""
     drawing = LineDrawing(shape)
     strokes = {
-        role: tuple(own for own in drawing.view(role) if hidden or own.linetype is Linetype.VISIBLE)
+        role: tuple(
+            item for item in drawing.view(role) if hidden or item.linetype is Linetype.VISIBLE
+        )
         for role in roles
     }
     size = tuple(np.ptp(bounding_box(shape), axis=0).tolist())

@@ -28,9 +28,9 @@ def _rectangle(gap: float) -> list[PlaneLine]:
 
 @pytest.mark.parametrize("gap", [0.0, 0.3, 0.9, -0.6])
 def test_corners_close_where_sides_cross(gap: float) -> None:
-    (own,) = find_regions(_rectangle(gap), [], 1.0).polygons
-    assert own.area == pytest.approx(200.0, rel=1e-6)
-    assert own.bounds == pytest.approx((0.0, 0.0, 20.0, 10.0), abs=1e-6)
+    (item,) = find_regions(_rectangle(gap), [], 1.0).polygons
+    assert item.area == pytest.approx(200.0, rel=1e-6)
+    assert item.bounds == pytest.approx((0.0, 0.0, 20.0, 10.0), abs=1e-6)
 
 
 def test_a_line_is_led_on_to_what_it_ends_before() -> None:
@@ -49,9 +49,9 @@ def test_three_quarters_about_one_centre_are_a_circle() -> None:
         )
         for low in (0.0, 2.0, 4.0)
     ]
-    (own,) = tidied(arcs, 0.1)
-    assert own.is_closed
-    assert own.circle.radius == pytest.approx(3.0)
+    (item,) = tidied(arcs, 0.1)
+    assert item.is_closed
+    assert item.circle.radius == pytest.approx(3.0)
 
 
 def test_the_longer_way_round_an_arc_stays() -> None:
@@ -65,12 +65,12 @@ def test_the_longer_way_round_an_arc_stays() -> None:
 def test_borders_know_how_they_are_drawn() -> None:
     hole = whole_circle(CircleCurve((10.0, 5.0), 2.0), False)
     regions = find_regions([*_rectangle(0.0), hole], [], 0.1)
-    between = next(own for own in regions.borders if own.other != OUTSIDE)
+    between = next(border for border in regions.borders if border.other != OUTSIDE)
     assert between.length == pytest.approx(4.0 * pi, rel=1e-2)
     assert between.hidden == pytest.approx(between.length)
     assert between.visible == 0.0
-    around = [own for own in regions.borders if own.other == OUTSIDE]
-    assert sum(own.visible for own in around) == pytest.approx(60.0, rel=1e-2)
+    around = [border for border in regions.borders if border.other == OUTSIDE]
+    assert sum(item.visible for item in around) == pytest.approx(60.0, rel=1e-2)
     assert regions.is_round.sum() == 1
     assert regions.is_inner.sum() == 1
 

@@ -28,15 +28,18 @@ def test_a_bored_plate_is_a_slab_with_holes_and_says_what_fixes_it(
     assert (plain.axis, slab.low, slab.high) == ("z", 0.0, pytest.approx(high))
     outer, *inner = slab.loops
     assert not outer.is_hole
-    assert all(own.is_hole for own in inner)
+    assert all(item.is_hole for item in inner)
     assert len(inner) == len(plain.holes) > 0
-    assert all(own.is_through and (own.low, own.high) == (0.0, slab.high) for own in plain.holes)
+    assert all(
+        this_hole.is_through and (this_hole.low, this_hole.high) == (0.0, slab.high)
+        for this_hole in plain.holes
+    )
     assert all(loop.strokes for loop in slab.loops)
-    assert [own.at for own in plain.levels] == [0.0, pytest.approx(high)]
-    assert all({own.view for own in level.strokes} >= {"front"} for level in plain.levels)
+    assert [level.at for level in plain.levels] == [0.0, pytest.approx(high)]
+    assert all({stroke.view for stroke in level.strokes} >= {"front"} for level in plain.levels)
 
     hole = plain.holes[0]
-    told = ToldNumbers(
+    stated = ToldNumbers(
         (
             ToldLength(Axis.Z, 0.0, high, high),
             ToldLength(Axis.X, 0.0, wide, wide),
@@ -45,10 +48,10 @@ def test_a_bored_plate_is_a_slab_with_holes_and_says_what_fixes_it(
         0.05,
         0.01,
     )
-    numbered = construction_of(sketch(replace(views, told=told), GRID), told)
+    numbered = construction_of(sketch(replace(views, dimensions=stated), GRID), stated)
     assert all(level.numbers == (high,) for level in numbered.levels)
     assert numbered.slabs[0].loops[0].numbers == (wide,)
-    assert [own.numbers for own in numbered.holes].count((hole.diameter,)) == 1
+    assert [this_hole.numbers for this_hole in numbered.holes].count((hole.diameter,)) == 1
     write_construction(numbered, tmp_path)
     written = json.loads((tmp_path / "construction.json").read_text(encoding="utf-8"))
     assert written["schema"] == "gaussiancad-construction/1"
@@ -64,7 +67,9 @@ def test_a_counterbore_is_two_holes_one_of_which_goes_on(
 ) -> None:
     found = construction_of(sketch(sample_views("counterbored-block"), GRID), None)
     first = found.holes[0].centre
-    low, high = sorted((own for own in found.holes if own.centre == first), key=lambda own: own.low)
+    low, high = sorted(
+        (hole for hole in found.holes if hole.centre == first), key=lambda item: item.low
+    )
     assert low.high == pytest.approx(high.low)
     assert low.diameter < high.diameter
     assert low.is_through and high.is_through

@@ -31,8 +31,8 @@ def test_a_hole_across_the_slabs_is_cut_last(hidden: bool) -> None:
     (hole,) = found.choice.plan.cross_holes
     assert (hole.axis, hole.role) == (Axis.Y, Role.FRONT)
     check(found, truth)
-    (own,) = construction_of(found, None).cross_holes
-    assert (own.axis, own.diameter) == ("y", pytest.approx(10.0, rel=1e-3))
+    (item,) = construction_of(found, None).cross_holes
+    assert (item.axis, item.diameter) == ("y", pytest.approx(10.0, rel=1e-3))
     words = construction_in_words(construction_of(found, None).as_json())
     way = "from 20 to 40 mm" if hidden else "from the outside to 40.1 mm"
     assert f"- a hole of 10 mm along y at (30, 20), {way}" in words

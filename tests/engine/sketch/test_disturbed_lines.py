@@ -20,13 +20,13 @@ Line = tuple[Role, tuple[float, float], tuple[float, float]]
 
 
 def _disturbed(views: DrawnViews, lost: list[Line], stray: list[Line]) -> DrawnViews:
-    strokes = {role: list(own) for role, own in views.strokes.items()}
+    strokes = {role: list(stroke) for role, stroke in views.strokes.items()}
     for role, *ends in lost:
         strokes[role] = [s for s in strokes[role] if not _is(s, ends)]
         assert len(strokes[role]) < len(views.strokes[role])
     for role, start, end in stray:
         strokes[role].append(Segment(start, end, Linetype.VISIBLE))
-    return replace(views, strokes={role: tuple(own) for role, own in strokes.items()})
+    return replace(views, strokes={role: tuple(stroke) for role, stroke in strokes.items()})
 
 
 def _is(stroke: object, ends: list[tuple[float, float]]) -> bool:
@@ -80,7 +80,7 @@ def _aside(views: DrawnViews, reach: float, seed: int) -> DrawnViews:
             return replace(stroke, centre=off(stroke.centre), radius=radius)
         return replace(stroke, start=off(stroke.start), end=off(stroke.end))
 
-    strokes = {role: tuple(map(moved, own)) for role, own in views.strokes.items()}
+    strokes = {role: tuple(map(moved, stroke)) for role, stroke in views.strokes.items()}
     return replace(views, strokes=strokes, tolerance=reach)
 
 

@@ -65,7 +65,7 @@ def test_a_chamfered_plate_comes_back(
 def test_the_chamfers_are_measured(name: str, drawn: Draw) -> None:
     breaks = sketch(drawn(_PARTS[name], _TWO), _GRID).breaks
     assert breaks
-    assert {round(own.width, 6) for own in breaks} == {1.0}
+    assert {round(this_break.width, 6) for this_break in breaks} == {1.0}
 
 
 @pytest.mark.parametrize("part", [_plate(), _bored(_plate(10.0))], ids=["plain", "bored"])

@@ -52,7 +52,7 @@ def turned(shape: TopoDS_Shape, *, hidden: bool) -> DrawnViews:
 def test_a_plate_is_as_thick_as_is_known(role: Role) -> None:
     truth = plate()
     found = sketch(drawn(truth, (role,), hidden=False), GRID)
-    assert [(own.low, own.high) for own in found.slabs] == [(0.0, 6.0)]
+    assert [(slab.low, slab.high) for slab in found.slabs] == [(0.0, 6.0)]
     check(found, truth)
 
 

@@ -46,10 +46,12 @@ def test_the_sketch_that_explains_clearly_more_tells_the_reading(
     readings = [
         SimpleNamespace(
             numbered=energy,
-            drawn=SimpleNamespace(strokes={Role.FRONT: [SimpleNamespace(length=500.0)]}, roles=own),
+            drawn=SimpleNamespace(
+                strokes={Role.FRONT: [SimpleNamespace(length=500.0)]}, roles=role
+            ),
             grid=1.0,
         )
-        for energy, own in zip(energies, roles, strict=True)
+        for energy, role in zip(energies, roles, strict=True)
     ]
     monkeypatch.setattr(
         projection_by_sketch,

@@ -67,7 +67,7 @@ def test_an_untrue_line_makes_no_other_part(sample_views: Views, sample_solid: S
 
 def test_a_lost_line_fills_no_hole(sample_views: Views, sample_solid: Solids) -> None:
     views = sample_views("bored-plate")
-    kept = tuple(own for own in views.strokes[Role.FRONT] if own.linetype is not Linetype.HIDDEN)
+    kept = tuple(item for item in views.strokes[Role.FRONT] if item.linetype is not Linetype.HIDDEN)
     assert len(kept) < len(views.strokes[Role.FRONT])
     found = sketch(_changed(views, Role.FRONT, kept), GRID)
     assert _iou(found.shape, sample_solid("bored-plate")) > 0.99999
@@ -80,7 +80,7 @@ def test_the_projection_is_that_whose_part_explains_more(
     deep = views.size[1]
 
     def moved(role: Role, by: tuple[float, float]) -> tuple[object, ...]:
-        return tuple(mapped(own, 1.0, by, flip=False) for own in views.strokes[role])
+        return tuple(mapped(item, 1.0, by, flip=False) for item in views.strokes[role])
 
     wrong = {
         Role.FRONT: views.strokes[Role.FRONT],
@@ -95,8 +95,8 @@ def test_the_projection_is_that_whose_part_explains_more(
 def test_a_number_tells_how_thick_a_plate_is(sample_views: Views) -> None:
     views = sample_views("bored-plate")
     high = views.size[2]
-    told = ToldNumbers((ToldLength(Axis.Z, 0.0, high, high + 0.04),), 0.05, 0.01)
-    rough = replace(views, tolerance=0.1, apart=0.03, told=told)
+    stated = ToldNumbers((ToldLength(Axis.Z, 0.0, high, high + 0.04),), 0.05, 0.01)
+    rough = replace(views, tolerance=0.1, apart=0.03, dimensions=stated)
     found = sketch(rough, GRID)
     assert found.slabs[-1].high == pytest.approx(high + 0.04, abs=1e-6)
 

@@ -26,7 +26,7 @@ def broken_top(
     shape: TopoDS_Shape, maker: BRepFilletAPI_MakeChamfer | BRepFilletAPI_MakeFillet, size: float
 ) -> TopoDS_Shape:
     """A shape with all edges of its highest face broken."""
-    top = max(faces_of(shape), key=lambda own: bounding_box(own)[0, 2])
+    top = max(faces_of(shape), key=lambda face: bounding_box(face)[0, 2])
     for edge in subshapes(top, TopAbs_ShapeEnum.TopAbs_EDGE):
         maker.Add(size, TopoDS.Edge(edge))
     return maker.Shape()
@@ -65,9 +65,9 @@ def test_broken_edges_of_a_face_are_put_on_last(kind: str) -> None:
     truth = broken_top(block, make(block), 1.5)
     found = sketch(drawn(truth, hidden=False), GRID)
     assert found.axis is Axis.Z
-    assert [own.high for own in found.slabs] == pytest.approx([8, 20])
-    assert {own.is_round for own in found.breaks} == {kind == "rounding"}
-    assert all(own.width == pytest.approx(1.5, abs=1e-3) for own in found.breaks)
+    assert [slab.high for slab in found.slabs] == pytest.approx([8, 20])
+    assert {this_break.is_round for this_break in found.breaks} == {kind == "rounding"}
+    assert all(this_break.width == pytest.approx(1.5, abs=1e-3) for this_break in found.breaks)
     check(found, truth)
 
 

@@ -27,8 +27,8 @@ def test_a_slope_is_turned_down_last(hidden: bool) -> None:
     check(found, truth)
     construction = construction_of(found, None)
     corners = [
-        {tuple(round(x, 2) for x in edge.start) for edge in own.edges}
-        for own in construction.turned
+        {tuple(round(x, 2) for x in edge.start) for edge in item.edges}
+        for item in construction.turned
     ]
     assert sorted(map(sorted, corners)) == [
         [(0, 8), (0, 14), (30, 14)],
@@ -55,7 +55,7 @@ def test_a_groove_of_two_slopes_is_turned_into_a_drum() -> None:
     profile = [(0, 0), (0, 32), (7, 32), (11, 28), (15, 32), (22, 32), (22, 18), (38, 14), (38, 0)]
     truth = cut(revolved(profile, Axis.X, (32, 32)), cylinder(Axis.Y, (11, 32), 5, -1, 65))
     found = sketch(drawn(truth, hidden=True), GRID)
-    assert [own.high for own in found.slabs] == pytest.approx([22, 38])
+    assert [slab.high for slab in found.slabs] == pytest.approx([22, 38])
     check(found, truth)
 
 

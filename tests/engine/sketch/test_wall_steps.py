@@ -26,7 +26,7 @@ def test_a_steep_wall_is_no_step(depth: Callable[[float], float], is_one: bool) 
         return Sight((0,), np.array([depth(place)]), np.array([False]))
 
     places = np.array([0.35, 0.75])
-    met = [look(own) for own in places]
+    met = [look(place) for place in places]
     # A line that is drawn between the two makes one look closer.
     _, between, _ = goes_on(met, places, [0.0, 0.5, 2.0 * _RADIUS], look, 1.0)
     assert abs(depth(0.4) - depth(0.75)) > 1.0
@@ -43,5 +43,5 @@ def test_what_lies_between_two_sights_alone_is_no_wall_that_goes_on() -> None:
         return Sight((0, 1), depths, np.array([False, False]))
 
     places = np.array([0.5, 2.5])
-    _, between, _ = goes_on([look(own) for own in places], places, [1.0], look, 0.1)
+    _, between, _ = goes_on([look(place) for place in places], places, [1.0], look, 0.1)
     assert not between[0, 0]

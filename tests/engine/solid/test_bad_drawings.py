@@ -55,8 +55,8 @@ def _changed(views: DrawnViews, role: Role, strokes: list) -> DrawnViews:
 def _stroke_of(line: ConflictLine, views: DrawnViews, index: int) -> bool:
     stroke = views.strokes[line.role][index]
     ends = np.array([line.points[0], line.points[-1]])
-    own = np.array([stroke.start, stroke.end])
-    return bool(np.allclose(ends, own, atol=1e-3) or np.allclose(ends, own[::-1], atol=1e-3))
+    item = np.array([stroke.start, stroke.end])
+    return bool(np.allclose(ends, item, atol=1e-3) or np.allclose(ends, item[::-1], atol=1e-3))
 
 
 def _within(line: ConflictLine, stroke: Segment) -> bool:
@@ -82,7 +82,7 @@ def test_a_missing_line_is_named(name: str, sample_views: Views) -> None:
         strokes = list(views.strokes[role])
         lost = strokes.pop(index)
         result = _solved(_changed(views, role, strokes))
-        if ModelKind.UNDRAWN_LINES in [own.model for own in result.trace if own.taken]:
+        if ModelKind.UNDRAWN_LINES in [item.model for item in result.trace if item.taken]:
             # Hidden lines that were left out may explain it as well, which is said.
             assert ASSUMED in [code for code, _ in result.reasons]
             continue

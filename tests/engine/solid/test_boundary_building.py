@@ -224,7 +224,7 @@ class _Rod:
         ]
         return [
             ground,
-            *(BRepBuilderAPI_MakeFace(own, 0.0, 2.0 * pi, *ends).Face() for own, *ends in swept),
+            *(BRepBuilderAPI_MakeFace(item, 0.0, 2.0 * pi, *ends).Face() for item, *ends in swept),
         ]
 
 

@@ -93,8 +93,8 @@ def test_no_slivers_stay_between_a_curve_and_what_it_was_read_as(
     solid = moved_to_origin(part())
     views = drawn(solid)
     strokes = {
-        role: tuple(read for stroke in own for read in _read(stroke))
-        for role, own in views.strokes.items()
+        role: tuple(read for stroke in this_stroke for read in _read(stroke))
+        for role, this_stroke in views.strokes.items()
     }
     assert strokes != dict(views.strokes)
     read = replace(views, strokes=strokes, tolerance=_PIXEL, apart=0.3 * _PIXEL)

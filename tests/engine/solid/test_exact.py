@@ -470,5 +470,5 @@ def _misplaced(views: DrawnViews, pixel: float) -> DrawnViews:
         start, end = np.array([stroke.start, stroke.end]) + aside[0] * normal
         return replace(stroke, start=tuple(start), end=tuple(end))
 
-    strokes = {role: tuple(map(moved, own)) for role, own in views.strokes.items()}
+    strokes = {role: tuple(map(moved, stroke)) for role, stroke in views.strokes.items()}
     return replace(views, strokes=strokes, tolerance=pixel, apart=0.02, noise=0.01, bound=_BOUND)

@@ -54,8 +54,8 @@ def test_the_patches_of_planes_are_where_the_part_ends(labelled: Labelled) -> No
     _, space = labelled("l-bracket")
     patches = find_patches(space)
     ends = {(axis, end) for axis in Axis for end in (0.0, round(space.space.values[axis][-1], 6))}
-    told = {(p.axis, round(abs(p.value), 6)) for p in patches if isinstance(p, PlanePatch)}
-    assert ends <= told
+    stated = {(p.axis, round(abs(p.value), 6)) for p in patches if isinstance(p, PlanePatch)}
+    assert ends <= stated
     for axis, end in ends:
         (outer,) = (
             p

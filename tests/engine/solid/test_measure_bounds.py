@@ -25,9 +25,9 @@ Draw = Callable[..., DrawnViews]
 _BOUND = 0.03
 
 
-def _known(shape: TopoDS_Shape, *told: tuple[float, ...], radii: tuple[float, ...] = ()) -> int:
+def _known(shape: TopoDS_Shape, *stated: tuple[float, ...], radii: tuple[float, ...] = ()) -> int:
     """How many faces follow from numbers along x, y and z."""
-    places = ToldPlaces(dict(zip(Axis, told, strict=True)), radii, 0.05, 0.01)
+    places = ToldPlaces(dict(zip(Axis, stated, strict=True)), radii, 0.05, 0.01)
     return sum(is_known(face, ToldMeasures(places, 1e-3)) for face in faces_of(shape))
 
 
@@ -49,8 +49,8 @@ def test_a_bore_is_told_by_its_axis_and_radius() -> None:
         (20.3, 11.8, 4.1, 6),
         (20.3, 11.7, 4.2, 6),
     ):
-        told = (*ends[0], x), (*ends[1], y), ends[2]
-        assert _known(bored, *told, radii=(radius,)) == known
+        stated = (*ends[0], x), (*ends[1], y), ends[2]
+        assert _known(bored, *stated, radii=(radius,)) == known
     wall = next(face for face in faces_of(bored) if sum(axes_of(face)) == 2)
     assert axes_of(wall) == (True, True, False)
 
@@ -85,7 +85,7 @@ def test_numbers_tell_measures_but_for_their_rounding(numbered: bool, drawn: Dra
     slot = BRepPrimAPI_MakeBox(gp_Pnt(12.07, -1.0, 11.09), 21.66, 60.0, 60.0).Solid()
     solid = BRepAlgoAPI_Cut(block, slot).Shape()
     # A picture's lines: off by hundredths, for which the numbers make up.
-    told = [
+    stated = [
         ToldLength(axis, 0.01, value - 0.01, value)
         for axis, value in (
             (Axis.X, 12.07),
@@ -96,8 +96,8 @@ def test_numbers_tell_measures_but_for_their_rounding(numbered: bool, drawn: Dra
             (Axis.Z, 24.17),
         )
     ]
-    numbers = ToldNumbers(tuple(told if numbered else told[2:4]), 0.05, 0.004)
-    result = exact_solid(replace(_picture(drawn(solid)), told=numbers))
+    numbers = ToldNumbers(tuple(stated if numbered else stated[2:4]), 0.05, 0.004)
+    result = exact_solid(replace(_picture(drawn(solid)), dimensions=numbers))
     assert volume(result.shape) == pytest.approx(volume(solid), rel=1e-9)
     assert (result.status, result.reasons) == (Status.VERIFIED, ())
     found = result.measures

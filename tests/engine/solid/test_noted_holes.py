@@ -24,7 +24,7 @@ _AT = (20.0, 15.0)
 def _views(shape: TopoDS_Shape, *notes: NotedHole) -> DrawnViews:
     drawing = LineDrawing(shape)
     strokes = {
-        role: [own for own in drawing.view(role) if own.linetype is Linetype.VISIBLE]
+        role: [item for item in drawing.view(role) if item.linetype is Linetype.VISIBLE]
         for role in (Role.FRONT, Role.TOP, Role.RIGHT)
     }
     return replace(exact_views(strokes, _SIZE), holes=notes)

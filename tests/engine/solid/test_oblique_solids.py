@@ -139,18 +139,18 @@ def test_a_tip_is_where_edges_cross(drawn: Draw, iou: Callable[..., float]) -> N
     views = drawn(pyramid)
     off = {Role.FRONT: 0.0006, Role.RIGHT: -0.0013}
 
-    def read(role: Role, own: Sequence[Curve]) -> tuple[Curve, ...]:
+    def read(role: Role, curves: Sequence[Curve]) -> tuple[Curve, ...]:
         if role is Role.TOP:
-            outline = [s for s in own if min(np.abs(np.subtract(s.end, s.start))) < 1.0]
+            outline = [s for s in curves if min(np.abs(np.subtract(s.end, s.start))) < 1.0]
             diagonals = [((0.0, 0.0), (40.0, 40.0)), ((0.0, 40.0), (40.0, 0.0))]
             return (*outline, *(Segment(a, b, Linetype.VISIBLE) for a, b in diagonals))
         tip = 20.0 + off[role], 50.0
         return tuple(
             Segment(*(tip if end[1] > 25.0 else end for end in (s.start, s.end)), Linetype.VISIBLE)
-            for s in own
+            for s in curves
         )
 
-    strokes = {role: read(role, own) for role, own in views.strokes.items()}
+    strokes = {role: read(role, stroke) for role, stroke in views.strokes.items()}
     result = exact_solid(replace(views, strokes=strokes, tolerance=0.08, apart=0.025))
     assert result.reasons == (UNDRAWN,)
     assert soundness(result.shape).faces == 5

@@ -40,16 +40,16 @@ _GROOVE = cut(_BLOCK, _bore(6.0, -1.0, 31.0), _bore(9.0, 10.0, 16.0))
 def _drawn(shape: TopoDS_Shape, plain: tuple[Role, ...], section: Role) -> DrawnViews:
     """Views without hidden lines, and one through the middle that is cut."""
     low, high = bounding_box(shape)
-    size = tuple(float(own) for own in high - low)
+    size = tuple(float(item) for item in high - low)
     drawing = LineDrawing(shape)
     at = size[section.frame.look_axis[0].value] / 2.0
-    own = section_view(shape, section, (Opening(at),))
+    this_section_view = section_view(shape, section, (Opening(at),))
     strokes = {
         role: tuple(s for s in drawing.view(role) if s.linetype is Linetype.VISIBLE)
         for role in plain
     }
-    views = exact_views({**strokes, section: own.strokes}, size)
-    return replace(views, cuts={section: Cut((Opening(at),), own.areas)})
+    views = exact_views({**strokes, section: this_section_view.strokes}, size)
+    return replace(views, cuts={section: Cut((Opening(at),), this_section_view.areas)})
 
 
 @pytest.mark.parametrize("section", [Role.FRONT, Role.RIGHT, Role.LEFT])
@@ -96,16 +96,16 @@ def _beside(
 ) -> DrawnViews:
     """Views without hidden lines, and a section beside the front view."""
     low, high = bounding_box(shape)
-    size = tuple(float(own) for own in high - low)
+    size = tuple(float(item) for item in high - low)
     drawing = LineDrawing(shape)
     key = SectionRole(Role.FRONT, "A")
-    own = section_view(shape, key, openings)
+    this_section_view = section_view(shape, key, openings)
     strokes = {
         role: tuple(s for s in drawing.view(role) if s.linetype is Linetype.VISIBLE)
         for role in plain
     }
-    views = exact_views({**strokes, key: own.strokes}, size)
-    return replace(views, cuts={key: Cut(openings, own.areas)})
+    views = exact_views({**strokes, key: this_section_view.strokes}, size)
+    return replace(views, cuts={key: Cut(openings, this_section_view.areas)})
 
 
 _OFFSET = cut(
@@ -138,12 +138,12 @@ def test_an_offset_section_cuts_at_several_depths(iou: Iou) -> None:
 def test_half_of_a_view_is_cut(iou: Iou) -> None:
     part = _PARTS["counterbore"]
     openings = (Opening(20.0, shapely.box(30.0, -1e3, 1e3, 1e3)),)
-    own = section_view(part, Role.FRONT, openings)
+    this_section_view = section_view(part, Role.FRONT, openings)
     plain = _drawn(part, (Role.TOP,), Role.FRONT)
     views = replace(
         plain,
-        strokes={**plain.strokes, Role.FRONT: own.strokes},
-        cuts={Role.FRONT: Cut(openings, own.areas)},
+        strokes={**plain.strokes, Role.FRONT: this_section_view.strokes},
+        cuts={Role.FRONT: Cut(openings, this_section_view.areas)},
     )
     found = exact_solid(views)
     assert found.shape is not None

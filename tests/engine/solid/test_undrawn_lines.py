@@ -39,8 +39,8 @@ def _stepped() -> TopoDS_Shape:
 def _without(views: DrawnViews, *roles: Role) -> DrawnViews:
     """The views, some of which draw no hidden lines."""
     strokes = {
-        role: tuple(s for s in own if role not in roles or s.linetype is Linetype.VISIBLE)
-        for role, own in views.strokes.items()
+        role: tuple(s for s in stroke if role not in roles or s.linetype is Linetype.VISIBLE)
+        for role, stroke in views.strokes.items()
     }
     return replace(views, strokes=strokes)
 

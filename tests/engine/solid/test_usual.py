@@ -41,10 +41,10 @@ def _without_hidden(shape: TopoDS_Shape, roles: tuple[Role, ...]) -> DrawnViews:
     low, high = bounding_box(shape)
     drawing = LineDrawing(shape)
     strokes = {
-        role: [own for own in drawing.view(role) if own.linetype is Linetype.VISIBLE]
+        role: [item for item in drawing.view(role) if item.linetype is Linetype.VISIBLE]
         for role in roles
     }
-    return exact_views(strokes, tuple(float(own) for own in high - low))
+    return exact_views(strokes, tuple(float(item) for item in high - low))
 
 
 @pytest.mark.parametrize("roles", _VIEWS)

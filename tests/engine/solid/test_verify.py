@@ -61,8 +61,8 @@ def test_missing_and_surplus_lines_are_told_by_place_and_length(drawn: Draw) -> 
 def test_flaws_swap_their_sense_with_solid_and_views(drawn: Draw) -> None:
     block, slotted = _box(0, 0, 0, 40, 30, 20), _slotted(10)
     one, other = verify(block, drawn(slotted)), verify(slotted, drawn(block))
-    told = [sorted((f.role.value, round(f.length, 1)) for f in o.flaws) for o in (one, other)]
-    assert told[0] == told[1]
+    stated = [sorted((f.role.value, round(f.length, 1)) for f in o.flaws) for o in (one, other)]
+    assert stated[0] == stated[1]
     assert all(a.missing != b.missing for a in one.flaws for b in other.flaws if a.place == b.place)
 
 
@@ -96,18 +96,18 @@ def _pocketed(depth: float) -> TopoDS_Shape:
 
 @pytest.mark.parametrize(("depth", "told"), [(6.0, False), (7.5, True)])
 def test_a_hidden_line_of_a_dash_may_be_missing_in_a_picture(
-    depth: float, told: bool, drawn: Draw
+    depth: float, is_given: bool, drawn: Draw
 ) -> None:
     solid = _pocketed(depth)
     exact = drawn(solid)
     strokes = {
         role: tuple(
-            s for s in own if s.linetype is Linetype.VISIBLE or abs(s.length - depth) > 1e-6
+            s for s in stroke if s.linetype is Linetype.VISIBLE or abs(s.length - depth) > 1e-6
         )
-        for role, own in exact.strokes.items()
+        for role, stroke in exact.strokes.items()
     }
     found = verify(solid, replace(exact, strokes=strokes, tolerance=0.5))
-    assert bool(found.flaws) == told
+    assert bool(found.flaws) == is_given
     assert not any(flaw.missing for flaw in found.flaws)
 
 
@@ -128,8 +128,8 @@ def test_a_stroke_across_a_corner_is_a_rounding_that_the_solid_lacks(
 ) -> None:
     views = drawn(_pocketed(8.0))
     corner = np.array((15.0, 10.0))
-    own = 1.1 * np.array((np.cos(np.radians(degrees)), np.sin(np.radians(degrees))))
-    across = Segment(tuple(corner - own), tuple(corner + own), Linetype.VISIBLE)
+    item = 1.1 * np.array((np.cos(np.radians(degrees)), np.sin(np.radians(degrees))))
+    across = Segment(tuple(corner - item), tuple(corner + item), Linetype.VISIBLE)
     strokes = {**views.strokes, Role.TOP: (*views.strokes[Role.TOP], across)}
     found = verify(_pocketed(8.0), replace(views, strokes=strokes, tolerance=0.4, noise=0.01))
     assert found.explains and found.apart is askew

@@ -43,9 +43,9 @@ def pulls(*chosen: int, strength: float = 1.0) -> torch.Tensor:
 def test_small_ones_are_doubled_where_the_loss_pulls(trainee: Trainee) -> None:
     before = [tensor.detach().clone() for tensor in trainee.parameters.tensors]
     roots = trainee.roots
-    own = density(trainee)
-    own.note(pulls(3, 7, strength=1.01), (2, 2))
-    own.after(20)
+    this_density = density(trainee)
+    this_density.note(pulls(3, 7, strength=1.01), (2, 2))
+    this_density.after(20)
     assert len(trainee) == COUNT + 2
     for old, new in zip(before, trainee.parameters.tensors, strict=True):
         assert torch.equal(new[:COUNT], old)
@@ -61,9 +61,9 @@ def test_large_ones_are_split_into_two_smaller_ones_nearby(trainee: Trainee) -> 
         trainee.parameters.log_scales[5] = torch.log(torch.tensor([0.1, 0.05, 1e-4]))
         trainee.parameters.quaternions[5] = torch.tensor([1.0, 0.0, 0.0, 0.0])
     middle = trainee.parameters.means[5].detach().clone()
-    own = density(trainee)
-    own.note(pulls(5, strength=1.01), (2, 2))
-    own.after(20)
+    this_density = density(trainee)
+    this_density.note(pulls(5, strength=1.01), (2, 2))
+    this_density.after(20)
     assert len(trainee) == COUNT + 1
     halves = trainee.parameters.log_scales[-2:].exp()
     assert halves.detach().numpy() == pytest.approx(
@@ -75,22 +75,22 @@ def test_large_ones_are_split_into_two_smaller_ones_nearby(trainee: Trainee) -> 
 
 
 def test_weak_pulls_change_nothing_and_means_are_over_the_times_seen(trainee: Trainee) -> None:
-    own = density(trainee)
-    own.note(pulls(3, strength=0.99), (2, 2))
-    own.after(20)
+    this_density = density(trainee)
+    this_density.note(pulls(3, strength=0.99), (2, 2))
+    this_density.after(20)
     assert len(trainee) == COUNT
     once = torch.zeros((3, COUNT, 2))
     once[0, 4, 1] = 1.01 / 3.0
-    own.note(once, (2, 2))
-    own.after(30)
+    this_density.note(once, (2, 2))
+    this_density.after(30)
     assert len(trainee) == COUNT + 1
 
 
 @pytest.mark.parametrize("iteration", [10, 25, 100, 110])
 def test_nothing_changes_at_other_times(trainee: Trainee, iteration: int) -> None:
-    own = density(trainee)
-    own.note(pulls(1, 2, strength=9.0), (2, 2))
-    own.after(iteration)
+    this_density = density(trainee)
+    this_density.note(pulls(1, 2, strength=9.0), (2, 2))
+    this_density.after(iteration)
     assert len(trainee) == COUNT
 
 
@@ -98,10 +98,10 @@ def test_the_transparent_die_and_after_a_reset_the_huge(trainee: Trainee) -> Non
     with torch.no_grad():
         trainee.parameters.logit_opacities[:4] = -6.0
         trainee.parameters.log_scales[10] = 0.0
-    own = density(trainee)
-    own.after(20)
+    this_density = density(trainee)
+    this_density.after(20)
     assert len(trainee) == COUNT - 4
-    own.after(50)
+    this_density.after(50)
     assert len(trainee) == COUNT - 5
 
 
@@ -114,11 +114,11 @@ def test_a_reset_makes_all_nearly_transparent(trainee: Trainee) -> None:
 
 
 def test_none_are_born_beyond_the_limit_and_the_last_do_not_die(trainee: Trainee) -> None:
-    own = density(trainee, replace(CONTROL, most=COUNT + 1))
-    own.note(pulls(1, 2, strength=9.0), (2, 2))
-    own.after(20)
+    this_density = density(trainee, replace(CONTROL, most=COUNT + 1))
+    this_density.note(pulls(1, 2, strength=9.0), (2, 2))
+    this_density.after(20)
     assert len(trainee) == COUNT
     with torch.no_grad():
         trainee.parameters.logit_opacities.fill_(-9.0)
-    own.after(30)
+    this_density.after(30)
     assert len(trainee) == COUNT

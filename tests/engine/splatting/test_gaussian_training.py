@@ -113,11 +113,11 @@ def test_the_size_of_the_part_does_not_matter(
 def test_progress_is_told_after_every_iteration(
     box_views: ViewSet, box_surface: TriangleMesh
 ) -> None:
-    told: list[tuple[float, float | None]] = []
+    stated: list[tuple[float, float | None]] = []
     parts = scene(box_views, box_surface, Recipe.ORTHOGRAPHIC, iterations=5)
-    result = train(*parts, lambda fraction, loss: told.append((fraction, loss)))
-    assert [fraction for fraction, _ in told] == pytest.approx([0.2, 0.4, 0.6, 0.8, 1.0])
-    assert tuple(loss for _, loss in told) == result.losses
+    result = train(*parts, lambda fraction, loss: stated.append((fraction, loss)))
+    assert [fraction for fraction, _ in stated] == pytest.approx([0.2, 0.4, 0.6, 0.8, 1.0])
+    assert tuple(loss for _, loss in stated) == result.losses
 
 
 def test_it_ends_early_when_nothing_is_gained(

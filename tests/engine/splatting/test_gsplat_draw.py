@@ -77,32 +77,35 @@ def _rotations(quaternions: torch.Tensor) -> torch.Tensor:
 
 
 def _places(
-    means: torch.Tensor, pose: torch.Tensor, matrix: torch.Tensor, told: SimpleNamespace
+    means: torch.Tensor, pose: torch.Tensor, matrix: torch.Tensor, namespace: SimpleNamespace
 ) -> torch.Tensor:
     local = means @ pose[:3, :3].T + pose[:3, 3]
-    plane = local / local[:, 2:] if told.camera_model == "pinhole" else local
+    plane = local / local[:, 2:] if namespace.camera_model == "pinhole" else local
     return plane[:, :2] * matrix[[0, 1], [0, 1]] + matrix[:2, 2]
 
 
 def stand_in(**asked: object) -> tuple[torch.Tensor, torch.Tensor, dict[str, torch.Tensor]]:
     """What gsplat's ``rasterization`` returns, one pixel after the other in plain torch."""
-    told = SimpleNamespace(**asked)
-    assert (told.packed, told.render_mode) == (False, "RGB+D")
-    turned = _rotations(told.quats) * told.scales[:, None, :]
+    stated = SimpleNamespace(**asked)
+    assert (stated.packed, stated.render_mode) == (False, "RGB+D")
+    turned = _rotations(stated.quats) * stated.scales[:, None, :]
     covariances = turned @ turned.transpose(1, 2)
     places = torch.stack(
-        [_places(told.means, *camera, told) for camera in zip(told.viewmats, told.Ks, strict=True)]
+        [
+            _places(stated.means, *camera, stated)
+            for camera in zip(stated.viewmats, stated.Ks, strict=True)
+        ]
     )
     images, alphas = [], []
     y, x = torch.meshgrid(
-        torch.arange(told.height) + 0.5, torch.arange(told.width) + 0.5, indexing="ij"
+        torch.arange(stated.height) + 0.5, torch.arange(stated.width) + 0.5, indexing="ij"
     )
-    for pose, matrix, means in zip(told.viewmats, told.Ks, places, strict=True):
-        local = told.means @ pose[:3, :3].T + pose[:3, 3]
+    for pose, matrix, means in zip(stated.viewmats, stated.Ks, places, strict=True):
+        local = stated.means @ pose[:3, :3].T + pose[:3, 3]
         jacobian = matrix[:2, :3].repeat(len(local), 1, 1)
         jacobian[:, :, 2] = 0.0
         plane = local
-        if told.camera_model == "pinhole":
+        if stated.camera_model == "pinhole":
             plane = local / local[:, 2:]
             depth = local[:, 2, None, None]
             jacobian = torch.cat(
@@ -110,21 +113,23 @@ def stand_in(**asked: object) -> tuple[torch.Tensor, torch.Tensor, dict[str, tor
             )
             jacobian = jacobian / depth
         else:
-            assert told.camera_model == "ortho"
+            assert stated.camera_model == "ortho"
         linear = jacobian @ pose[:3, :3]
-        blurred = linear @ covariances @ linear.transpose(1, 2) + told.eps2d * torch.eye(2).double()
+        blurred = (
+            linear @ covariances @ linear.transpose(1, 2) + stated.eps2d * torch.eye(2).double()
+        )
         offsets = torch.stack([x.flatten(), y.flatten()], dim=1)[:, None] - means
         falloff = torch.einsum("pni,nij,pnj->pn", offsets, torch.linalg.inv(blurred), offsets)
-        weighed = (told.opacities * torch.exp(-falloff / 2)).clamp_max(0.999)
+        weighed = (stated.opacities * torch.exp(-falloff / 2)).clamp_max(0.999)
         weighed = torch.where(weighed < 1 / 255, torch.zeros_like(weighed), weighed)
         order = torch.argsort(local[:, 2])
-        assert (local[:, 2] > told.near_plane).all()
+        assert (local[:, 2] > stated.near_plane).all()
         weighed = weighed[:, order]
         left = torch.cumprod(1 - weighed, dim=1)
         weights = weighed * torch.cat([torch.ones_like(left[:, :1]), left[:, :-1]], dim=1)
-        features = torch.cat([told.colors, local[:, 2:]], dim=1)[order]
-        images.append((weights @ features).reshape(told.height, told.width, 4))
-        alphas.append(weights.sum(dim=1).reshape(told.height, told.width, 1))
+        features = torch.cat([stated.colors, local[:, 2:]], dim=1)[order]
+        images.append((weights @ features).reshape(stated.height, stated.width, 4))
+        alphas.append(weights.sum(dim=1).reshape(stated.height, stated.width, 1))
     return torch.stack(images), torch.stack(alphas), {"means2d": places}
 
 
@@ -142,8 +147,8 @@ def test_what_is_handed_to_gsplat_is_what_the_reference_draws(
         images = (rendering.colours, rendering.alphas, rendering.depths)
         slopes = gradients(rendering, (*some.tensors, shifts))
         found.append([tensor.detach() for tensor in (*images, *slopes)])
-    for own in (found[0], found[2]):
-        for one, other in zip(own, found[1], strict=True):
+    for item in (found[0], found[2]):
+        for one, other in zip(item, found[1], strict=True):
             assert (one - other).abs().max() <= 1e-9 * other.abs().max()
 
 
@@ -164,18 +169,20 @@ def test_on_a_gpu_all_back_ends_agree(model: CameraModel) -> None:
         pytest.skip(f"no GPU to compare with: {problem}")
     batch = cameras(model, 96, torch.float32)
     plain, fast = (
-        gradients(draw(own, batch, Optics()), own.tensors)
-        for draw, own in (
+        gradients(draw(item, batch, Optics()), item.tensors)
+        for draw, item in (
             (draw_reference, parameters(200, torch.float32)),
             (draw_tiles, parameters(200, torch.float32)),
         )
     )
-    own = parameters(200, torch.float32, "cuda")
-    rendering = draw_gsplat(own, batch.on("cuda"), Optics())
+    this_parameters = parameters(200, torch.float32, "cuda")
+    rendering = draw_gsplat(this_parameters, batch.on("cuda"), Optics())
     other = draw_reference(parameters(200, torch.float32), batch, Optics())
     for name, tolerance in (("colours", 4e-3), ("alphas", 4e-3), ("depths", 4e-2)):
         difference = (getattr(rendering, name).cpu() - getattr(other, name)).abs().max()
         assert difference <= tolerance, name
-    for one, two, three in zip(gradients(rendering, own.tensors), plain, fast, strict=True):
+    for one, two, three in zip(
+        gradients(rendering, this_parameters.tensors), plain, fast, strict=True
+    ):
         assert (two - three).norm() <= 1e-4 * two.norm()
         assert (one.cpu() - two).norm() <= 1e-2 * two.norm()

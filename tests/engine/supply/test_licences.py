@@ -36,11 +36,11 @@ def test_every_locked_package_has_a_licence_that_is_allowed(
 def test_the_record_says_what_the_installed_packages_say(record: Record) -> None:
     checked = 0
     for package in metadata.distributions():
-        own = package.metadata
-        key = canonical(own["Name"]), package.version.partition("+")[0]
+        this_metadata = package.metadata
+        key = canonical(this_metadata["Name"]), package.version.partition("+")[0]
         if key in record:
-            classifiers = own.get_all("Classifier") or []
-            fields = own.get("License-Expression"), own.get("License")
+            classifiers = this_metadata.get_all("Classifier") or []
+            fields = this_metadata.get("License-Expression"), this_metadata.get("License")
             assert record[key] == stated_licence(key[0], *fields, classifiers), key
             checked += 1
     assert checked > 50

@@ -14,11 +14,11 @@ _HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
 
 def _anchors(page: Path) -> set[str]:
     headings = _HEADING.findall(page.read_text("utf-8"))
-    plain = (re.sub(r"[^\w\- ]", "", own.lower().replace("`", "")) for own in headings)
-    return {own.replace(" ", "-") for own in plain}
+    plain = (re.sub(r"[^\w\- ]", "", heading.lower().replace("`", "")) for heading in headings)
+    return {item.replace(" ", "-") for item in plain}
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda own: str(own.relative_to(ROOT)))
+@pytest.mark.parametrize("page", PAGES, ids=lambda item: str(item.relative_to(ROOT)))
 def test_links_lead_somewhere(page: Path) -> None:
     for link in _LINK.findall(page.read_text("utf-8")):
         if re.match(r"[a-z]+:", link):

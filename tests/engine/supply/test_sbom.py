@@ -52,10 +52,10 @@ def test_every_package_is_there_with_every_hash(lock: Lock, made: dict[str, Any]
     for package, component in zip(packages, made["components"], strict=True):
         (reference,) = component["externalReferences"]
         assert reference["type"] == "distribution" and reference["url"] == component["purl"]
-        assert {own["alg"] for own in reference["hashes"]} == {"SHA-256"}
-        assert tuple(own["content"] for own in reference["hashes"]) == package.hashes
-        own = {entry["name"]: entry["value"] for entry in component.get("properties", ())}
-        assert own.get("gaussiancad:marker", "") == package.marker
+        assert {item["alg"] for item in reference["hashes"]} == {"SHA-256"}
+        assert tuple(item["content"] for item in reference["hashes"]) == package.hashes
+        mapping = {entry["name"]: entry["value"] for entry in component.get("properties", ())}
+        assert mapping.get("gaussiancad:marker", "") == package.marker
 
 
 def test_components_have_what_the_format_demands(lock: Lock, made: dict[str, Any]) -> None:
@@ -78,10 +78,10 @@ def test_components_have_what_the_format_demands(lock: Lock, made: dict[str, Any
 
 def test_what_depends_on_what_names_components_only(lock: Lock, made: dict[str, Any]) -> None:
     references = {component["bom-ref"] for component in made["components"]}
-    (own,) = made["dependencies"]
-    assert own["ref"] == made["metadata"]["component"]["bom-ref"]
-    assert set(own["dependsOn"]) <= references
-    names = {re.split(r"[/@]", reference)[1] for reference in own["dependsOn"]}
+    (item,) = made["dependencies"]
+    assert item["ref"] == made["metadata"]["component"]["bom-ref"]
+    assert set(item["dependsOn"]) <= references
+    names = {re.split(r"[/@]", reference)[1] for reference in item["dependsOn"]}
     expected = {"pytest", "pycolmap"} if lock is Lock.TESTS else {"torch", "open3d-cpu", "rapidocr"}
     assert expected <= names
 

@@ -62,9 +62,9 @@ def _no_proxy_to_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def closed_port() -> int:
     """A port of this machine where nobody listens."""
-    with socket.socket() as own:
-        own.bind(("127.0.0.1", 0))
-        return own.getsockname()[1]
+    with socket.socket() as this_socket:
+        this_socket.bind(("127.0.0.1", 0))
+        return this_socket.getsockname()[1]
 
 
 def assert_not_checked(status: int, captured: object, host: str = "127.0.0.1") -> None:
@@ -82,15 +82,15 @@ def test_every_package_of_every_lock_is_asked_for_once(capsys: pytest.CaptureFix
     assert set(found) == expected and len(found) == len(expected)
     assert {question["package"]["ecosystem"] for question in asked} == {"PyPI"}
     assert set().union(*asked) == {"package", "version"}
-    told = capsys.readouterr()
-    assert told.out == f"no vulnerability is known of the {len(expected)} packages\n"
-    assert told.err == ""
+    stated = capsys.readouterr()
+    assert stated.out == f"no vulnerability is known of the {len(expected)} packages\n"
+    assert stated.err == ""
 
 
 def test_known_ones_are_told_with_their_package(capsys: pytest.CaptureFixture[str]) -> None:
     def answer(asked: list[dict[str, Any]]) -> bytes:
         torch = {"vulns": [{"id": "PYSEC-2"}, {"id": "GHSA-1"}]}
-        return body([torch if own["package"]["name"] == "torch" else {} for own in asked])
+        return body([torch if item["package"]["name"] == "torch" else {} for item in asked])
 
     with served(answer) as (address, asked):
         assert vulnerabilities.main(["--service", address]) == Status.SOME_KNOWN == 1
@@ -136,8 +136,8 @@ def test_a_database_that_is_silent(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize("address", ["nonsense", "http://", "ftp://127.0.0.1/x", "http://[/"])
 def test_an_address_that_is_none(address: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert vulnerabilities.main(["--service", address]) == Status.NOT_CHECKED
-    told = capsys.readouterr()
-    assert told.out == "" and told.err.startswith("not checked: no answer from ")
+    stated = capsys.readouterr()
+    assert stated.out == "" and stated.err.startswith("not checked: no answer from ")
 
 
 @pytest.mark.parametrize("status", [400, 403, 429, 500, 503])
@@ -204,7 +204,9 @@ def test_many_packages_are_asked_for_in_parts() -> None:
     def ask(question: Mapping[str, Any]) -> object:
         sizes.append(len(question["queries"]))
         return {
-            "results": [{"vulns": [{"id": own["package"]["name"]}]} for own in question["queries"]]
+            "results": [
+                {"vulns": [{"id": item["package"]["name"]}]} for item in question["queries"]
+            ]
         }
 
     assert known(wanted, ask) == {query: (query[0],) for query in wanted}

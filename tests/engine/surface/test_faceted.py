@@ -65,7 +65,7 @@ def test_a_triangle_whose_corners_lie_on_one_line_is_left_out(
 ) -> None:
     # Over an edge of the box, between its ends and its middle, and the triangle beyond it in two.
     start, end, third = box.triangles[0].tolist()
-    beside = next(
+    neighbour = next(
         triangle
         for triangle in box.triangles[1:].tolist()
         if (end, start) in zip(triangle, triangle[1:] + triangle[:1], strict=True)
@@ -74,11 +74,11 @@ def test_a_triangle_whose_corners_lie_on_one_line_is_left_out(
     with_needle = make_mesh(
         np.vstack([box.vertices, box.vertices[[start, end]].mean(axis=0)]),
         [
-            *(t for t in box.triangles.tolist() if t not in ([start, end, third], beside)),
+            *(t for t in box.triangles.tolist() if t not in ([start, end, third], neighbour)),
             [start, middle, third],
             [middle, end, third],
             [start, end, middle],
-            beside,
+            neighbour,
         ],
     )
     assert with_needle.watertight

@@ -61,17 +61,17 @@ def window(application: QtWidgets.QApplication, reading: dict, tmp_path: Path): 
     picture = QtGui.QImage(640, 480, QtGui.QImage.Format.Format_Grayscale8)
     picture.fill(255)
     assert picture.save(str(sheet))
-    own = SheetWindow(sheet, engines=Engines.of(Program((str(tmp_path / "none"),))))
-    own.resize(900, 900)
-    own.show()
-    own.desk.live = False
-    own.desk.pictured.emit(str(sheet), (640, 480), 1)
+    sheet_window = SheetWindow(sheet, engines=Engines.of(Program((str(tmp_path / "none"),))))
+    sheet_window.resize(900, 900)
+    sheet_window.show()
+    sheet_window.desk.live = False
+    sheet_window.desk.pictured.emit(str(sheet), (640, 480), 1)
     written = tmp_path / "reading.json"
     written.write_text(json.dumps(reading), encoding="utf-8")
-    own.desk._was_read({"reading": str(written)}, [])
+    sheet_window.desk._was_read({"reading": str(written)}, [])
     application.processEvents()
-    own.board.fit()
-    yield own
-    own.close()
-    own.deleteLater()
+    sheet_window.board.fit()
+    yield sheet_window
+    sheet_window.close()
+    sheet_window.deleteLater()
     application.processEvents()

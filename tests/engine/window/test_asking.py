@@ -13,9 +13,9 @@ Place = tuple[float, float]
 
 def _menu(window: SheetWindow) -> list[QtGui.QAction]:
     """Entries of the menu that was opened last."""
-    (own,) = (own for own in window.findChildren(QtWidgets.QMenu) if own.isVisible())
-    own.hide()
-    return own.actions()
+    (item,) = (entry for entry in window.findChildren(QtWidgets.QMenu) if entry.isVisible())
+    item.hide()
+    return item.actions()
 
 
 def _at(window: SheetWindow, place: Place) -> list[QtGui.QAction]:
@@ -27,47 +27,47 @@ def _at(window: SheetWindow, place: Place) -> list[QtGui.QAction]:
     return _menu(window)
 
 
-def _answer(monkeypatch: pytest.MonkeyPatch, value: float, told: bool = True) -> None:
+def _answer(monkeypatch: pytest.MonkeyPatch, value: float, is_given: bool = True) -> None:
     def get(*_: object) -> tuple[float, bool]:
-        return value, told
+        return value, is_given
 
     monkeypatch.setattr(QtWidgets.QInputDialog, "getDouble", get)
 
 
 def test_a_stroke_under_the_mouse_is_selected_and_given_a_kind(window: SheetWindow) -> None:
     entries = _at(window, (200, 130))
-    assert [own.id for own in window.board.selected] == ["s5"]
-    next(own for own in entries if own.text().endswith("\tT")).trigger()
-    (own,) = window.operations
-    assert (own["op"], own["target"]["id"], own["to"]) == ("kind", "s5", "tangent")
+    assert [item.id for item in window.board.selected] == ["s5"]
+    next(entry for entry in entries if entry.text().endswith("\tT")).trigger()
+    (element,) = window.operations
+    assert (element["op"], element["target"]["id"], element["to"]) == ("kind", "s5", "tangent")
 
 
 def test_a_hole_goes_through_or_is_so_deep(
     window: SheetWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     _answer(monkeypatch, 7.5)
-    entries = {own.text(): own for own in _at(window, (140, 180))}
+    entries = {item.text(): item for item in _at(window, (140, 180))}
     entries["Hole Goes Through"].trigger()
     entries["Depth of Hole\u2026"].trigger()
     through, deep = window.operations
     assert through == {"op": "note", "circle": [160, 180, 20], "through": True}
     assert deep == {"op": "note", "circle": [160, 180, 20], "depth_mm": 7.5}
-    _answer(monkeypatch, 9.0, told=False)
+    _answer(monkeypatch, 9.0, is_given=False)
     entries["Depth of Hole\u2026"].trigger()
     assert len(window.operations) == 2
 
 
 def test_strokes_alike_are_selected_and_erased_from_the_menu(window: SheetWindow) -> None:
-    entries = {own.text(): own for own in _at(window, (200, 100))}
+    entries = {item.text(): item for item in _at(window, (200, 100))}
     entries["Select all like this"].trigger()
     assert len(window.board.selected) == 4
     entries["Erase\tDel"].trigger()
-    assert [own["op"] for own in window.operations] == ["erase"] * 4
+    assert [operation["op"] for operation in window.operations] == ["erase"] * 4
 
 
 def test_a_frame_is_given_a_role_from_the_menu(window: SheetWindow) -> None:
     entries = _at(window, (200, 90))
-    next(own for own in entries if own.text().endswith("\t3")).trigger()
+    next(entry for entry in entries if entry.text().endswith("\t3")).trigger()
     assert window.operations == [{"op": "view", "id": "front", "role": "right"}]
 
 
@@ -92,7 +92,7 @@ def test_a_length_and_a_value_are_asked_for(
     scale, number = window.operations
     assert scale == {"op": "scale", "points": [[0.0, 0.0], [9.0, 0.0]], "length_mm": 50.0}
     assert number == {"op": "dimension", "id": "d1", "value_mm": 50.0}
-    _answer(monkeypatch, 1.0, told=False)
+    _answer(monkeypatch, 1.0, is_given=False)
     window.board.asked_length.emit(((0.0, 0.0), (9.0, 0.0)))
     assert len(window.operations) == 2
 
@@ -108,7 +108,7 @@ def test_a_section_is_asked_for_where_several_may_be_meant(window: SheetWindow) 
         window.board.asked_section.emit(line, "front")
         if choose:
             _menu(window)[-1].trigger()
-    assert [(own["id"], own["in_view"]) for own in window.operations] == [
+    assert [(operation["id"], operation["in_view"]) for operation in window.operations] == [
         ("right", "front"),
         ("top", "front"),
     ]
@@ -127,9 +127,9 @@ def test_gaps_are_closed_with_a_button(window: SheetWindow) -> None:
     draw[1]()
     assert window.board.tool == "line"
     close[1]()
-    (own,) = window.operations
-    assert (own["op"], own["view"], own["kind"]) == ("draw", "front", "visible")
-    assert set(own["line"]) == {corners[0], corners[3]}
+    (item,) = window.operations
+    assert (item["op"], item["view"], item["kind"]) == ("draw", "front", "visible")
+    assert set(item["line"]) == {corners[0], corners[3]}
 
 
 def test_how_thick_a_plate_is_is_asked_for_with_a_button(
@@ -174,19 +174,21 @@ def test_the_bars_choose_tools_kinds_and_what_holds_for_the_sheet(window: SheetW
     first, second = window.findChildren(QtWidgets.QToolBar)
     assert (first.objectName(), second.objectName()) == ("GaussianCADCanvas", "GaussianCADRuns")
     entries = {
-        own.text(): own for menu in window.findChildren(QtWidgets.QMenu) for own in menu.actions()
+        action.text(): action
+        for menu in window.findChildren(QtWidgets.QMenu)
+        for action in menu.actions()
     }
     assert entries["Third angle"].isChecked() and not entries["First angle"].isChecked()
     entries["First angle"].trigger()
     entries["inch"].trigger()
     assert entries["First angle"].isChecked() and not entries["Third angle"].isChecked()
-    assert [own["op"] for own in window.operations] == ["projection", "unit"]
+    assert [operation["op"] for operation in window.operations] == ["projection", "unit"]
     entries["Arc\tA"].trigger()
     assert window.board.tool == "arc"
-    steps = {own.text(): own for own in second.actions()}
+    steps = {action.text(): action for action in second.actions()}
     steps["Undo"].trigger()
-    assert [own["op"] for own in window.operations] == ["projection"]
+    assert [operation["op"] for operation in window.operations] == ["projection"]
     steps["Redo"].trigger()
-    assert [own["op"] for own in window.operations] == ["projection", "unit"]
+    assert [operation["op"] for operation in window.operations] == ["projection", "unit"]
     steps["Solve as I Go"].trigger()
     assert not window.desk.live

@@ -63,44 +63,44 @@ def _key(window: SheetWindow, key: QtCore.Qt.Key) -> None:
 def test_a_click_and_a_key_give_a_kind(window: SheetWindow) -> None:
     _click(window, (200, 130))
     _key(window, QtCore.Qt.Key.Key_H)
-    (own,) = window.operations
-    assert own["op"] == "kind"
-    assert own["target"]["id"] == "s5"
-    assert own["to"] == "hidden"
+    (item,) = window.operations
+    assert item["op"] == "kind"
+    assert item["target"]["id"] == "s5"
+    assert item["to"] == "hidden"
 
 
 def test_a_stroke_of_the_part_is_chosen_before_others(window: SheetWindow) -> None:
     _click(window, (200, 100))
-    assert [own.id for own in window.board.selected] == ["s1"]
+    assert [item.id for item in window.board.selected] == ["s1"]
     _click(window, (140, 180), _SHIFT)
-    assert [own.id for own in window.board.selected] == ["s1", "s6"]
+    assert [item.id for item in window.board.selected] == ["s1", "s6"]
 
 
 def test_bands_select_what_is_inside_or_touched(window: SheetWindow) -> None:
     _drag(window, (130, 150), (190, 210))
-    assert [own.id for own in window.board.selected] == ["s6"]
+    assert [item.id for item in window.board.selected] == ["s6"]
     _drag(window, (310, 140), (290, 90))
-    assert {own.id for own in window.board.selected} == {"s1", "s2"}
+    assert {item.id for item in window.board.selected} == {"s1", "s2"}
 
 
 def test_delete_erases_and_undo_brings_back(window: SheetWindow) -> None:
     _click(window, (140, 180))
     _key(window, QtCore.Qt.Key.Key_Delete)
-    assert [own["op"] for own in window.operations] == ["erase"]
+    assert [operation["op"] for operation in window.operations] == ["erase"]
     window.undo()
     assert window.operations == []
     assert not corrections_path(window.desk.path).exists()
     window.redo()
-    assert [own["target"]["id"] for own in window.operations] == ["s6"]
+    assert [operation["target"]["id"] for operation in window.operations] == ["s6"]
 
 
 def test_a_line_is_square_and_snaps_to_ends(window: SheetWindow) -> None:
     _key(window, QtCore.Qt.Key.Key_L)
     _drag(window, (102, 102), (298, 111))
-    (own,) = window.operations
-    assert own["op"] == "draw"
-    assert own["view"] == "front"
-    assert own["line"] == ((100.0, 100.0), (300.0, 100.0))
+    (item,) = window.operations
+    assert item["op"] == "draw"
+    assert item["view"] == "front"
+    assert item["line"] == ((100.0, 100.0), (300.0, 100.0))
 
 
 def test_a_circle_and_an_arc_are_drawn(window: SheetWindow) -> None:
@@ -109,7 +109,7 @@ def test_a_circle_and_an_arc_are_drawn(window: SheetWindow) -> None:
     _key(window, QtCore.Qt.Key.Key_A)
     for at in ((100, 250), (200, 250), (150, 200)):
         _click(window, at)
-    circle, arc = (own["arc"] for own in window.operations)
+    circle, arc = (operation["arc"] for operation in window.operations)
     assert circle[2] == pytest.approx(25.0, abs=1.5)
     assert arc[:3] == pytest.approx((150.0, 250.0, 50.0), abs=1.5)
 
@@ -136,7 +136,7 @@ def test_an_area_is_ignored(window: SheetWindow, reading: dict) -> None:
     _drag(window, (130, 150), (190, 210))
     assert window.operations[0]["kind"] == "ignore"
     shown = corrected(sheet_of(reading), window.operations)
-    assert {own.id: own.kind for own in shown.strokes}["s6"] == "ignore"
+    assert {stroke.id: stroke.kind for stroke in shown.strokes}["s6"] == "ignore"
 
 
 def test_what_gestures_say_is_what_the_engine_takes(window: SheetWindow) -> None:
@@ -161,9 +161,9 @@ def test_single_keys_do_not_leave_the_canvas(window: SheetWindow) -> None:
 
 def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) -> None:
     sheet = tmp_path / "part.pdf"
-    own = [{"op": "unit", "value": "in"}]
-    write_corrections(corrections_path(sheet), "1" * 64, own)
-    assert read_corrections(corrections_path(sheet)) == ("1" * 64, own)
+    items = [{"op": "unit", "value": "in"}]
+    write_corrections(corrections_path(sheet), "1" * 64, items)
+    assert read_corrections(corrections_path(sheet)) == ("1" * 64, items)
     assert [each.name for each in tmp_path.iterdir()] == ["part.pdf.corrections.json"]
     assert corrections_path(sheet, 3).name == "part.pdf.page-3.corrections.json"
     corrections_path(sheet).write_text("[]", encoding="utf-8")
@@ -176,27 +176,27 @@ def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) ->
 
 def test_a_step_of_several_operations_is_undone_at_once(tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.png"
-    own = Beside(sheet)
-    own.say([{"op": "unit", "value": "in"}, {"op": "projection", "value": "first"}])
-    own.undo()
-    assert own.operations == []
-    own.undo()
-    own.redo()
-    assert len(own.operations) == 2
-    own.redo()
-    assert Beside(sheet).operations == own.operations
+    item = Beside(sheet)
+    item.say([{"op": "unit", "value": "in"}, {"op": "projection", "value": "first"}])
+    item.undo()
+    assert item.operations == []
+    item.undo()
+    item.redo()
+    assert len(item.operations) == 2
+    item.redo()
+    assert Beside(sheet).operations == item.operations
 
 
 def test_corrections_of_another_version_of_the_sheet_are_kept_aside(tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.png"
     before = [{"op": "unit", "value": "in"}]
     write_corrections(corrections_path(sheet), "1" * 64, before)
-    own = Beside(sheet)
-    assert own.operations == before
-    assert not own.belongs_to("2" * 64)
-    assert own.operations == []
+    item = Beside(sheet)
+    assert item.operations == before
+    assert not item.belongs_to("2" * 64)
+    assert item.operations == []
     assert read_corrections(corrections_path(sheet)) == ("1" * 64, before)
-    own.say([{"op": "projection", "value": "first"}])
+    item.say([{"op": "projection", "value": "first"}])
     assert read_corrections(corrections_path(sheet))[0] == "2" * 64
     aside = tmp_path / "sheet.png.corrections.json.old"
     assert json.loads(aside.read_text(encoding="utf-8"))["ops"] == before
@@ -215,7 +215,7 @@ def test_another_projection_leaves_what_a_person_named() -> None:
     named = {"op": "view", "id": "top", "role": "top"}
     projection = {"op": "projection", "value": "first"}
     after = corrected(Sheet((), views, (), "", None), [named, projection])
-    assert {own.id: own.role for own in after.views} == {"top": "top", "right": "left"}
+    assert {view.id: view.role for view in after.views} == {"top": "top", "right": "left"}
 
 
 def test_an_arc_runs_through_its_middle() -> None:
@@ -257,19 +257,19 @@ def test_an_engine_that_does_not_start_is_told(
 ) -> None:
     sheet = tmp_path / "sheet.png"
     sheet.write_bytes(b"a sheet")
-    own = SheetWindow(sheet, engines=Engines.of(Program((str(tmp_path / "none"),))))
-    own.start()
+    sheet_window = SheetWindow(sheet, engines=Engines.of(Program((str(tmp_path / "none"),))))
+    sheet_window.start()
     for _ in range(200):
-        if not own.busy:
+        if not sheet_window.busy:
             break
         application.processEvents(QtCore.QEventLoop.ProcessEventsFlag.AllEvents, 20)
-    assert not own.busy
-    assert len(own.problems.lines) == 1
-    own.desk.say([{"op": "erase", "target": {"id": "s1"}}])
-    assert not own.operations
+    assert not sheet_window.busy
+    assert len(sheet_window.problems.lines) == 1
+    sheet_window.desk.say([{"op": "erase", "target": {"id": "s1"}}])
+    assert not sheet_window.operations
     assert not corrections_path(sheet).exists()
-    own.close()
-    own.deleteLater()
+    sheet_window.close()
+    sheet_window.deleteLater()
 
 
 def test_a_line_that_is_drawn_is_selected_for_its_kind(window: SheetWindow) -> None:
@@ -280,7 +280,7 @@ def test_a_line_that_is_drawn_is_selected_for_its_kind(window: SheetWindow) -> N
     (x0, y0), (x1, y1) = draw["line"]
     assert (x0, x1) == (100.0, 300.0) and y0 == y1 == pytest.approx(150.0, abs=1.5)
     assert kind["target"]["line"] == draw["line"]
-    shown = {own.shape: own.kind for own in window.sheet.strokes}
+    shown = {stroke.shape: stroke.kind for stroke in window.sheet.strokes}
     assert shown["line", draw["line"]] == "hidden"
 
 
@@ -327,8 +327,8 @@ def test_a_plane_is_set_in_a_view_and_a_hole_told(window: SheetWindow) -> None:
     window.board.tell_hole((160.0, 180.0, 20.0), 12.0)
     content = corrections_path(window.desk.path).read_bytes()
     taken = msgspec.json.decode(content, type=Corrections)
-    assert [own.depth_mm for own in taken.ops[1:]] == [None, 12.0]
-    assert [own.text for own in window.sheet.notes] == ["\u21a712"]
+    assert [item.depth_mm for item in taken.ops[1:]] == [None, 12.0]
+    assert [note.text for note in window.sheet.notes] == ["\u21a712"]
 
 
 def test_what_is_picked_from_the_ink_is_drawn(window: SheetWindow) -> None:
@@ -339,7 +339,7 @@ def test_what_is_picked_from_the_ink_is_drawn(window: SheetWindow) -> None:
     _click(window, (250, 180))
     assert asked[0] == pytest.approx((250.0, 180.0), abs=1.5)
     assert window.board.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
-    assert [own.kind for own in window.board.selected] == ["visible"]
+    assert [item.kind for item in window.board.selected] == ["visible"]
     assert not window.board.take_trace(("line", ((0.0, 0.0), (5.0, 5.0))), (5.0, 5.0))
     assert not window.board.take_trace(None, (250.0, 180.0))
 
@@ -353,7 +353,7 @@ def test_a_kind_told_while_ink_is_traced_is_the_strokes(window: SheetWindow) -> 
     _key(window, QtCore.Qt.Key.Key_H)
     assert window.operations == []
     assert window.board.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
-    assert [own.kind for own in window.board.selected] == ["hidden"]
+    assert [item.kind for item in window.board.selected] == ["hidden"]
     assert len(window.operations) == 1
 
 
@@ -374,9 +374,9 @@ def test_a_sheet_without_a_part_says_so_first(window: SheetWindow) -> None:
     refused = replace(problem, severity="refused")
     window.desk._read = replace(window.sheet, problems=(refused,))
     window.desk.changed.emit()
-    verdict, told, _ = window.problems.lines
-    assert verdict.colour and not told.colour
-    assert told.box == problem.box
+    verdict, stated, _ = window.problems.lines
+    assert verdict.colour and not stated.colour
+    assert stated.box == problem.box
 
 
 def test_a_group_of_lines_that_becomes_a_view_is_boxed(window: SheetWindow) -> None:
@@ -429,8 +429,8 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
         line.buttons[0][1]()
     (kind, draw) = window.operations
     assert (kind["op"], kind["target"]["id"], kind["to"]) == ("kind", "s5", "tangent")
-    told = {"view": "front", "kind": "hidden", "line": [[260, 100], [260, 250]]}
-    assert draw == {"op": "draw", **told}
+    stated = {"view": "front", "kind": "hidden", "line": [[260, 100], [260, 250]]}
+    assert draw == {"op": "draw", **stated}
     window.undo()
     window.undo()
     (_, yes), _no, (_, both) = assumed.buttons
@@ -445,7 +445,7 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
     window.undo()
     assert window.operations == []
     yes()
-    assert not any(own.colour for own in window.problems.lines)
+    assert not any(this_line.colour for this_line in window.problems.lines)
 
 
 def test_a_digit_names_the_view_of_a_selected_line(window: SheetWindow) -> None:
@@ -461,15 +461,15 @@ def test_a_line_begins_in_the_frame_of_a_view(window: SheetWindow) -> None:
     _key(window, QtCore.Qt.Key.Key_L)
     _drag(window, (95, 130), (280, 130), _ALT)
     _drag(window, (500, 400), (560, 400), _ALT)
-    (own,) = window.operations
-    assert (own["op"], own["view"]) == ("draw", "front")
+    (item,) = window.operations
+    assert (item["op"], item["view"]) == ("draw", "front")
     assert window.statusBar().currentMessage()
 
 
 def test_a_box_around_a_view_is_that_view(window: SheetWindow) -> None:
     window.say_view("left", (90.0, 95.0, 310.0, 260.0))
     window.say_view("top", (90.0, 300.0, 310.0, 400.0))
-    ids = [own["id"] for own in window.operations]
+    ids = [operation["id"] for operation in window.operations]
     assert ids == ["front", "top"]
 
 
@@ -484,15 +484,15 @@ def test_layers_and_bare_ink(window: SheetWindow) -> None:
     scene = window.board.scene()
     strokes = scene._layers["strokes"]
     window.board.set_layer("strokes", False)
-    assert not any(own.isVisible() for own in strokes)
+    assert not any(stroke.isVisible() for stroke in strokes)
     window.board.set_layer("strokes", True)
     key = QtCore.Qt.Key.Key_Space
     press = QtGui.QKeyEvent(QtCore.QEvent.Type.KeyPress, key, _NONE)
     QtWidgets.QApplication.sendEvent(window.board, press)
-    assert not any(own.isVisible() for own in strokes)
+    assert not any(stroke.isVisible() for stroke in strokes)
     release = QtGui.QKeyEvent(QtCore.QEvent.Type.KeyRelease, key, _NONE)
     QtWidgets.QApplication.sendEvent(window.board, release)
-    assert all(own.isVisible() for own in strokes)
+    assert all(stroke.isVisible() for stroke in strokes)
 
 
 def test_a_file_of_many_pages_is_listed_at_once(
@@ -507,10 +507,10 @@ def test_a_file_of_many_pages_is_listed_at_once(
     assert window.pages.isVisible() and window.pages.count() == 200
     for _ in range(3):
         window.pages._next()
-    assert [own[0] for own in asked] == [1]
+    assert [item[0] for item in asked] == [1]
     asked[0][2]("")
     window.pages._next()
-    assert [own[0] for own in asked] == [1, 2]
+    assert [item[0] for item in asked] == [1, 2]
     window.pages.itemClicked.emit(window.pages.item(0))
     window.pages.itemClicked.emit(window.pages.item(6))
     assert turned == [7]

@@ -24,17 +24,17 @@ _DOUBTS = {
 @pytest.fixture
 def reading(reading: dict) -> dict:
     """The same with two strokes in doubt, and one far from the views."""
-    for own in reading["strokes"]:
-        if own["id"] in _DOUBTS:
-            own["confidence"], by, otherwise = _DOUBTS[own["id"]]
-            own["why"] = {"by": by, "otherwise": otherwise, "margin": 0.1}
+    for item in reading["strokes"]:
+        if item["id"] in _DOUBTS:
+            item["confidence"], by, otherwise = _DOUBTS[item["id"]]
+            item["why"] = {"by": by, "otherwise": otherwise, "margin": 0.1}
     far = {"id": "s9", "view": None, "kind": "frame", "line": [[5, 400], [600, 400]]}
     reading["strokes"].append({**far, "confidence": 0.5})
     return reading
 
 
 def doubts(window: SheetWindow) -> list[Line]:
-    return [own for own in window.problems.lines if "In doubt" in own.text]
+    return [line for line in window.problems.lines if "In doubt" in line.text]
 
 
 def colours(window: SheetWindow) -> dict[str, str]:
@@ -54,12 +54,12 @@ def test_strokes_in_doubt_are_orange_whatever_their_kind(window: SheetWindow) ->
     found = colours(window)
     assert found["s2"] == found["s5"] == DOUBTFUL
     assert DOUBTFUL not in (found["s1"], found["s6"])
-    told = window.board._drawing._strokes["s2"].toolTip()
-    assert told == doubt_in_words(window.sheet.strokes[1])
+    stated = window.board._drawing._strokes["s2"].toolTip()
+    assert stated == doubt_in_words(window.sheet.strokes[1])
 
 
 def test_they_are_listed_most_doubtful_first_with_the_reason(window: SheetWindow) -> None:
-    assert [own.id for own in doubts_of(window.sheet)] == ["s5", "s2"]
+    assert [doubt.id for doubt in doubts_of(window.sheet)] == ["s5", "s2"]
     first, second = doubts(window)
     assert "centre line, 51% sure. As an edge it would end at no other edge." in first.text
     assert first.text.endswith("Otherwise: visible")
@@ -92,7 +92,7 @@ def test_yes_and_no_settle_a_doubt(window: SheetWindow, button: int, kind: str) 
 def test_a_key_says_that_a_doubtful_stroke_is_what_it_seems(window: SheetWindow) -> None:
     window.board.select({"s1", "s2"})
     window.board.give_kind("visible")
-    assert [own["target"]["id"] for own in window.operations] == ["s2"]
+    assert [operation["target"]["id"] for operation in window.operations] == ["s2"]
 
 
 def test_doubts_stay_listed_under_a_verdict(window: SheetWindow, tmp_path: Path) -> None:

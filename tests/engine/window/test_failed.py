@@ -56,8 +56,14 @@ def test_the_report_of_freecads_console_says_the_same(report: Path) -> None:
     ]
     path = report.with_suffix(".json")
     path.write_text(json.dumps({"schema": 2, "sheets": rows}), encoding="utf-8")
-    told = [(own.name, own.sheet, own.status) for own in failed_sheets(path)]
-    assert told == [(own.name, own.sheet, own.status) for own in failed_sheets(report)]
+    stated = [
+        (failed_sheet.name, failed_sheet.sheet, failed_sheet.status)
+        for failed_sheet in failed_sheets(path)
+    ]
+    assert stated == [
+        (failed_sheet.name, failed_sheet.sheet, failed_sheet.status)
+        for failed_sheet in failed_sheets(report)
+    ]
 
 
 @pytest.mark.parametrize(
@@ -80,20 +86,20 @@ def test_what_is_no_report_is_told(tmp_path: Path, name: str, content: str) -> N
 def test_the_next_sheet_is_one_that_is_not_verified_yet(report: Path) -> None:
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
     bad, near = failed_sheets(report)
-    own = Standing((bad, near), Program((str(report.parent / "none"),)))
+    standing = Standing((bad, near), Program((str(report.parent / "none"),)))
     opened = []
-    own.list.chosen.connect(opened.append)
-    own.list.open_next()
-    own.list.open_next()
+    standing.list.chosen.connect(opened.append)
+    standing.list.open_next()
+    standing.list.open_next()
     assert opened == [bad, near]
-    assert own.canvas.desk.path == near.sheet and own.canvas.desk.page == 1
-    own.canvas.desk.solved.emit({"status": "verified"}, "")
-    assert [row.status for row in own.list.sheets] == ["failed", "verified"]
-    own.list.open_next()
-    own.list.open_next()
+    assert standing.canvas.desk.path == near.sheet and standing.canvas.desk.page == 1
+    standing.canvas.desk.solved.emit({"status": "verified"}, "")
+    assert [row.status for row in standing.list.sheets] == ["failed", "verified"]
+    standing.list.open_next()
+    standing.list.open_next()
     assert opened[2:] == [bad, bad]
-    assert own.canvas.desk.page == 3
-    own.canvas.desk.solved.emit({"status": "verified"}, "")
-    assert not own.list.next_button.isEnabled()
-    own.close()
+    assert standing.canvas.desk.page == 3
+    standing.canvas.desk.solved.emit({"status": "verified"}, "")
+    assert not standing.list.next_button.isEnabled()
+    standing.close()
     application.processEvents()

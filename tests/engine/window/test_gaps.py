@@ -16,7 +16,7 @@ _CORNERS = [(0.0, 0.0), (200.0, 0.0), (200.0, 100.0), (0.0, 100.0)]
 
 
 def _sheet(lines: list) -> Sheet:
-    strokes = [Stroke(f"s{n}", "front", "visible", ("line", own)) for n, own in enumerate(lines)]
+    strokes = [Stroke(f"s{n}", "front", "visible", ("line", line)) for n, line in enumerate(lines)]
     return Sheet(tuple(strokes), (_VIEW,), (), "", None)
 
 

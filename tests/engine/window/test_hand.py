@@ -146,8 +146,8 @@ def test_a_handle_moves_a_stroke_in_one_step() -> None:
 
 def test_a_corner_of_a_view_moves_and_the_other_stays() -> None:
     ground = replace(_GROUND, chosen=frozenset({"front"}))
-    (own,) = _drag(Hand(), (200.0, 100.0), (230.0, 120.0), ground).operations
-    assert own == {"op": "view", "id": "front", "role": "front", "box": [0.0, 0.0, 230.0, 120.0]}
+    (item,) = _drag(Hand(), (200.0, 100.0), (230.0, 120.0), ground).operations
+    assert item == {"op": "view", "id": "front", "role": "front", "box": [0.0, 0.0, 230.0, 120.0]}
 
 
 @given(st.sampled_from(["", *TOOLS.values()]), _places, _places)

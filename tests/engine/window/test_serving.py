@@ -58,8 +58,8 @@ def two(engine: Engine) -> tuple[Server, Server]:
     parent = QtCore.QObject()
     servers = Server(engine, parent), Server(engine, parent)
     yield servers
-    for own in servers:
-        own.close()
+    for server in servers:
+        server.close()
 
 
 def test_one_process_answers_both(two: tuple[Server, Server], wait: Waiting) -> None:
@@ -69,10 +69,10 @@ def test_one_process_answers_both(two: tuple[Server, Server], wait: Waiting) -> 
         server.stage.connect(lambda name, number=number: stages.append((number, name)))
         server.ask("read", answers.append, sheet=str(number))
     wait(lambda: len(answers) == 2)
-    assert [own["sheet"] for own in answers] == ["0", "1"]
-    assert len({own["process"] for own in answers}) == 1
+    assert [answer["sheet"] for answer in answers] == ["0", "1"]
+    assert len({answer["process"] for answer in answers}) == 1
     assert stages == [(0, "read"), (1, "read")]
-    assert not any(own.busy for own in two)
+    assert not any(item.busy for item in two)
 
 
 def test_breaking_off_takes_nothing_from_others(two: tuple[Server, Server], wait: Waiting) -> None:
@@ -84,7 +84,7 @@ def test_breaking_off_takes_nothing_from_others(two: tuple[Server, Server], wait
     assert not first.busy
     assert second.busy
     wait(lambda: answers)
-    assert [own["do"] for own in answers] == ["read"]
+    assert [answer["do"] for answer in answers] == ["read"]
 
 
 def test_what_only_waits_is_dropped_without_an_end(
@@ -106,14 +106,14 @@ def test_one_that_dies_is_told_once_and_serves_the_others(
     two: tuple[Server, Server], wait: Waiting
 ) -> None:
     first, second = two
-    told: list[dict] = []
+    stated: list[dict] = []
     answers: list[dict] = []
-    first.ask("die", told.append)
-    first.ask("read", told.append)
+    first.ask("die", stated.append)
+    first.ask("read", stated.append)
     second.ask("read", answers.append)
     wait(lambda: answers)
-    assert [own["error"]["code"] for own in told] == ["engine-broke-off"]
-    assert "out of luck" in told[0]["error"]["message"]
+    assert [item["error"]["code"] for item in stated] == ["engine-broke-off"]
+    assert "out of luck" in stated[0]["error"]["message"]
     assert not first.busy
 
 

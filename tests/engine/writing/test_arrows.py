@@ -41,12 +41,12 @@ def _line(level: bool, at: float, low: float, high: float, inside: bool) -> list
 def test_two_heads_of_a_line_measure_from_tip_to_tip(
     level: bool, inside: bool, low: float, length: float
 ) -> None:
-    own = (level, 500.0, low, low + length, inside)
+    items = (level, 500.0, low, low + length, inside)
     # Another line in line with it, farther on, is a pair of its own.
     far = (level, 500.0, low + 900.0, low + 1000.0, True)
-    heads = [*_heads(*own), *_heads(*far)]
-    pairs = arrow_pairs(heads, [*_line(*own), *_line(*far)], [], _STILL)
-    assert ArrowPair(*own) in pairs and ArrowPair(*far) in pairs
+    heads = [*_heads(*items), *_heads(*far)]
+    pairs = arrow_pairs(heads, [*_line(*items), *_line(*far)], [], _STILL)
+    assert ArrowPair(*items) in pairs and ArrowPair(*far) in pairs
     middle = low + length / 2.0
     box = (middle - 15.0, 478.0, middle + 15.0, 498.0)
     text = SheetText("30", box if level else (478.0, middle - 15.0, 498.0, middle + 15.0), level)
@@ -93,8 +93,8 @@ def test_a_turned_sheet_is_measured_upright(angle: float) -> None:
 def test_a_leader_runs_from_its_far_end_to_the_tip() -> None:
     tip, way = np.array([100.0, 100.0]), np.array([0.6, 0.8])
     back = tip - _HEAD * way
-    own = (back - 50.0 * way, back)
-    beside = (np.array([0.0, 100.0]), np.array([98.0, 100.0]))
-    found = pointed_lines([Head(tuple(tip), tuple(way), _HEAD)], [own, beside], _STILL)
+    items = (back - 50.0 * way, back)
+    neighbours = (np.array([0.0, 100.0]), np.array([98.0, 100.0]))
+    found = pointed_lines([Head(tuple(tip), tuple(way), _HEAD)], [items, neighbours], _STILL)
     ((start, end),) = found
-    assert start == pytest.approx(own[0]) and end == pytest.approx(tip)
+    assert start == pytest.approx(items[0]) and end == pytest.approx(tip)

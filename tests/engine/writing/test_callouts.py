@@ -86,13 +86,13 @@ def test_other_texts_say_nothing_of_a_feature(text: str) -> None:
 
 @pytest.mark.parametrize("text", ["R{}", "\u00d85 {} DEEP", "M{}", "C{}", "ALL R{}", "{} THK"])
 def test_endless_numbers_are_none(text: str) -> None:
-    assert all(own.value == 5.0 for own in parse_callout(text.format("9" * 400)))
+    assert all(item.value == 5.0 for item in parse_callout(text.format("9" * 400)))
 
 
 @given(st.text(max_size=60))
 def test_no_text_is_too_much(text: str) -> None:
-    for own in parse_callout(text):
-        assert own.count >= 0 and isinstance(own.kind, NoteKind)
+    for item in parse_callout(text):
+        assert item.count >= 0 and isinstance(item.kind, NoteKind)
 
 
 def test_notes_are_in_mm_and_those_of_the_title_block_tell_a_thickness_alone() -> None:
@@ -106,7 +106,7 @@ def test_notes_are_in_mm_and_those_of_the_title_block_tell_a_thickness_alone() -
         SheetText("3 mm thick", (10.0, 130.0, 40.0, 139.0)),
     ]
     found = notes_of(texts, Unit.INCH)
-    assert [own.value_mm for own in found] == [pytest.approx(12.7), 6.0, 90.0, 6.35, 3.0]
+    assert [item.value_mm for item in found] == [pytest.approx(12.7), 6.0, 90.0, 6.35, 3.0]
 
 
 def test_a_zero_may_be_left_out_where_the_file_says_its_unit() -> None:
@@ -115,4 +115,4 @@ def test_a_zero_may_be_left_out_where_the_file_says_its_unit() -> None:
         SheetText("THK .25", (10.0, 110.0, 40.0, 119.0)),
     ]
     found = notes_of(texts, MM, bare_point_is_inch=False)
-    assert [own.value_mm for own in found] == [0.5, 0.25]
+    assert [item.value_mm for item in found] == [0.5, 0.25]

@@ -38,5 +38,5 @@ def test_what_views_are_called(text: str, role: Role | None) -> None:
 
 def test_a_name_that_stands_twice_names_nothing() -> None:
     texts = [SheetText(name, (0.0, 0.0, 50.0, 12.0)) for name in ("TOP", "FRONT", "FRONT VIEW")]
-    assert [own.role for own in captions_of(texts)] == [Role.TOP]
+    assert [caption.role for caption in captions_of(texts)] == [Role.TOP]
     assert captions_of([SheetText("TOP", (0.0, 0.0, 50.0, 12.0), field=True)]) == ()

@@ -14,7 +14,7 @@ _END = (700.0, 610.0)
 def _lines(dash: float) -> list[tuple[np.ndarray, np.ndarray]]:
     """The legs of the line, in dashes with gaps of a quarter of their length."""
     found = []
-    corners = [np.array(own) for own in (*_CORNERS, _END)]
+    corners = [np.array(item) for item in (*_CORNERS, _END)]
     for start, end in pairwise(corners):
         length = float(np.hypot(*(end - start)))
         way = (end - start) / length

@@ -175,11 +175,11 @@ def test_a_leader_tells_the_circle_that_it_points_at() -> None:
     small, large = (
         Arc((100.0, 100.0), radius, 0.0, 6.28, Linetype.VISIBLE) for radius in (20.0, 42.4)
     )
-    beside = Arc((100.0, 20.0), 58.0, 0.0, 6.28, Linetype.VISIBLE)
+    neighbour = Arc((100.0, 20.0), 58.0, 0.0, 6.28, Linetype.VISIBLE)
     note = text((175.0, 8.0, 225.0, 26.0))
     ways = leaders_of(marks), shelves_of(marks)
-    assert circles_at(note, *ways, [small, large, beside]) == (large,)
-    assert circles_at(note, *ways, [small, beside]) == ()
+    assert circles_at(note, *ways, [small, large, neighbour]) == (large,)
+    assert circles_at(note, *ways, [small, neighbour]) == ()
     assert circles_at(text((400.0, 8.0, 450.0, 26.0)), *ways, [large]) == ()
 
 
@@ -198,11 +198,11 @@ def test_a_leader_that_an_edge_cuts_may_point_at_either_circle() -> None:
 @pytest.mark.parametrize("level", [True, False])
 def test_a_text_in_the_middle_of_a_side_may_tell_the_extent(level: bool) -> None:
     box = (100.0, 100.0, 300.0, 106.0) if level else (100.0, 100.0, 106.0, 300.0)
-    beside = (320.0, 94.0, 370.0, 112.0) if level else (78.0, 320.0, 128.0, 338.0)
+    neighbour = (320.0, 94.0, 370.0, 112.0) if level else (78.0, 320.0, 128.0, 338.0)
     thin = Span(not level, 100.0, 106.0, 0.4)
-    assert extents_beside(text(beside), [box]) == (thin,)
+    assert extents_beside(text(neighbour), [box]) == (thin,)
     # Far away, or off the middle, it tells nothing.
-    x0, y0, x1, y1 = beside
+    x0, y0, x1, y1 = neighbour
     far = 200.0
     away = (x0 + far, y0, x1 + far, y1) if level else (x0, y0 + far, x1, y1 + far)
     off = (x0, y0 + 30.0, x1, y1 + 30.0) if level else (x0 + 40.0, y0, x1 + 40.0, y1)

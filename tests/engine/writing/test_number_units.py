@@ -32,13 +32,17 @@ def test_what_is_drawn_and_written_goes_before_a_note(
 ) -> None:
     units = Units(None, noted, in_file, fitting)
     assert units.taken is taken
-    assert [own.code for own in units.contradictions] == doubts * ["unit-contradicts-note"]
+    assert [contradiction.code for contradiction in units.contradictions] == doubts * [
+        "unit-contradicts-note"
+    ]
 
 
 def test_what_the_user_says_goes_before_all() -> None:
     units = Units(INCH, MM, MM, MM)
     assert units.taken is INCH
-    assert [own.code for own in units.contradictions] == ["unit-contradicts-note"]
+    assert [contradiction.code for contradiction in units.contradictions] == [
+        "unit-contradicts-note"
+    ]
 
 
 @pytest.mark.parametrize(
@@ -54,11 +58,11 @@ def test_only_units_of_numbers_count(unit_mm: float | None, unit: Unit | None) -
     [(1.0, 1.0, 0), (1.0, 1.02, 0), (1.0, 2.0, 1), (25.4, 1 / 25.4, 1), (None, 2.0, 0)],
 )
 def test_dimensions_of_another_size_than_the_files_are_told(
-    unit_mm: float | None, share: float, told: int
+    unit_mm: float | None, share: float, stated: int
 ) -> None:
     found = other_size(VectorDrawing((), (), unit_mm=unit_mm), 0.127 * share, 0.127)
-    assert [own.code for own in found] == told * ["size-contradicts-unit"]
-    assert all(own.message.args["share"] == pytest.approx(share) for own in found)
+    assert [item.code for item in found] == stated * ["size-contradicts-unit"]
+    assert all(item.message.args["share"] == pytest.approx(share) for item in found)
 
 
 def test_two_notes_that_differ_tell_nothing() -> None:

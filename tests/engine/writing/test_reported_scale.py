@@ -59,10 +59,12 @@ def test_the_report_names_the_dimensions(report, drawn) -> None:  # noqa: ANN001
     assert found["bounding_box_mm"] == pytest.approx([80, 50, 60], rel=0.002)
     assert "scale-assumed" not in {warning["code"] for warning in found["warnings"]}
     assert all(
-        set(own) == {"text", "type", "value_mm", "box", "mm_per_pixel", "used"}
-        for own in found["dimensions"]
+        set(item) == {"text", "type", "value_mm", "box", "mm_per_pixel", "used"}
+        for item in found["dimensions"]
     )
-    assert {12.0, 14.0, 50.0, 52.0, 60.0, 80.0} <= {own["value_mm"] for own in found["dimensions"]}
+    assert {12.0, 14.0, 50.0, 52.0, 60.0, 80.0} <= {
+        item["value_mm"] for item in found["dimensions"]
+    }
 
 
 def test_what_the_user_says_counts_more(report, drawn) -> None:  # noqa: ANN001
@@ -77,9 +79,9 @@ def test_a_scale_that_contradicts_the_dimensions_is_told(report, drawn) -> None:
     codes = []
     for length in (160.0, 80.0):
         found = report(drawn[0], ReadingOptions(lengths=((Axis.X, length),)))
-        codes.append({own["code"] for own in (*found["reasons"], *found["warnings"])})
+        codes.append({item["code"] for item in (*found["reasons"], *found["warnings"])})
         assert found["dimensions"]
-        contradicts = {"scale-contradicts-dimensions"} & {own["code"] for own in found["reasons"]}
+        contradicts = {"scale-contradicts-dimensions"} & {item["code"] for item in found["reasons"]}
         assert bool(contradicts) is (length == 160.0)
     assert "dimensions-not-read" not in codes[0] | codes[1]
 

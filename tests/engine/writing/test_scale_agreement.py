@@ -23,7 +23,9 @@ SCALE = 0.2
 
 def dimension(text: str, *pixels: float | tuple[float, float]) -> Dimension:
     """A dimension of candidate lengths, each perhaps with a weight."""
-    lengths = [Candidate(*own) if isinstance(own, tuple) else Candidate(own) for own in pixels]
+    lengths = [
+        Candidate(*pixel) if isinstance(pixel, tuple) else Candidate(pixel) for pixel in pixels
+    ]
     return Dimension(text, parse_dimension(text), (0.0, 0.0, 9.0, 9.0), tuple(lengths))
 
 
@@ -35,7 +37,7 @@ def true(value: float, error: float = 0.0) -> Dimension:
 def test_dimensions_that_agree_give_their_scale() -> None:
     found = agree([true(10), true(25), true(80)], MM, None)
     assert found.mm_per_pixel == pytest.approx(SCALE, rel=1e-12)
-    assert [own.used for own in found.dimensions] == [True, True, True]
+    assert [dimension.used for dimension in found.dimensions] == [True, True, True]
     assert found.disagreeing == ()
 
 
@@ -44,7 +46,7 @@ def test_a_misread_digit_does_not_win_and_is_told() -> None:
     wrong = [dimension("88", 80 / SCALE), dimension("5", 50 / SCALE), dimension("125", 62.5)]
     found = agree([*wrong, true(30), true(44), true(20)], MM, None)
     assert found.mm_per_pixel == pytest.approx(SCALE, rel=1e-12)
-    assert [own.text for own in found.disagreeing] == ["88", "5", "125"]
+    assert [item.text for item in found.disagreeing] == ["88", "5", "125"]
     assert found.disagreeing[0] == ReadDimension(
         "88", 88.0, (0.0, 0.0, 9.0, 9.0), pytest.approx(0.22), False
     )
@@ -130,7 +132,7 @@ def test_one_wrong_digit_never_wins(
     dimensions[k] = dimension(str(misread), values[k] / SCALE + error)
     found = agree(dimensions, MM, None)
     assert found.mm_per_pixel == pytest.approx(SCALE, rel=0.007)
-    assert sum(own.used for own in found.dimensions) >= len(values) - 1
+    assert sum(dimension.used for dimension in found.dimensions) >= len(values) - 1
 
 
 def test_what_dimensions_that_agree_measure_is_told_with_their_numbers() -> None:
@@ -142,7 +144,7 @@ def test_what_dimensions_that_agree_measure_is_told_with_their_numbers() -> None
         "77": Candidate(wrong.length, place=wrong),
     }
     box = (0.0, 0.0, 9.0, 9.0)
-    placed = [Dimension(own, parse_dimension(own), box, (at,)) for own, at in texts.items()]
+    placed = [Dimension(item, parse_dimension(item), box, (at,)) for item, at in texts.items()]
     found = agree([*placed, true(30), true(44)], MM, None)
     # The radius, where the number is a diameter; nothing of what was misread, or has no place.
     assert found.measures == (

@@ -125,11 +125,11 @@ def _lettered(title: str, *letters: str) -> bool:
     heads, lines = _arrows(200.0, 1.0)
     first, *others = title.split()
     texts = [SheetText(f"{first}-{first}", _TITLE.box)]
-    texts += [SheetText(f"{own}-{own}", _TITLE.box) for own in others]
+    texts += [SheetText(f"{other}-{other}", _TITLE.box) for other in others]
     for letter in letters:
         texts += [_letter(240.0, 60.0, letter), _letter(240.0, 290.0, letter)]
     found = named_sections(texts, heads, lines, _VIEWS, _STILL)
-    assert [own.title.label for own in found] == [first, *others]
+    assert [item.title.label for item in found] == [first, *others]
     return found[0].trace is not None
 
 

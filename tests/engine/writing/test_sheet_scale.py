@@ -52,17 +52,21 @@ class Case:
         marks = self.marks
         if read.vectors is not None:
             # What such a file does not have as a text is not on its sheet.
-            marks = tuple(own for own in marks if own.kind is not AnnotationKind.TEXT)
+            marks = tuple(mark for mark in marks if mark.kind is not AnnotationKind.TEXT)
         return find_scale(OpenedSheet(read), marks, self.views)
 
     @property
     def texts(self) -> tuple[VectorText, ...]:
         """All that is written on it, as a vector file has it."""
-        labels = (own.label for own in self.drawn.annotations if own.label is not None)
-        corners = ((own, np.array(own.corners)) for own in labels)
+        labels = (
+            annotation.label
+            for annotation in self.drawn.annotations
+            if annotation.label is not None
+        )
+        corners = ((label, np.array(label.corners)) for label in labels)
         return tuple(
-            VectorText(own.text, (*at.min(axis=0).tolist(), *at.max(axis=0).tolist()), own.angle)
-            for own, at in corners
+            VectorText(item.text, (*at.min(axis=0).tolist(), *at.max(axis=0).tolist()), item.angle)
+            for item, at in corners
         )
 
 
@@ -80,8 +84,14 @@ def case(part: str, style: str) -> Case:
 
 def dimension_texts(sheet: Sheet) -> list[str]:
     """What its dimensions and leaders say."""
-    groups = {own.group for own in sheet.annotations if own.value_mm is not None}
-    labels = (own.label for own in sheet.annotations if own.label and own.group in groups)
+    groups = {
+        annotation.group for annotation in sheet.annotations if annotation.value_mm is not None
+    }
+    labels = (
+        annotation.label
+        for annotation in sheet.annotations
+        if annotation.label and annotation.group in groups
+    )
     return sorted(label.text for label in labels)
 
 
@@ -96,12 +106,14 @@ def dimension_texts(sheet: Sheet) -> list[str]:
     ],
 )
 def test_dimensions_in_pixels_give_the_scale(part: str, style: str) -> None:
-    own = case(part, style)
-    found = own.scale()
+    this_case = case(part, style)
+    found = this_case.scale()
     assert found.source is ScaleSource.DIMENSION
-    assert found.mm_per_pixel == pytest.approx(own.drawn.mm_per_pixel, rel=0.002)
+    assert found.mm_per_pixel == pytest.approx(this_case.drawn.mm_per_pixel, rel=0.002)
     assert found.notes == ()
-    numbers = sorted(float(re.sub(r"^\d+x |[\u00d8R]", "", t)) for t in dimension_texts(own.drawn))
+    numbers = sorted(
+        float(re.sub(r"^\d+x |[\u00d8R]", "", t)) for t in dimension_texts(this_case.drawn)
+    )
     read = sorted(dimension.value_mm for dimension in found.dimensions if dimension.used)
     # Never a number that is not there; a few may not be told what they measure.
     left = list(numbers)
@@ -112,12 +124,14 @@ def test_dimensions_in_pixels_give_the_scale(part: str, style: str) -> None:
 
 def test_texts_of_a_vector_file_are_taken_as_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sheet_scale, "ocr_problem", lambda: "not installed")
-    own = case("l-bracket", "iso")
-    found = own.scale(vectors=VectorDrawing((), own.texts), pixels_per_inch=own.drawn.dpi)
+    this_case = case("l-bracket", "iso")
+    found = this_case.scale(
+        vectors=VectorDrawing((), this_case.texts), pixels_per_inch=this_case.drawn.dpi
+    )
     assert found.source is ScaleSource.DIMENSION
-    assert found.mm_per_pixel == pytest.approx(own.drawn.mm_per_pixel, rel=0.002)
+    assert found.mm_per_pixel == pytest.approx(this_case.drawn.mm_per_pixel, rel=0.002)
     texts = [dimension.text for dimension in found.dimensions if dimension.used]
-    assert sorted(texts) == dimension_texts(own.drawn)
+    assert sorted(texts) == dimension_texts(this_case.drawn)
     assert found.notes == ()
 
 
@@ -132,61 +146,65 @@ def in_inches(text: VectorText) -> VectorText:
 
 @pytest.mark.parametrize("noted", [True, False])
 def test_inch_sheets_come_out_in_millimetres(noted: bool) -> None:
-    own = case("l-bracket", "iso")
+    this_case = case("l-bracket", "iso")
     # Their other note says millimetres.
-    texts = tuple(in_inches(text) for text in own.texts if text.text != "mm")
+    texts = tuple(in_inches(text) for text in this_case.texts if text.text != "mm")
     if noted:
         texts += (VectorText("DIMENSIONS ARE IN INCHES", (1600.0, 870.0, 1800.0, 880.0)),)
-    dpi = None if noted else own.drawn.dpi
-    found = own.scale(vectors=VectorDrawing((), texts), pixels_per_inch=dpi)
+    dpi = None if noted else this_case.drawn.dpi
+    found = this_case.scale(vectors=VectorDrawing((), texts), pixels_per_inch=dpi)
     assert found.source is ScaleSource.DIMENSION
-    assert found.mm_per_pixel == pytest.approx(own.drawn.mm_per_pixel, rel=0.002)
+    assert found.mm_per_pixel == pytest.approx(this_case.drawn.mm_per_pixel, rel=0.002)
 
 
 def test_a_wrong_dimension_is_named_with_its_place() -> None:
-    own = case("l-bracket", "iso")
-    texts = tuple(replace(text, text="88") if text.text == "80" else text for text in own.texts)
-    found = own.scale(vectors=VectorDrawing((), texts))
-    assert found.mm_per_pixel == pytest.approx(own.drawn.mm_per_pixel, rel=0.002)
+    this_case = case("l-bracket", "iso")
+    texts = tuple(
+        replace(text, text="88") if text.text == "80" else text for text in this_case.texts
+    )
+    found = this_case.scale(vectors=VectorDrawing((), texts))
+    assert found.mm_per_pixel == pytest.approx(this_case.drawn.mm_per_pixel, rel=0.002)
     (note,) = found.contradictions
     assert note not in found.notes
     (place,) = (text.box for text in texts if text.text == "88")
     assert note.code == "dimensions-disagree"
     assert f"'88' at ({place[0]:.0f}, {place[1]:.0f})" in note.message
-    (wrong,) = (own for own in found.dimensions if own.mm_per_pixel and not own.used)
+    (wrong,) = (
+        dimension for dimension in found.dimensions if dimension.mm_per_pixel and not dimension.used
+    )
     assert wrong.mm_per_pixel == pytest.approx(1.1 * found.mm_per_pixel, rel=0.002)
 
 
-def only(keep: Callable[[str], bool], own: Case) -> VectorDrawing:
+def only(keep: Callable[[str], bool], case: Case) -> VectorDrawing:
     """The sheet's texts, but for some."""
-    return VectorDrawing((), tuple(text for text in own.texts if keep(text.text)))
+    return VectorDrawing((), tuple(text for text in case.texts if keep(text.text)))
 
 
 def test_without_dimensions_paper_and_scale_note_tell() -> None:
-    own = case("l-bracket", "iso")
-    vectors = only(lambda text: not re.search(r"\d", text) or ":" in text, own)
-    found = own.scale(vectors=vectors, pixels_per_inch=own.drawn.dpi)
+    this_case = case("l-bracket", "iso")
+    vectors = only(lambda text: not re.search(r"\d", text) or ":" in text, this_case)
+    found = this_case.scale(vectors=vectors, pixels_per_inch=this_case.drawn.dpi)
     assert (found.source, found.dimensions, found.notes) == (ScaleSource.SHEET, (), ())
-    assert found.mm_per_pixel == pytest.approx(own.drawn.mm_per_pixel, rel=1e-9)
+    assert found.mm_per_pixel == pytest.approx(this_case.drawn.mm_per_pixel, rel=1e-9)
     smaller = VectorDrawing((), tuple(replace(t, text="1:5") for t in vectors.texts))
-    found = own.scale(vectors=smaller, pixels_per_inch=own.drawn.dpi)
-    assert found.mm_per_pixel == pytest.approx(5.0 * 25.4 / own.drawn.dpi, rel=1e-9)
+    found = this_case.scale(vectors=smaller, pixels_per_inch=this_case.drawn.dpi)
+    assert found.mm_per_pixel == pytest.approx(5.0 * 25.4 / this_case.drawn.dpi, rel=1e-9)
 
 
 def test_a_vector_sheet_without_a_note_is_full_scale_and_says_so() -> None:
-    own = case("l-bracket", "iso")
-    found = own.scale(vectors=only(str.isalpha, own), pixels_per_inch=200.0)
+    this_case = case("l-bracket", "iso")
+    found = this_case.scale(vectors=only(str.isalpha, this_case), pixels_per_inch=200.0)
     assert found.source is ScaleSource.SHEET
     assert found.mm_per_pixel == pytest.approx(0.127, rel=1e-9)
     assert [note.code for note in found.notes] == ["full-scale-assumed"]
 
 
 def test_a_wrong_note_of_the_unit_is_named_though_no_dimensions_give_the_scale() -> None:
-    own = case("l-bracket", "iso")
+    this_case = case("l-bracket", "iso")
     note = VectorText("DIMENSIONS ARE IN INCHES", (1600.0, 870.0, 1800.0, 880.0))
-    (text,) = (text for text in own.texts if text.text == "80")
+    (text,) = (text for text in this_case.texts if text.text == "80")
     vectors = VectorDrawing((), (text, note), unit_mm=1.0)
-    found = own.scale(vectors=vectors, pixels_per_inch=25.4 / own.drawn.mm_per_pixel)
+    found = this_case.scale(vectors=vectors, pixels_per_inch=25.4 / this_case.drawn.mm_per_pixel)
     assert found.source is ScaleSource.SHEET
     assert [note.code for note in found.contradictions] == ["unit-contradicts-note"]
 
@@ -195,12 +213,12 @@ def test_without_the_extra_pixels_stay_unread_and_that_is_said(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(sheet_scale, "ocr_problem", lambda: "not installed: install it")
-    own = case("l-bracket", "iso")
-    found = own.scale(pixels_per_inch=200.0)
+    this_case = case("l-bracket", "iso")
+    found = this_case.scale(pixels_per_inch=200.0)
     assert (found.mm_per_pixel, found.source) == (None, ScaleSource.DEFAULT)
     assert [note.code for note in found.notes] == ["dimensions-not-read"]
 
 
 def test_a_sheet_without_texts_says_nothing_of_its_scale() -> None:
-    own = replace(case("l-bracket", "iso"), marks=())
-    assert own.scale() == SheetScale(None, ScaleSource.DEFAULT)
+    item = replace(case("l-bracket", "iso"), marks=())
+    assert item.scale() == SheetScale(None, ScaleSource.DEFAULT)

@@ -186,7 +186,7 @@ def _turned(mask: npt.NDArray[np.uint8], degrees: float) -> npt.NDArray[np.uint8
     if degrees % 90 == 0:
         return np.rot90(mask, int(degrees // 90) % 4)
     height, width = mask.shape
-    cosine, sine = (abs(own(math.radians(degrees))) for own in (math.cos, math.sin))
+    cosine, sine = (abs(function(math.radians(degrees))) for function in (math.cos, math.sin))
     size = int(width * cosine + height * sine) + 4, int(width * sine + height * cosine) + 4
     turn = cv2.getRotationMatrix2D((width / 2, height / 2), degrees, 1.0)
     turn[:, 2] += (size[0] - width) / 2, (size[1] - height) / 2

@@ -90,12 +90,18 @@ def _to_mark(board: Board, view: SheetView, least_sweep: float) -> Iterator[Circ
         hidden = circle.hidden and board.likely(0.5)
         if hidden or circle.sweep < least_sweep or circle.radius < _SMALLEST_PX:
             continue
-        key = tuple(round(own) for own in circle.centre)
+        key = tuple(round(value) for value in circle.centre)
         if key in done:
             continue
         done.add(key)
-        around = [own for own in view.lines.circles if math.dist(own.centre, circle.centre) < 1.0]
-        yield max(around, key=lambda own: own.radius if own.sweep > 3.0 else 0.0)
+        around = [
+            this_circle
+            for this_circle in view.lines.circles
+            if math.dist(this_circle.centre, circle.centre) < 1.0
+        ]
+        yield max(
+            around, key=lambda this_circle: this_circle.radius if this_circle.sweep > 3.0 else 0.0
+        )
 
 
 def _mark(board: Board, circle: Circle, cross: Cross, over: float) -> None:
@@ -144,7 +150,7 @@ def _draw_chance_axis(board: Board, view: SheetView) -> None:
 def _draw_bolt_circle(board: Board, view: SheetView) -> None:
     """A circle around one hole, through another one."""
     chance = board.chance
-    whole = [own for own in view.lines.circles if own.sweep > 6.0 and not own.hidden]
+    whole = [circle for circle in view.lines.circles if circle.sweep > 6.0 and not circle.hidden]
     if not whole or not board.likely(0.35 if len(whole) >= 3 else 0.1):
         return
     one, other = chance.choice(whole), chance.choice(whole)

@@ -82,7 +82,7 @@ def dashed(chain: Points, pattern: Sequence[float], phase: float = 0.0) -> list[
         return []
     repeats = int((along[-1] + phase) / sum(pattern)) + 2
     ends = np.concatenate([[0.0], np.cumsum(np.tile(pattern, repeats))]) - phase
-    starts, stops = (np.clip(own, 0.0, along[-1]) for own in (ends[0:-1:2], ends[1::2]))
+    starts, stops = (np.clip(values, 0.0, along[-1]) for values in (ends[0:-1:2], ends[1::2]))
     long = stops - starts > _LEAST_DASH
     pieces = []
     for start, stop in zip(starts[long], stops[long], strict=True):
@@ -113,7 +113,9 @@ def beyond(chain: Points, axis: int, border: float, sign: int) -> list[Points]:
                 pieces.append(current)
                 current = []
     pieces.append(current)
-    return [np.array(own, dtype=np.float32) for own in pieces if len(own) > 1]
+    return [
+        np.array(this_pieces, dtype=np.float32) for this_pieces in pieces if len(this_pieces) > 1
+    ]
 
 
 def within_circle(chain: Points, centre: Points, radius: float) -> list[Points]:

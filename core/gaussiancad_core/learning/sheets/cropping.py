@@ -43,15 +43,17 @@ def samples(seed: int, parts: Sequence[DrawnPart], size: int, count: int) -> Ite
 
 def _at_least(sheet: Rendered, size: int) -> Rendered:
     """The sheet, with more paper where it is too small."""
-    more = [(0, max(0, size - own)) for own in sheet.ink.shape]
-    if not any(own[1] for own in more):
+    more = [(0, max(0, size - item)) for item in sheet.ink.shape]
+    if not any(pair[1] for pair in more):
         return sheet
     tint = None if sheet.tint is None else np.pad(sheet.tint, more)
-    ink, classes, extra = (np.pad(own, more) for own in (sheet.ink, sheet.classes, sheet.extra))
+    ink, classes, extra = (
+        np.pad(values, more) for values in (sheet.ink, sheet.classes, sheet.extra)
+    )
     return Rendered(ink, classes, extra, tint)
 
 
 def _piece(sheet: Rendered, where: tuple[slice, slice]) -> Rendered:
     tint = None if sheet.tint is None else sheet.tint[where]
-    own = (layer[where].copy() for layer in (sheet.ink, sheet.classes, sheet.extra))
-    return Rendered(*own, tint)
+    items = (layer[where].copy() for layer in (sheet.ink, sheet.classes, sheet.extra))
+    return Rendered(*items, tint)

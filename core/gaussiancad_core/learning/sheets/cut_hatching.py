@@ -64,13 +64,13 @@ def hatch(board: Board, view: SheetView) -> None:
         if kind is Hatching.DASHED:
             pattern = chance.choice([style.dashes.centre, style.dashes.hidden])
             lines = [
-                dash for own in lines for dash in dashed(own, pattern, chance.uniform(0.0, 30.0))
+                dash for line in lines for dash in dashed(line, pattern, chance.uniform(0.0, 30.0))
             ]
         if kind is Hatching.CROSSED:
             lines += hatch_lines(area, degrees + 90.0, (pitch, start * pitch))
         if kind is Hatching.TWICE:
             between = hatch_lines(area, degrees, (pitch, (start - 0.5) % 1.0 * pitch))
-            lines += [dash for own in between for dash in dashed(own, style.dashes.hidden)]
+            lines += [dash for values in between for dash in dashed(values, style.dashes.hidden)]
         board.canvas.lines(lines, InkClass.HATCHING, width, style.darkness.hatching)
         if view.section is SectionKind.BROKEN_OUT:
             board.thin(area[:1], InkClass.OTHER)

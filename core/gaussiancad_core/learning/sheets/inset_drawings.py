@@ -49,8 +49,8 @@ def draw_picture(board: Board, part: DrawnPart, views: Sequence[SheetView]) -> N
     if kind > 0.15:
         width = chance.choice([style.widths.visible, style.widths.thin, 0.7 * style.widths.visible])
         darkness = style.darkness
-        own = chance.choice([darkness.visible, darkness.visible, darkness.dimension])
-        canvas.lines(chains, InkClass.PICTORIAL, width, own)
+        index = chance.choice([darkness.visible, darkness.visible, darkness.dimension])
+        canvas.lines(chains, InkClass.PICTORIAL, width, index)
     if board.likely(0.1):
         dimension_line(board, corner, corner + extent * scale * (0.5, 0.3), number(chance))
 

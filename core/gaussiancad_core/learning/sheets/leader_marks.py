@@ -40,7 +40,9 @@ def leader(board: Board, tip: npt.ArrayLike, knee: npt.ArrayLike, texts: Sequenc
     line = [tip, knee, end]
     under = board.likely(0.3)
     if under:
-        line.append(shifted(end, sign * 0.6 * height * max(len(own) for own in texts), 0.0))
+        line.append(
+            shifted(end, sign * 0.6 * height * max(len(this_text) for this_text in texts), 0.0)
+        )
     board.thin([np.array(line)])
     rise = 0.75 * height if under else 0.5 * _ROW * height * (len(texts) - 1)
     for row, text in enumerate(texts):

@@ -65,7 +65,7 @@ def draw_lines(board: Board, view: SheetView, tangents: Tangents, *, hidden: boo
         _draw_tangents(board, view, tangents)
     corners = corners_of([*visible, *behind])
     for border in view.borders:
-        corners = [own for own in corners if abs(own[border.axis] - border.at) > 2.0]
+        corners = [corner for corner in corners if abs(corner[border.axis] - border.at) > 2.0]
     board.canvas.corners += corners
 
 

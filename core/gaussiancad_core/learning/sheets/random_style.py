@@ -232,7 +232,7 @@ def _dashes(chance: random.Random, widths: Widths) -> Dashes:
 
 def _dots(chance: random.Random, width: float, unit: float, square: bool) -> Pattern:
     """Dashes about as long as they are wide."""
-    dash, gap = (max(1.2, width * chance.uniform(*own)) for own in ((0.8, 2.6), (0.6, 2.6)))
+    dash, gap = (max(1.2, width * chance.uniform(*pair)) for pair in ((0.8, 2.6), (0.6, 2.6)))
     # Round ends make a dash longer by its width.
     return (dash, gap) if square else (max(0.7, dash - width), gap + 0.8 * width)
 

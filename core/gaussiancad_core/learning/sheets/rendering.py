@@ -88,9 +88,9 @@ def rendered(canvas: Canvas, *, smooth: bool) -> Rendered:
     size = SUPERSAMPLING * canvas.height, SUPERSAMPLING * canvas.width
     ink, ranks = np.zeros(size, np.uint8), np.zeros(size, np.uint8)
     kind = cv2.LINE_AA if smooth else cv2.LINE_8
-    for mark in sorted(canvas.marks, key=lambda own: own.darkness):
+    for mark in sorted(canvas.marks, key=lambda this_mark: this_mark.darkness):
         _draw(ink, mark, mark.darkness, kind)
-    for mark in sorted(canvas.marks, key=lambda own: _RANKS[own.ink]):
+    for mark in sorted(canvas.marks, key=lambda this_mark: _RANKS[this_mark.ink]):
         _claim(ranks, mark)
     ink = cv2.resize(ink, (canvas.width, canvas.height), interpolation=cv2.INTER_AREA)
     classes = _classes(ink, ranks)
@@ -170,7 +170,7 @@ def _heat(canvas: Canvas) -> Bytes:
         column, row = math.floor(x), math.floor(y)
         if not (0 <= column < canvas.width and 0 <= row < canvas.height):
             continue
-        right, down = (steps - (own - math.floor(own) - 0.5) for own in (x, y))
+        right, down = (steps - (item - math.floor(item) - 0.5) for item in (x, y))
         away = right[None] ** 2 + down[:, None] ** 2
         bell = np.rint(HEAT_MOST * np.exp(-away / (2.0 * _HEAT_VARIANCE))).astype(np.uint8)
         around = np.s_[row : row + len(steps), column : column + len(steps)]
@@ -182,13 +182,13 @@ def _tint(canvas: Canvas) -> npt.NDArray[np.float32] | None:
     if not canvas.tints:
         return None
     tint = np.zeros((canvas.height, canvas.width), np.float32)
-    for own in canvas.tints:
-        ring = [np.rint(own.ring).astype(np.int32)]
-        if own.left == own.right:
-            cv2.fillPoly(tint, ring, float(own.left))
+    for this_tint in canvas.tints:
+        ring = [np.rint(this_tint.ring).astype(np.int32)]
+        if this_tint.left == this_tint.right:
+            cv2.fillPoly(tint, ring, float(this_tint.left))
             continue
         mask = np.zeros(tint.shape, np.uint8)
         cv2.fillPoly(mask, ring, 1)
-        levels = np.linspace(own.left, own.right, canvas.width, dtype=np.float32)
+        levels = np.linspace(this_tint.left, this_tint.right, canvas.width, dtype=np.float32)
         np.copyto(tint, levels[None], where=mask > 0)
     return tint

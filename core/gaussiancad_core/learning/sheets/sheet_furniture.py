@@ -65,7 +65,7 @@ def table(board: Board, box: Box, rows: int, columns: int, width: float) -> None
     levels = np.linspace(y, y + high, rows + 1)
     inner = sorted(x + wide * chance.uniform(0.08, 0.92) for _ in range(columns - 1))
     places = [x, *inner, x + wide]
-    lines = [segment((x, own), (x + wide, own)) for own in levels]
+    lines = [segment((x, this_level), (x + wide, this_level)) for this_level in levels]
     for place in places:
         first, last = 0, rows
         if place in inner and not board.likely(0.6):

@@ -91,8 +91,8 @@ def _bent(layers: _Layers, rng: np.random.Generator) -> _Layers:
     knots, amount = int(rng.integers(3, 9)), rng.uniform(0.4, 2.2)
     rows, columns = np.mgrid[0:height, 0:width].astype(np.float32)
     right, down = (
-        amount * cv2.resize(own, (width, height), interpolation=cv2.INTER_CUBIC)
-        for own in rng.standard_normal((2, knots, knots)).astype(np.float32)
+        amount * cv2.resize(item, (width, height), interpolation=cv2.INTER_CUBIC)
+        for item in rng.standard_normal((2, knots, knots)).astype(np.float32)
     )
 
     def bent(picture: npt.NDArray, way: int) -> npt.NDArray:
@@ -217,5 +217,5 @@ def _noise(shape: tuple[int, ...], rng: np.random.Generator) -> Floats:
 
 def _clouds(shape: tuple[int, ...], px: int, rng: np.random.Generator) -> Floats:
     """(h, w) smooth chance of deviation about 1, with spots of so many px."""
-    coarse = [max(2, own // int(px) + 2) for own in shape]
+    coarse = [max(2, number // int(px) + 2) for number in shape]
     return cv2.resize(_noise(tuple(coarse), rng), shape[::-1], interpolation=cv2.INTER_CUBIC)

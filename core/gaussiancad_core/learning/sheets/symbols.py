@@ -57,12 +57,12 @@ def tolerance_frame(board: Board, at: npt.ArrayLike) -> Points:
     widths += [height * chance.uniform(0.8, 1.1) for _ in range(letters)]
     borders = x + np.concatenate([[0.0], np.cumsum(widths)])
     frame = [rectangle(x, y, borders[-1], y + height)]
-    frame += [segment((own, y), (own, y + height)) for own in borders[1:-1]]
+    frame += [segment((border, y), (border, y + height)) for border in borders[1:-1]]
     board.thin(frame, InkClass.OTHER)
     middle, size = np.array([x + height / 2.0, y + height / 2.0]), 0.28 * height
     kind = chance.randrange(len(_SIGNS))
-    sign = [middle + size * np.array(own, dtype=np.float64) for own in _SIGNS[kind]]
-    sign += [circle(middle, size * own) for own in _ROUND_SIGNS.get(kind, ())]
+    sign = [middle + size * np.array(items, dtype=np.float64) for items in _SIGNS[kind]]
+    sign += [circle(middle, size * value) for value in _ROUND_SIGNS.get(kind, ())]
     board.thin(sign, InkClass.OTHER)
     texts = [chance.choice(_TOLERANCES), *(chance.choice("ABCD") for _ in range(letters))]
     for left, right, text in zip(borders[1:], borders[2:], texts, strict=False):
@@ -139,9 +139,9 @@ def weld(board: Board, at: npt.ArrayLike) -> None:
     down = board.chance.choice([-1.0, 1.0])
     fillet = [((-1.0, 0.0), (-1.0, 1.6 * down), (0.7, 0.0))]
     groove = [((-1.0, 1.5 * down), (0.0, 0.0), (1.0, 1.5 * down))]
-    square = [((own, 0.0), (own, 1.5 * down)) for own in (-0.3, 0.3)]
+    square = [((value, 0.0), (value, 1.5 * down)) for value in (-0.3, 0.3)]
     lines = board.chance.choice([fillet, fillet, groove, square])
-    board.thin([middle + size * np.array(own) for own in lines], InkClass.OTHER)
+    board.thin([middle + size * np.array(line) for line in lines], InkClass.OTHER)
     at_text = middle + size * np.array([-2.2, down])
     board.write(board.chance.choice(_WELDS), at_text, look=board.look.times(0.9))
     if board.likely(0.25):

@@ -91,7 +91,7 @@ def text_mask(text: str, height: float, lettering: Lettering) -> Bytes:
 
 def _font_mask(text: str, size: int, path: Path) -> Bytes:
     """In a TrueType font; rows without ink are left out."""
-    text = "".join(own if has(path, own) else own.translate(_SIMILAR) for own in text)
+    text = "".join(name if has(path, name) else name.translate(_SIMILAR) for name in text)
     font = opened(path, size)
     _, _, width, height = font.getbbox(text)
     image = Image.new("L", (max(1, int(width) + 4), max(1, int(height) + 4)))
@@ -127,7 +127,7 @@ def _shaken(mask: Bytes, amount: float) -> Bytes:
     knots = max(2, int(1.5 * width / height) + 2)
     rows, columns = np.mgrid[0:height, 0:width].astype(np.float32)
     right, down = (
-        amount * cv2.resize(own, (width, height), interpolation=cv2.INTER_CUBIC)
-        for own in rng.standard_normal((2, 3, knots)).astype(np.float32)
+        amount * cv2.resize(item, (width, height), interpolation=cv2.INTER_CUBIC)
+        for item in rng.standard_normal((2, 3, knots)).astype(np.float32)
     )
     return cv2.remap(mask, columns + right, rows + down, cv2.INTER_LINEAR)

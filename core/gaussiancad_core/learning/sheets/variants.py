@@ -37,7 +37,7 @@ def squashed(part: DrawnPart, chance: random.Random) -> DrawnPart:
     views = {}
     for role, view in part.views.items():
         frame = role.frame
-        shares = [factor if own[0] is axis else 1.0 for own in (frame.right_axis, frame.up_axis)]
+        shares = [factor if pair[0] is axis else 1.0 for pair in (frame.right_axis, frame.up_axis)]
         if min(shares) < 1.0:
             # What was round is no longer.
             matrix = np.diag(shares).astype(np.float32)
@@ -69,7 +69,7 @@ def slab(chance: random.Random) -> DrawnPart:
         lines = [outline[place : place + 2] for place in range(len(corners))]
     holes = _holes(chance, outline)
     lines += [circle(hole.centre, hole.radius) for hole in holes]
-    front = PartView(tuple(own.astype(np.float32) for own in lines), (), (), (*rounds, *holes))
+    front = PartView(tuple(line.astype(np.float32) for line in lines), (), (), (*rounds, *holes))
     solid = _Slab(outline, corners, tuple(holes), depth)
     mirror = np.diag([-1.0, 1.0]).astype(np.float32)
     swap = np.array([[0, 1], [1, 0]], np.float32)
@@ -98,7 +98,7 @@ class _Slab:
         """Its lines, seen along an axis of the outline from where a sign points."""
         other = self.outline[:, 1 - axis]
         first, last = float(other.min()), float(other.max())
-        visible = {round(own / self._fine): own for own in (first, last)}
+        visible = {round(value / self._fine): value for value in (first, last)}
         hidden = {}
         for corner in self.corners:
             place = float(corner[1 - axis])
@@ -113,8 +113,8 @@ class _Slab:
                 hidden[round(place / self._fine)] = place
         across = [np.array([[first, at], [last, at]], np.float32) for at in (0.0, self.depth)]
         return PartView(
-            (*across, *(self._edge(own) for own in visible.values())),
-            tuple(self._edge(own) for key, own in hidden.items() if key not in visible),
+            (*across, *(self._edge(value) for value in visible.values())),
+            tuple(self._edge(value) for key, value in hidden.items() if key not in visible),
         )
 
     def _edge(self, place: float) -> Chain:
@@ -184,7 +184,7 @@ def _holes(chance: random.Random, outline: Points) -> list[Circle]:
     holes: list[Circle] = []
     for _ in range(chance.choice([0, 0, 1, 1, 2, 4])):
         radius = min(width, height) * chance.uniform(0.02, 0.25)
-        x, y = (chance.uniform(radius, own - radius) for own in (width, height))
+        x, y = (chance.uniform(radius, item - radius) for item in (width, height))
         rim = circle((x, y), 1.2 * radius)[::4]
         apart = all(math.dist((x, y), hole.centre) > 1.2 * (radius + hole.radius) for hole in holes)
         if apart and all(inside(outline, *point) for point in rim):

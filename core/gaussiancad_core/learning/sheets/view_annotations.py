@@ -73,7 +73,11 @@ def annotate(board: Board, view: SheetView) -> None:
 
 def _measure_circles(board: Board, view: SheetView, density: float) -> None:
     chance = board.chance
-    circles = [own for own in view.lines.circles if not own.hidden and own.radius > _SMALLEST_PX]
+    circles = [
+        this_circle
+        for this_circle in view.lines.circles
+        if not this_circle.hidden and this_circle.radius > _SMALLEST_PX
+    ]
     if not circles:
         return
     for _ in range(int(chance.randint(0, 4) * density)):

@@ -16,8 +16,8 @@ Place = tuple[int, int]
 """Column and row, which count to the right and down."""
 
 _TURNS = tuple(
-    np.array(own, np.float32)
-    for own in ([[1, 0], [0, 1]], [[0, -1], [1, 0]], [[-1, 0], [0, -1]], [[0, 1], [-1, 0]])
+    np.array(items, np.float32)
+    for items in ([[1, 0], [0, 1]], [[0, -1], [1, 0]], [[-1, 0], [0, -1]], [[0, 1], [-1, 0]])
 )
 """By right angles."""
 
@@ -84,8 +84,8 @@ def laid_out(
     turned = {}
     for place, view in places.items():
         matrix = _DOWN @ (chance.choice(_TURNS) if each_turned else turn)
-        own = view.moved(matrix, (0.0, 0.0))
-        turned[place] = own if own.section else shortened(own, chance)
+        moved = view.moved(matrix, (0.0, 0.0))
+        turned[place] = moved if moved.section else shortened(moved, chance)
     aligned = arrangement is not Arrangement.LOOSE or chance.random() < 0.3
     return _placed(turned, paper, text_height * chance.uniform(3.0, 9.0), aligned, chance)
 
@@ -120,13 +120,13 @@ def _with_sections(
     places = dict(places)
     for section in part.sections[: chance.choice([1, 1, 2])]:
         view = SheetView(section.role, section.view, section.kind)
-        own = [
+        this_places = [
             place
             for place, other in places.items()
             if other.role is section.role and other.section is None
         ]
-        if own and (section.kind is not SectionKind.FULL or chance.random() < 0.5):
-            places[own[0]] = view
+        if this_places and (section.kind is not SectionKind.FULL or chance.random() < 0.5):
+            places[this_places[0]] = view
         else:
             column, row = chance.choice(list(places))
             places[_free((column + 1, row), places)] = view
@@ -151,8 +151,8 @@ def _placed(
     extents = [_extents(places, axis) for axis in (0, 1)]
     room = np.array([paper.width, paper.height - paper.foot], dtype=np.float64)
     border = room * [chance.uniform(0.05, 0.14), chance.uniform(0.06, 0.14)]
-    totals = np.array([sum(own.values()) for own in extents])
-    gaps = gap * np.array([len(own) - 1 for own in extents])
+    totals = np.array([sum(extent.values()) for extent in extents])
+    gaps = gap * np.array([len(extent) - 1 for extent in extents])
     most = float(((room - 2.0 * border - gaps) / np.maximum(totals, 1e-3)).min())
     spans = (1.0, 1.0), (0.45, 0.95), (0.7, 1.0), (0.25, 0.7)
     scale = most * chance.uniform(*chance.choice(spans))
@@ -160,7 +160,9 @@ def _placed(
         return []
     spare = np.maximum(0.0, room - 2.0 * border - scale * totals - gaps)
     first = border + spare * [chance.random(), chance.random()]
-    starts = [_starts(own, float(first[axis]), scale, gap) for axis, own in enumerate(extents)]
+    starts = [
+        _starts(extent, float(first[axis]), scale, gap) for axis, extent in enumerate(extents)
+    ]
     views = []
     for (column, row), view in places.items():
         corner = np.array([starts[0][column], starts[1][row]])

@@ -67,21 +67,21 @@ def linear(board: Board, view: SheetView, levels: Levels) -> None:
             extension_line(board, edge, _at(axis, edge[axis], level))
     for first, second in pairwise(edges):
         text = ("⌀" if board.likely(0.12) else "") + number(chance)
-        ends = (_at(axis, own[axis], level) for own in (first, second))
+        ends = (_at(axis, values[axis], level) for values in (first, second))
         dimension_line(board, *ends, text)
 
 
 def whole_extent(board: Board, view: SheetView, axis: int) -> None:
     """The whole of a view along an axis."""
-    first = min(view.points, key=lambda own: own[axis])
-    last = max(view.points, key=lambda own: own[axis])
+    first = min(view.points, key=lambda point: point[axis])
+    last = max(view.points, key=lambda point: point[axis])
     away, box = board.heights(0.8, 2.2), view.box
     level = box[1 - axis] - away if board.likely(0.35) else box[3 - axis] + away
     for end in (first, last):
-        beside = [own for own in view.points if abs(own[axis] - end[axis]) < 1.0]
-        nearest = min(beside, key=lambda own: abs(own[1 - axis] - level))
+        points = [point for point in view.points if abs(point[axis] - end[axis]) < 1.0]
+        nearest = min(points, key=lambda values: abs(values[1 - axis] - level))
         extension_line(board, nearest, _at(axis, end[axis], level))
-    ends = (_at(axis, own[axis], level) for own in (first, last))
+    ends = (_at(axis, values[axis], level) for values in (first, last))
     dimension_line(board, *ends, number(board.chance))
 
 
@@ -89,16 +89,16 @@ def aligned(board: Board, view: SheetView) -> None:
     """A slanted edge along itself."""
     length, slant = _SLANTED_PX
     slanted = [
-        own
-        for own in view.segments
-        if norm(own[1] - own[0]) > length and np.abs(own[1] - own[0]).min() > slant
+        segment
+        for segment in view.segments
+        if norm(segment[1] - segment[0]) > length and np.abs(segment[1] - segment[0]).min() > slant
     ]
     if not slanted:
         return
     start, end = board.chance.choice(slanted)
     aside = unit(across(end - start)) * board.chance.choice([-1, 1]) * board.heights(1.2, 4.0)
-    for own in (start, end):
-        extension_line(board, own, own + aside)
+    for item in (start, end):
+        extension_line(board, item, item + aside)
     dimension_line(board, start + aside, end + aside, number(board.chance))
 
 
@@ -172,10 +172,10 @@ def _edges(board: Board, view: SheetView, axis: int, count: int) -> list[Points]
     for _ in range(_TRIES):
         chosen = [board.chance.choice(view.points) for _ in range(count)]
         if board.likely(0.25):
-            chosen[0] = min(view.points, key=lambda own: own[axis])
-            chosen[1] = max(view.points, key=lambda own: own[axis])
-        chosen.sort(key=lambda own: own[axis])
-        if np.diff([own[axis] for own in chosen]).min() > _NARROWEST_PX:
+            chosen[0] = min(view.points, key=lambda point: point[axis])
+            chosen[1] = max(view.points, key=lambda point: point[axis])
+        chosen.sort(key=lambda values: values[axis])
+        if np.diff([values[axis] for values in chosen]).min() > _NARROWEST_PX:
             return chosen
     return None
 

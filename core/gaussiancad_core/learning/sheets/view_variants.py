@@ -53,7 +53,7 @@ class SheetView:
     @cached_property
     def box(self) -> tuple[float, float, float, float]:
         """x0, y0, x1, y1."""
-        return tuple(float(own) for own in self.lines.box().ravel())
+        return tuple(float(item) for item in self.lines.box().ravel())
 
     @cached_property
     def size(self) -> npt.NDArray[np.float32]:
@@ -77,8 +77,10 @@ class SheetView:
         """After a turn by right angles, a mirroring and a change of size: (2, 2), and then a way
         (2,); borders follow in size and way only."""
         borders = tuple(
-            replace(own, at=float(matrix[own.axis, own.axis] * own.at + offset[own.axis]))
-            for own in self.borders
+            replace(
+                border, at=float(matrix[border.axis, border.axis] * border.at + offset[border.axis])
+            )
+            for border in self.borders
         )
         return replace(self, lines=self.lines.moved(matrix, offset), borders=borders)
 
@@ -96,7 +98,9 @@ def _half(view: SheetView, chance: random.Random) -> SheetView:
     axis, sign = chance.randrange(2), chance.choice([-1, 1])
     middle = float(low[axis] + high[axis]) / 2.0
     lines = view.lines.each(lambda chain: beyond(chain, axis, middle, sign))
-    circles = tuple(own for own in view.lines.circles if sign * (own.centre[axis] - middle) > -1e-3)
+    circles = tuple(
+        circle for circle in view.lines.circles if sign * (circle.centre[axis] - middle) > -1e-3
+    )
     if len(lines.visible) < 2:
         return view
     border = Border(axis, middle, broken=False)
@@ -117,7 +121,7 @@ def _broken(view: SheetView, chance: random.Random) -> SheetView:
 
     def pieces(chain: Points) -> list[Points]:
         near, far = beyond(chain, axis, first, -1), beyond(chain, axis, second, 1)
-        return near + [own + way for own in far]
+        return near + [values + way for values in far]
 
     lines = view.lines.each(pieces)
     if len(lines.visible) < 2:
@@ -131,6 +135,6 @@ def _left_over(
     circles: tuple[Circle, ...], axis: int, gap: tuple[float, float], way: Points
 ) -> list[Circle]:
     """The circles that a gap does not touch, those behind it moved."""
-    near = [own for own in circles if own.centre[axis] + own.radius < gap[0]]
-    far = [own for own in circles if own.centre[axis] - own.radius > gap[1]]
-    return near + [own.moved(np.eye(2), way) for own in far]
+    near = [circle for circle in circles if circle.centre[axis] + circle.radius < gap[0]]
+    far = [circle for circle in circles if circle.centre[axis] - circle.radius > gap[1]]
+    return near + [circle.moved(np.eye(2), way) for circle in far]

@@ -48,11 +48,11 @@ class Told:
         towards its bottom, and (n, 2, 2) px, their ends."""
         # There may be thousands of them, and hundreds of boxes in which they are looked for.
         angles, ends = [], []
-        for shape, own in zip(self.shapes, self.kinds, strict=True):
+        for shape, this_kind in zip(self.shapes, self.kinds, strict=True):
             if not isinstance(shape.geometry, Line):
                 continue
             way = shape.geometry.direction
-            for run, kind in zip(shape.runs, own, strict=True):
+            for run, kind in zip(shape.runs, this_kind, strict=True):
                 if kind in SHOWS:
                     ends.append(points_along(shape.geometry, run.run, 1e9)[[0, -1]] + 0.5)
                     angles.append(np.arctan2(way[1], way[0]) % np.pi)
@@ -64,14 +64,14 @@ def masked(sheet: CleanSheet, kept: Mask) -> CleanSheet:
     return replace(sheet, ink=sheet.ink & kept, weight=np.where(kept, sheet.weight, 0.0))
 
 
-def erased(sheet: CleanSheet, told: Told) -> CleanSheet:
+def erased(sheet: CleanSheet, stated: Told) -> CleanSheet:
     """The sheet without the runs that are annotations, and without what hung on them."""
     inside = cv2.distanceTransform(sheet.ink.astype(np.uint8), cv2.DIST_L2, 5)
     erase = np.zeros(sheet.ink.shape, np.uint8)
-    free = told.unexplained & ~_along_annotations(told)
+    free = stated.unexplained & ~_along_annotations(stated)
     keep = cv2.dilate(free.astype(np.uint8), np.ones((3, 3), np.uint8))
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
-        for run, kind in zip(shape.runs, own, strict=True):
+    for shape, annotation_kinds in zip(stated.shapes, stated.kinds, strict=True):
+        for run, kind in zip(shape.runs, annotation_kinds, strict=True):
             points = points_along(shape.geometry, run.run, 1.0)
             if kind is None:
                 width = run.width or sheet.stroke_width
@@ -83,9 +83,9 @@ def erased(sheet: CleanSheet, told: Told) -> CleanSheet:
             radii = np.minimum(inside[rows, columns], _ARROW * sheet.stroke_width) + 2.0
             for column, row, radius in zip(columns, rows, radii, strict=True):
                 cv2.circle(erase, (int(column), int(row)), int(np.ceil(radius)), 1, -1)
-    if told.loose is not None:
+    if stated.loose is not None:
         reach = 2 * int(np.ceil(0.5 * sheet.stroke_width)) + 3
-        erase |= cv2.dilate(told.loose.astype(np.uint8), np.ones((reach, reach), np.uint8))
+        erase |= cv2.dilate(stated.loose.astype(np.uint8), np.ones((reach, reach), np.uint8))
     part = masked(sheet, (erase == 0) | (keep > 0))
     # Crumbs: pieces that no stroke of the part runs through.
     _, labels, stats, _ = cv2.connectedComponentsWithStats(
@@ -100,12 +100,12 @@ def erased(sheet: CleanSheet, told: Told) -> CleanSheet:
     return masked(part, near | (keep > 0))
 
 
-def _along_annotations(told: Told) -> Mask:
+def _along_annotations(stated: Told) -> Mask:
     """(h, w) bool, pixels within about one of the axis of an annotation: where two of them cross,
     or one runs into the part, ridge points on it belong to no line, yet are its own."""
-    axes = np.zeros(told.unexplained.shape, np.uint8)
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
-        for run, kind in zip(shape.runs, own, strict=True):
+    axes = np.zeros(stated.unexplained.shape, np.uint8)
+    for shape, annotation_kinds in zip(stated.shapes, stated.kinds, strict=True):
+        for run, kind in zip(shape.runs, annotation_kinds, strict=True):
             if kind is not None:
                 path = np.rint(points_along(shape.geometry, run.run, 1.0) * 8).astype(np.int32)
                 cv2.polylines(axes, [path], False, 1, 1, shift=3)

@@ -227,9 +227,9 @@ def find_hatching(
     area = np.zeros(sheet.ink.shape, np.uint8)
     loose = np.zeros(len(ridges.points), dtype=bool)
     for angle in _directions(pieces, sheet.stroke_width):
-        own = [piece for piece in pieces if _is_parallel(piece, angle)]
-        for seed in _families(own, angle, sheet):
-            family = seed.with_others(own, sheet)
+        this_pieces = [piece for piece in pieces if _is_parallel(piece, angle)]
+        for seed in _families(this_pieces, angle, sheet):
+            family = seed.with_others(this_pieces, sheet)
             filled = family.area(area.shape)
             near = family.around(filled)
             chosen |= {piece.key for piece in family.pieces}
@@ -304,13 +304,13 @@ def _families(pieces: Sequence[_Piece], angle: float, sheet: CleanSheet) -> list
     groups = _joined(steps, len(long))
     families = []
     for members in groups:
-        own = [long[k] for k in members]
+        this_pieces = [long[k] for k in members]
         distances = [steps[k][1] for k in members if k in steps]
         if not distances:
             continue
         lines, pitch, first = _even(offsets[members], float(np.median(distances)))
-        if lines >= _LEAST_LINES and _ending(own, sheet) > _ENDING:
-            families.append(_Family(tuple(own), angle, pitch, first))
+        if lines >= _LEAST_LINES and _ending(this_pieces, sheet) > _ENDING:
+            families.append(_Family(tuple(this_pieces), angle, pitch, first))
     return families
 
 
@@ -332,10 +332,10 @@ def _steps(
     for k, (start, end) in enumerate(spans):
         shared = np.minimum(end, spans[:, 1]) - np.maximum(start, spans[:, 0])
         away = offsets - offsets[k]
-        beside = (away > limits[0] / 2) & (shared > 0.0)
-        if not beside.any():
+        neighbour = (away > limits[0] / 2) & (shared > 0.0)
+        if not neighbour.any():
             continue
-        nearest = int(np.argmin(np.where(beside, away, np.inf)))
+        nearest = int(np.argmin(np.where(neighbour, away, np.inf)))
         if limits[0] <= away[nearest] <= limits[1]:
             steps[k] = nearest, float(away[nearest])
     return steps

@@ -18,7 +18,7 @@ class SeparatedSheet:
         marks: what was taken off.
         hatched: (h, w) bool, cut material; nothing where there is none.
         askew: (h, w) bool, ink of pictorials and auxiliary views; nothing where none was told.
-        told: the lines and circles, and what each is; nothing where they were not looked at.
+        strokes_known: the lines and circles, and what each is; None where nobody looked.
         labels: what each line was taken for, and how surely; nothing where no labels told it.
         has_paper: False of a drawing in free space, where what spans the sheet is no frame for it.
     """
@@ -27,16 +27,16 @@ class SeparatedSheet:
     marks: tuple[Mark, ...]
     hatched: Mask | None = None
     askew: Mask | None = None
-    told: Told | None = None
+    strokes_known: Told | None = None
     labels: SheetLabels = NO_LABELS
     has_paper: bool = True
 
 
-def line_marks(told: Told) -> list[Mark]:
+def line_marks(stated: Told) -> list[Mark]:
     """One mark for each run that is an annotation, between its ends."""
     marks = []
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
-        for run, kind in zip(shape.runs, own, strict=True):
+    for shape, annotation_kinds in zip(stated.shapes, stated.kinds, strict=True):
+        for run, kind in zip(shape.runs, annotation_kinds, strict=True):
             if kind is not None:
                 ends = points_along(shape.geometry, run.run, 1e9) + 0.5
                 marks.append(line_mark(kind, tuple(ends[0].tolist()), tuple(ends[-1].tolist())))

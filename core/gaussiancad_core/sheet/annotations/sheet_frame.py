@@ -78,8 +78,8 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
             # The paper's own middle, not the piece's: a long view has an empty one, too.
             spans[label] = _share_in(labels, stats[label], label, around) < _IN_MIDDLE
             continue
-        own = _middle_of(tuple(int(value) for value in stats[label, :4]))
-        spans[label] = _share_in(labels, stats[label], label, own) < _IN_MIDDLE
+        middle = _middle_of(tuple(int(value) for value in stats[label, :4]))
+        spans[label] = _share_in(labels, stats[label], label, middle) < _IN_MIDDLE
     if not spans.any():
         return None
     frame = spans[labels]
@@ -119,8 +119,8 @@ def _boxed(
     low, extents = stats[:, :2], stats[:, 2:4]
     size = np.array(shape[::-1])
     for label in spanning:
-        own = _middle_of(tuple(int(value) for value in stats[label, :4]))
-        if _share_in(labels, stats[label], int(label), own) >= _IN_MIDDLE:
+        middle = _middle_of(tuple(int(value) for value in stats[label, :4]))
+        if _share_in(labels, stats[label], int(label), middle) >= _IN_MIDDLE:
             continue
         for way in (0, 1):
             apart = np.abs(low - low[label])[:, way], np.abs(extents - extents[label])[:, way]
@@ -135,9 +135,9 @@ def _boxed(
 def _is_written(labels: np.ndarray, fact: np.ndarray, label: int) -> bool:
     """Whether a piece has several fields with something in them."""
     x, y, w, h = (int(value) for value in fact[:4])
-    own = labels[y : y + h, x : x + w]
-    _, areas = cv2.connectedComponents((own != label).astype(np.uint8), connectivity=4)
-    within = np.unique(areas[(own != label) & (own > 0)])
+    values = labels[y : y + h, x : x + w]
+    _, areas = cv2.connectedComponents((values != label).astype(np.uint8), connectivity=4)
+    within = np.unique(areas[(values != label) & (values > 0)])
     return len(within) >= _FIELDS
 
 

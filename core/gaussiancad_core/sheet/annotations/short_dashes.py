@@ -71,8 +71,8 @@ def _dot(
         return None
     ends = [_lightest(ink[:, 1], along, gap.start, dot.start)]
     ends += [_lightest(ink[:, 1], along, dot.end, gap.end)]
-    beside = ink[on][:, [0, 2]]
-    return dot if max(ends) < _INKED and beside.max() < _BLANK else None
+    adjacent = ink[on][:, [0, 2]]
+    return dot if max(ends) < _INKED and adjacent.max() < _BLANK else None
 
 
 def _lightest(

@@ -74,8 +74,13 @@ def arrowheads(strokes: Iterable[VectorStroke]) -> tuple[Head, ...]:
         if head is None:
             continue
         x, y = round(head.tip[0] / _SAME), round(head.tip[1] / _SAME)
-        near = [own for dx in (-1, 0, 1) for dy in (-1, 0, 1) for own in cells[x + dx, y + dy]]
-        if not any(np.dot(own.way, head.way) > 0.9 for own in near):
+        near = [
+            this_head
+            for dx in (-1, 0, 1)
+            for dy in (-1, 0, 1)
+            for this_head in cells[x + dx, y + dy]
+        ]
+        if not any(np.dot(this_head.way, head.way) > 0.9 for this_head in near):
             cells[x, y].append(head)
             found.append(head)
     return tuple(found)
@@ -183,7 +188,7 @@ def _head(corners: Point) -> Head | None:
     sides = [float(np.hypot(*(corners[i - 1] - corners[i - 2]))) for i in range(3)]
     at = int(np.argmin(sides))
     tip, one, two = corners[at], corners[at - 1], corners[at - 2]
-    legs = [float(np.hypot(*(own - tip))) for own in (one, two)]
+    legs = [float(np.hypot(*(item - tip))) for item in (one, two)]
     long = max(legs)
     if not long or abs(legs[0] - legs[1]) > max(_EVEN * long, _ROUNDED):
         return None

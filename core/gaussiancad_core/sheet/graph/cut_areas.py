@@ -23,9 +23,11 @@ def cut_areas(
     # Around the ink one ring more is outside.
     low, high = np.maximum((x - 1, y - 1), 0), np.array((x + width + 1, y + height + 1))
     free = (~ink[low[1] : high[1], low[0] : high[0]]).astype(np.uint8)
-    for own in centres:
-        if isinstance(own.curve, Line):
-            start, end = (np.floor(at).astype(int) - low for at in (own.curve.start, own.curve.end))
+    for centre in centres:
+        if isinstance(centre.curve, Line):
+            start, end = (
+                np.floor(at).astype(int) - low for at in (centre.curve.start, centre.curve.end)
+            )
             cv2.line(free, start.tolist(), end.tolist(), 0)
     count, areas = cv2.connectedComponents(free, connectivity=4)
     # Its ends lie on the walls: no telling on which side.

@@ -56,16 +56,17 @@ def dashes(
     """
     found = np.zeros(len(strokes), dtype=bool)
     short = np.array(
-        [own.is_solid and isinstance(own.curve, Line | CircularArc) for own in strokes], dtype=bool
+        [stroke.is_solid and isinstance(stroke.curve, Line | CircularArc) for stroke in strokes],
+        dtype=bool,
     )
     for pen in np.unique(numbers[chosen]):
-        own = np.flatnonzero(chosen & short & (numbers == pen))
+        values = np.flatnonzero(chosen & short & (numbers == pen))
         total = int((chosen & (numbers == pen)).sum())
-        if len(own) < max(_FEWEST, _MOST * total):
+        if len(values) < max(_FEWEST, _MOST * total):
             continue
-        going_on = _go_on(touches.ends[own], np.array([strokes[i].curve.length for i in own]))
+        going_on = _go_on(touches.ends[values], np.array([strokes[i].curve.length for i in values]))
         if going_on.sum() >= _MOST * total:
-            found[own] = True
+            found[values] = True
     return found
 
 
@@ -79,18 +80,20 @@ def chain_pieces(strokes: Sequence[VectorStroke], touches: Touches, chosen: Flag
         chosen: (n,) those that may be pieces.
     """
     found = np.zeros(len(strokes), dtype=bool)
-    lines = np.array([own.is_solid and isinstance(own.curve, Line) for own in strokes], dtype=bool)
-    own = np.flatnonzero(chosen & lines)
-    if len(own) < _LINKS:
+    lines = np.array(
+        [stroke.is_solid and isinstance(stroke.curve, Line) for stroke in strokes], dtype=bool
+    )
+    values = np.flatnonzero(chosen & lines)
+    if len(values) < _LINKS:
         return found
-    ends = touches.ends[own]
-    lengths = np.array([strokes[index].curve.length for index in own])
+    ends = touches.ends[values]
+    lengths = np.array([strokes[index].curve.length for index in values])
     nearest, on = _next_pieces(ends, lengths)
     first = np.argmax(on, axis=1)
     linked = on.any(axis=1)
     pieces = np.arange(len(on)) // 2
     pairs = pieces[linked], nearest[linked, first[linked]] // 2
-    size = (len(own), len(own))
+    size = (len(values), len(values))
     graph = coo_matrix((np.ones(len(pairs[0])), pairs), size)
     _, runs = connected_components(graph, directed=False)
     for run in np.unique(runs[pairs[0]]):
@@ -98,7 +101,7 @@ def chain_pieces(strokes: Sequence[VectorStroke], touches: Touches, chosen: Flag
         way = ends[members[0], 1] - ends[members[0], 0]
         along = members[np.argsort(ends[members].mean(axis=1) @ way)]
         if _is_chain(lengths[along]):
-            found[own[along]] = True
+            found[values[along]] = True
     return found
 
 
@@ -128,7 +131,7 @@ def _next_pieces(ends: Floats, lengths: Floats) -> tuple[Ints, Flags]:
     gaps, nearest = cKDTree(places).query(places, k=count)
     reach = places[nearest] - places[:, None]
     ahead = (reach * outward[:, None]).sum(axis=2)
-    beside = np.abs(reach[..., 0] * outward[:, None, 1] - reach[..., 1] * outward[:, None, 0])
+    neighbour = np.abs(reach[..., 0] * outward[:, None, 1] - reach[..., 1] * outward[:, None, 0])
     longer = np.maximum(lengths[owner][:, None], lengths[owner[nearest]])
     facing = (outward[:, None] * outward[nearest]).sum(axis=2) < -np.sqrt(1.0 - _ALONG)
     on = (
@@ -136,6 +139,6 @@ def _next_pieces(ends: Floats, lengths: Floats) -> tuple[Ints, Flags]:
         & facing
         & (ahead > 0.0)
         & (gaps <= _GAP * longer)
-        & (beside <= _ALONG * ahead + _SLACK)
+        & (neighbour <= _ALONG * ahead + _SLACK)
     )
     return nearest, on

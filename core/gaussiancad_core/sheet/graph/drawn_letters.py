@@ -57,7 +57,7 @@ def filled_letters(
     """
     tallest = _TALLEST * max(size)
     tips = {(round(x), round(y)) for x, y in (head.tip for head in heads)}
-    boxes = (bounds([own.curve]) for own in strokes if own.kind is StrokeKind.FILL)
+    boxes = (bounds([stroke.curve]) for stroke in strokes if stroke.kind is StrokeKind.FILL)
     return [
         box
         for box in boxes

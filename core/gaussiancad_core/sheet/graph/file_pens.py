@@ -79,8 +79,8 @@ def pens_of(strokes: Sequence[VectorStroke]) -> tuple[tuple[Pen, ...], Ints]:
 
 def may_be_edge(stroke: VectorStroke) -> bool:
     """Whether the file does not say that a stroke is something else than a visible edge."""
-    told = stroke.role in (StrokeRole.VISIBLE, StrokeRole.UNKNOWN)
-    return stroke.is_solid and told and stroke.kind in _EDGES
+    is_given = stroke.role in (StrokeRole.VISIBLE, StrokeRole.UNKNOWN)
+    return stroke.is_solid and is_given and stroke.kind in _EDGES
 
 
 def evidence(
@@ -103,9 +103,9 @@ def evidence(
     closed = touches.closed
     found = []
     for number, pen in enumerate(pens):
-        own = candidates & (numbers == number)
-        meets = own & (closed | touches.met(own).all(axis=1))
-        total = float(lengths[own].sum())
+        item = candidates & (numbers == number)
+        meets = item & (closed | touches.met(item).all(axis=1))
+        total = float(lengths[item].sum())
         found.append(PenEvidence(pen, total, float(lengths[meets].sum()) / max(total, 1e-9)))
     return found
 
@@ -127,10 +127,10 @@ def other_layers(
     look = pens[best].width, pens[best].colour
     found = []
     for number, pen in enumerate(pens):
-        own = candidates & (numbers == number)
-        if number == best or (pen.width, pen.colour) != look or not own.any():
+        item = candidates & (numbers == number)
+        if number == best or (pen.width, pen.colour) != look or not item.any():
             continue
-        meets = touches.closed | touches.met(own | part).all(axis=1)
-        if meets[own].mean() >= _ALSO_CLOSES:
+        meets = touches.closed | touches.met(item | part).all(axis=1)
+        if meets[item].mean() >= _ALSO_CLOSES:
             found.append(number)
     return found

@@ -89,7 +89,8 @@ def furniture(
             elif spans[group] or written:
                 found[lines] = True
     annotations = np.array(
-        [own.kind not in (StrokeKind.GEOMETRY, StrokeKind.BLOCK) for own in strokes], dtype=bool
+        [stroke.kind not in (StrokeKind.GEOMETRY, StrokeKind.BLOCK) for stroke in strokes],
+        dtype=bool,
     )
     frames, guessed = free_frames(spanning, found, annotations, touches, texts)
     found |= frames
@@ -160,6 +161,6 @@ def _written_cells(boxes: np.ndarray, middles: np.ndarray) -> int:
         upright = (boxes[:, 1] <= y) & (y <= boxes[:, 3])
         rows, columns = boxes[level, 1], boxes[upright, 0]
         bounds = (rows[rows < y], -rows[rows > y], columns[columns < x], -columns[columns > x])
-        if all(len(own) for own in bounds):
-            sides.append(tuple(round(float(own.max()), 1) for own in bounds))
+        if all(len(bound) for bound in bounds):
+            sides.append(tuple(round(float(bound.max()), 1) for bound in bounds))
     return len(set(sides))

@@ -78,9 +78,9 @@ def free_frames(
     # The outer ones first: what they are leaves what the inner ones go around.
     order = sorted(spanning, key=lambda each: -float(np.prod(each.box[2:] - each.box[:2])))[:_MOST]
     for each in order:
-        own = np.zeros(len(tables), dtype=bool)
-        own[each.lines] = True
-        rest = ~own & ~frames & ~tables
+        values = np.zeros(len(tables), dtype=bool)
+        values[each.lines] = True
+        rest = ~values & ~frames & ~tables
         if not _holds_all(each.box, touches.boxes[rest], texts):
             continue
         surety = _Surety.CERTAIN
@@ -88,7 +88,7 @@ def free_frames(
             has_margins = any(_have_margins(each.box, other.box) for other in order)
             surety = _by_views(each.box, rest & ~annotations, touches, has_margins=has_margins)
         if surety is not _Surety.NONE:
-            frames |= own
+            frames |= values
             guessed |= surety is _Surety.GUESSED
     return frames, guessed
 
@@ -105,7 +105,7 @@ def _have_margins(one: Floats, other: Floats) -> bool:
     left, *others = (np.abs(gaps) / (_FILING, 1.0, 1.0, 1.0)).tolist()
     is_around = bool((gaps > EVEN).all() or (gaps < -EVEN).all())
     mean = sum(others) / len(others)
-    return is_around and max(abs(own - mean) for own in (left, *others)) <= _OFF * mean
+    return is_around and max(abs(item - mean) for item in (left, *others)) <= _OFF * mean
 
 
 def _by_views(box: Floats, rest: Flags, touches: Touches, *, has_margins: bool) -> _Surety:

@@ -88,8 +88,8 @@ def graph_views(
     separated, vectors = _part(found, sheet)
     marks = (*separated.marks, *_writing(found, drawing, sheet))
     separated = replace(separated, marks=marks, has_paper=drawing.has_paper)
-    told = symbol.projection if symbol else projection
-    request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
+    stated_projection = symbol.projection if symbol else projection
+    request = LayoutRequest(given, stated_projection, STUB * separated.part.stroke_width)
     try:
         separated, layout = arranged(sheet, separated, request)
     except NoModelError as error:
@@ -101,7 +101,9 @@ def graph_views(
         separated, layout = alone
     separated, layout = with_symbol(separated, layout, symbol)
     askew = tuple(SpecialView(SpecialKind.PICTORIAL, box) for box in found.pictorials)
-    frame = None if drawing.has_paper else bounds([own.curve for own in found.of(Label.FRAME)])
+    frame = (
+        None if drawing.has_paper else bounds([stroke.curve for stroke in found.of(Label.FRAME)])
+    )
     layout = replace(layout, special=(*layout.special, *askew), frame=frame)
     boxes = [tuple(found.touches.boxes[number].tolist()) for number in found.doubtful]
     used = [box for box in boxes if any(meets(box, view) for view in layout.boxes.values())]
@@ -118,7 +120,7 @@ def _is_all(found: LabelledDrawing, drawing: VectorDrawing, views: tuple[Box, ..
         )
         if label is not Label.FRAME and stroke.kind in (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
     ]
-    fills = any(own.kind is StrokeKind.FILL for own in drawing.strokes)
+    fills = any(stroke.kind is StrokeKind.FILL for stroke in drawing.strokes)
     inside = all(any(meets(box, view) for view in views) for box in plain)
     return drawing.complete and inside and not fills
 

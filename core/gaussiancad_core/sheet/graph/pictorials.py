@@ -38,10 +38,10 @@ def pictorials(
         # A hexagon has the directions of an isometric picture, but stands in line with a view.
         if any(_is_in_line(box, other) for other in around.values()):
             continue
-        own = groups == group
-        if slanted_kind(_lines(strokes, own)) is SpecialKind.PICTORIAL:
+        item = groups == group
+        if slanted_kind(_lines(strokes, item)) is SpecialKind.PICTORIAL:
             boxes.append(box)
-            found |= own
+            found |= item
     for box in boxes:
         within = (touches.boxes >= (*box[:2], *box[:2])) & (touches.boxes <= (*box[2:], *box[2:]))
         inner = groups[within.all(axis=1) & edges]
@@ -51,8 +51,8 @@ def pictorials(
 
 
 def _box(touches: Touches, chosen: Flags) -> Box:
-    own = touches.boxes[chosen]
-    return (*own[:, :2].min(axis=0).tolist(), *own[:, 2:].max(axis=0).tolist())
+    box = touches.boxes[chosen]
+    return (*box[:, :2].min(axis=0).tolist(), *box[:, 2:].max(axis=0).tolist())
 
 
 def _lies_in(box: Box, other: Box) -> bool:

@@ -32,26 +32,30 @@ def with_whole_edges(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...
     Args:
         strokes: of the part's pen; px.
     """
-    lines = {index: own.curve for index, own in enumerate(strokes) if isinstance(own.curve, Line)}
-    kept = [own for index, own in enumerate(strokes) if index not in lines]
-    beside = _BESIDE + 0.5 * max((own.step for own in strokes), default=0.0)
+    lines = {
+        index: stroke.curve
+        for index, stroke in enumerate(strokes)
+        if isinstance(stroke.curve, Line)
+    }
+    kept = [stroke for index, stroke in enumerate(strokes) if index not in lines]
+    offset = _BESIDE + 0.5 * max((stroke.step for stroke in strokes), default=0.0)
     for first, points in _chains(lines):
-        whole = _whole(points, strokes[first].step, beside)
+        whole = _whole(points, strokes[first].step, offset)
         kept += [replace(strokes[first], curve=curve) for curve in whole]
     return tuple(kept)
 
 
-def _whole(points: Floats, step: float, beside: float) -> Iterator[Curve]:
+def _whole(points: Floats, step: float, offset: float) -> Iterator[Curve]:
     """Arcs and lines along a chain.
 
     Args:
         points: (n, 2) px.
         step: px to which they were rounded.
-        beside: px within which lines are one that is straight.
+        offset: px within which lines are one that is straight.
     """
     run: list[Line] = []
     for curve in lines_and_arcs(points, step):
-        if isinstance(curve, Line) and _is_straight([*run, curve], beside):
+        if isinstance(curve, Line) and _is_straight([*run, curve], offset):
             run.append(curve)
             continue
         if run:
@@ -63,13 +67,13 @@ def _whole(points: Floats, step: float, beside: float) -> Iterator[Curve]:
         yield Line(run[0].start, run[-1].end)
 
 
-def _is_straight(run: Sequence[Line], beside: float) -> bool:
+def _is_straight(run: Sequence[Line], offset: float) -> bool:
     points = np.array([run[0].start, *(line.end for line in run)])
     chord = points[-1] - points[0]
     length = float(np.hypot(*chord))
     ways = np.diff(points, axis=0) @ chord
     across = np.abs((points - points[0]) @ np.array([-chord[1], chord[0]]))
-    return length > 0.0 and bool((ways > 0.0).all() and across.max() <= beside * length)
+    return length > 0.0 and bool((ways > 0.0).all() and across.max() <= offset * length)
 
 
 def _chains(lines: dict[int, Line]) -> Iterator[tuple[int, Floats]]:

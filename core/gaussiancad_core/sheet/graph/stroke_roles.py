@@ -128,7 +128,7 @@ def labelled(
     edges = _outlines(touches, candidates & drawn, centres)
     if found[best].closed < _CLOSES or edges.sum() < _LEAST:
         return None
-    other = np.isin(numbers, [n for n, own in enumerate(found) if own.closes_outlines])
+    other = np.isin(numbers, [n for n, evidence in enumerate(found) if evidence.closes_outlines])
     if _is_large(touches, candidates & (drawn | other) & ~edges, edges):
         return None
     askew, boxes = pictorials(lines, touches, edges)
@@ -161,10 +161,10 @@ def labelled(
     heads = arrowheads(drawing.strokes) if heads is None else heads
     tips = [head.tip for head in heads]
     doubtful = _doubtful(lines, touches, labels, edges & ~hatched)
-    doubtful = tuple(own for own in doubtful if not _is_pointed(touches.ends[own], tips))
-    order = sorted(found, key=lambda own: -own.weight)
-    told = tuple(labels), tuple(order), touches, doubtful, boxes
-    return LabelledDrawing(lines, *told, frame_guessed=around.guessed)
+    doubtful = tuple(number for number in doubtful if not _is_pointed(touches.ends[number], tips))
+    order = sorted(found, key=lambda evidence: -evidence.weight)
+    stated = tuple(labels), tuple(order), touches, doubtful, boxes
+    return LabelledDrawing(lines, *stated, frame_guessed=around.guessed)
 
 
 def _may_be_centre(stroke: VectorStroke) -> bool:
@@ -186,19 +186,19 @@ def _outlines(touches: Touches, edges: Flags, centres: Flags) -> Flags:
     groups = touches.groups(edges)
     found = np.zeros(len(edges), dtype=bool)
     for group in np.unique(groups[edges]):
-        own = groups == group
-        if (core & own).any():
-            whole, closed = _extent(touches, own), _extent(touches, core & own)
-            found |= own & bool((closed >= _OUTLINE * whole).all())
+        item = groups == group
+        if (core & item).any():
+            whole, closed = _extent(touches, item), _extent(touches, core & item)
+            found |= item & bool((closed >= _OUTLINE * whole).all())
     return found
 
 
 def _is_large(touches: Touches, left: Flags, edges: Flags) -> bool:
     """Whether a group of strokes that are not the part's, but may be, is as large as a view."""
     groups = touches.groups(edges)
-    largest = max((_extent(touches, groups == own) for own in np.unique(groups[edges])), key=max)
+    largest = max((_extent(touches, groups == item) for item in np.unique(groups[edges])), key=max)
     groups = touches.groups(left)
-    extents = (_extent(touches, groups == own) for own in np.unique(groups[left]))
+    extents = (_extent(touches, groups == item) for item in np.unique(groups[left]))
     return any(bool((extent >= _LIKE_A_VIEW * largest).all()) for extent in extents)
 
 
@@ -236,8 +236,8 @@ def _views(touches: Touches, edges: Flags) -> Ints:
     groups = touches.groups(edges)
     found = np.full(len(edges), -1)
     for group in np.unique(groups[edges]):
-        own = touches.boxes[groups == group]
-        low, high = own[:, :2].min(axis=0) - _REACH, own[:, 2:].max(axis=0) + _REACH
+        box = touches.boxes[groups == group]
+        low, high = box[:, :2].min(axis=0) - _REACH, box[:, 2:].max(axis=0) + _REACH
         inside = (touches.boxes[:, :2] >= low) & (touches.boxes[:, 2:] <= high)
         found[inside.all(axis=1)] = group
     return found

@@ -74,7 +74,7 @@ def without_tangent_edges(
     """Views without the lines where faces meet smoothly, and these, px of the upright sheet."""
     near = max(_near(view) for view in drawn)
     between = [_between_smooth(view, near) for view in drawn]
-    plain = [_less(view, own) for view, own in zip(drawn, between, strict=True)]
+    plain = [_less(view, segments) for view, segments in zip(drawn, between, strict=True)]
     known = {
         (view.role, axis): _junctions(view, axis, near)
         for view in plain
@@ -86,8 +86,8 @@ def without_tangent_edges(
     ]
     if not _are_drawn(plain, across, known, near):
         across = [[] for _ in plain]
-    views = tuple(_less(view, own) for view, own in zip(plain, across, strict=True))
-    return views, tuple(stroke for own in (*between, *across) for stroke in own)
+    views = tuple(_less(view, items) for view, items in zip(plain, across, strict=True))
+    return views, tuple(stroke for item in (*between, *across) for stroke in item)
 
 
 def _are_drawn(
@@ -98,16 +98,16 @@ def _are_drawn(
 ) -> bool:
     """Whether a sheet draws such lines: then most places have theirs, or it was an edge."""
     drawn = places = 0
-    for view, own in zip(views, found, strict=True):
+    for view, segments in zip(views, found, strict=True):
         for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0]):
             wanted = [
                 at
-                for (role, shown), told in known.items()
+                for (role, shown), junctions in known.items()
                 if shown is axis and role is not view.role
-                for at in _distinct(told.outer, near)
-                if near < at < _extent(view, axis) - near and told.tells(at, near)
+                for at in _distinct(junctions.outer, near)
+                if near < at < _extent(view, axis) - near and junctions.tells(at, near)
             ]
-            seen = [place for line in own if (place := _place(line, view, axis)) is not None]
+            seen = [place for line in segments if (place := _place(line, view, axis)) is not None]
             places += len(wanted)
             drawn += sum(_has(np.array(seen), at, near) for at in wanted)
     return drawn >= _MOSTLY * max(places, 1)
@@ -124,7 +124,9 @@ def _distinct(places: Floats, near: float) -> list[float]:
 
 def _less(view: ReadView, gone: Sequence[Stroke]) -> ReadView:
     dropped = set(map(id, gone))
-    return replace(view, strokes=tuple(own for own in view.strokes if id(own) not in dropped))
+    return replace(
+        view, strokes=tuple(stroke for stroke in view.strokes if id(stroke) not in dropped)
+    )
 
 
 def _between_smooth(view: ReadView, near: float) -> list[Segment]:
@@ -135,12 +137,12 @@ def _between_smooth(view: ReadView, near: float) -> list[Segment]:
     groups = cKDTree(ends).query_ball_point(ends, near)
 
     def is_passed(end: int) -> bool:
-        others = [own for own in groups[end] if own // 2 != end // 2]
+        others = [item for item in groups[end] if item // 2 != end // 2]
         return (
             len(others) == 2
-            and not any(_goes_on(ways[end], ways[own]) for own in others)
+            and not any(_goes_on(ways[end], ways[other]) for other in others)
             and _goes_on(ways[others[0]], ways[others[1]])
-            and any(_is_round(view.strokes, own) for own in others)
+            and any(_is_round(view.strokes, other) for other in others)
         )
 
     return [
@@ -159,12 +161,12 @@ def _is_tangent(
         at = _place(stroke, view, axis)
         if at is None or not near < at < _extent(view, axis) - near:
             continue
-        told = [
-            own.tells(at, near)
-            for (role, shown), own in known.items()
+        tellses = [
+            junctions.tells(at, near)
+            for (role, shown), junctions in known.items()
             if shown is axis and role is not view.role
         ]
-        if True in told and False not in told:
+        if True in tellses and False not in tellses:
             return True
     return False
 
@@ -190,9 +192,9 @@ def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
     is_right = view.role.frame.right_axis[0] is axis
     outline = _on_outline(view, groups, near)
     smooth, corners, outer = [], [], []
-    for number, own in enumerate(groups):
-        strokes = [view.strokes[member // 2] for member in own]
-        if not _is_smooth(number, own, ways):
+    for number, group in enumerate(groups):
+        strokes = [view.strokes[member // 2] for member in group]
+        if not _is_smooth(number, group, ways):
             corners.append(places[number])
         elif abs(ways[number][0 if is_right else 1]) <= _SMOOTH:
             # Seen from the side the face turns away there: that is an outline.
@@ -206,28 +208,28 @@ def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
 
 def _on_outline(view: ReadView, groups: Sequence[Sequence[int]], near: float) -> Flags:
     """(n,) which strokes hang together with one that reaches the border of the view."""
-    pairs = [(own // 2, other // 2) for own, group in enumerate(groups) for other in group]
+    pairs = [(number // 2, other // 2) for number, group in enumerate(groups) for other in group]
     count = len(view.strokes)
     links = coo_matrix((np.ones(len(pairs)), np.array(pairs).T), (count, count))
     _, labels = connected_components(links, directed=False)
     low, high = np.array(view.box[:2]) + near, np.array(view.box[2:]) - near
     reach = [
         bool((points < low).any() or (points > high).any())
-        for points in (own.sample(max(own.length / 16.0, near)) for own in view.strokes)
+        for points in (stroke.sample(max(stroke.length / 16.0, near)) for stroke in view.strokes)
     ]
     return np.isin(labels, labels[np.array(reach, dtype=bool)])
 
 
 def _is_one(strokes: Sequence[Stroke]) -> bool:
     """Whether strokes are pieces of one circle."""
-    arcs = [own for own in strokes if isinstance(own, Arc)]
+    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
     if len(arcs) < len(strokes):
         return False
     first = arcs[0]
     return all(
-        np.hypot(*np.subtract(own.centre, first.centre)) <= _ONE_PX
-        and abs(own.radius - first.radius) <= _ONE_PX
-        for own in arcs
+        np.hypot(*np.subtract(arc.centre, first.centre)) <= _ONE_PX
+        and abs(arc.radius - first.radius) <= _ONE_PX
+        for arc in arcs
     )
 
 
@@ -253,7 +255,7 @@ def _ends(strokes: Sequence[Stroke]) -> tuple[Floats, Floats]:
 
 def _is_smooth(number: int, group: Sequence[int], ways: Floats) -> bool:
     """Whether just one other stroke begins at an end, and goes on in its direction."""
-    others = [own for own in group if own != number]
+    others = [index for index in group if index != number]
     return len(others) == 1 and _goes_on(ways[number], ways[others[0]])
 
 

@@ -62,8 +62,8 @@ class Touches:
 
     def dividing_by(self, chosen: Flags) -> Flags:
         """(n,) which of all strokes run from within one chosen stroke to within another."""
-        own = chosen[self.other]
-        end, other = self.end[own], self.other[own]
+        values = chosen[self.other]
+        end, other = self.end[values], self.other[values]
         place = self.ends.reshape(-1, 2)[end]
         away = np.hypot(*np.moveaxis(self.ends[other] - place[:, None], 2, 0)).min(axis=1)
         found = np.zeros(2 * len(self.ends), dtype=bool)
@@ -72,9 +72,9 @@ class Touches:
 
     def groups(self, chosen: Flags) -> Ints:
         """(n,) numbers of groups of chosen strokes that touch; -1 of those not chosen."""
-        own = chosen[self.end // 2] & chosen[self.other]
+        values = chosen[self.end // 2] & chosen[self.other]
         count = len(self.ends)
-        pairs = (np.ones(int(own.sum())), (self.end[own] // 2, self.other[own]))
+        pairs = (np.ones(int(values.sum())), (self.end[values] // 2, self.other[values]))
         _, labels = connected_components(coo_matrix(pairs, (count, count)), directed=False)
         return np.where(chosen, labels, -1)
 
@@ -112,5 +112,5 @@ def _distances(places: Floats, chords: Floats) -> Floats:
     start, way = chords[:-1], np.diff(chords, axis=0)
     squares = np.maximum((way**2).sum(axis=1), 1e-12)
     share = np.clip(((places[:, None] - start) * way).sum(axis=2) / squares, 0.0, 1.0)
-    beside = places[:, None] - start - share[..., None] * way
-    return np.hypot(beside[..., 0], beside[..., 1]).min(axis=1)
+    neighbour = places[:, None] - start - share[..., None] * way
+    return np.hypot(neighbour[..., 0], neighbour[..., 1]).min(axis=1)

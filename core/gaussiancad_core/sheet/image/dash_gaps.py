@@ -61,11 +61,11 @@ def dash_gap(ink: npt.NDArray[np.bool_], stroke_width: float) -> float:
 
 def _gaps(boxes: Boxes, stroke_width: float) -> list[float]:
     """Gaps between level dashes; boxes are (n, 4) of start, top, length and height."""
-    own = _slender(boxes, stroke_width)
-    middle = own[:, 1] + own[:, 3] / 2.0
+    slender = _slender(boxes, stroke_width)
+    middle = slender[:, 1] + slender[:, 3] / 2.0
     found = []
     for first in _rows(middle):
-        row = own[first][np.argsort(own[first, 0])]
+        row = slender[first][np.argsort(slender[first, 0])]
         for one, other in pairwise(row):
             gap, longer = other[0] - one[0] - one[2], max(one[2], other[2])
             alike = abs(one[2] - other[2]) <= _ALIKE * longer
@@ -90,10 +90,10 @@ def _gaps_beside(boxes: Boxes, ink: npt.NDArray[np.bool_], stroke_width: float) 
         stroke_width: px.
     """
     found = []
-    beside = round(stroke_width + _BESIDE_PX)
+    neighbour = round(stroke_width + _BESIDE_PX)
     for start, top, length, height in _slender(boxes, stroke_width).astype(int):
         row = top + height // 2
-        above, below = max(row - beside, 0), min(row + beside, len(ink) - 1)
+        above, below = max(row - neighbour, 0), min(row + neighbour, len(ink) - 1)
         crowded = ink[above] | ink[below]
         for line, aside in (
             (ink[row, start + length :], crowded[start + length :]),
@@ -115,9 +115,9 @@ def _agree(gaps: list[float]) -> bool:
     """Whether most of the gaps are about as wide as their median."""
     if not gaps:
         return False
-    own = np.array(gaps)
-    middle = float(np.median(own))
-    return float((np.abs(own - middle) <= _ALIKE * middle).mean()) >= _MOST
+    values = np.array(gaps)
+    middle = float(np.median(values))
+    return float((np.abs(values - middle) <= _ALIKE * middle).mean()) >= _MOST
 
 
 def _next(line: npt.NDArray[np.bool_]) -> tuple[int, int]:

@@ -128,15 +128,15 @@ def find_turn(directions: Floats, lengths: Floats, shape: tuple[int, int]) -> Tu
 
 def grown_lines(shapes: Sequence[Grown]) -> tuple[Floats, Floats]:
     """(n, 2) directions and (n,) lengths in px of the straight ones of shapes found in pixels."""
-    lines = [own for own in shapes if isinstance(own.geometry, Line)]
-    directions = np.array([own.geometry.direction for own in lines]).reshape(-1, 2)
-    return directions, np.array([len(own.members) for own in lines], dtype=np.float64)
+    lines = [shape for shape in shapes if isinstance(shape.geometry, Line)]
+    directions = np.array([line.geometry.direction for line in lines]).reshape(-1, 2)
+    return directions, np.array([len(line.members) for line in lines], dtype=np.float64)
 
 
 def file_directions(drawing: VectorDrawing) -> tuple[Floats, Floats]:
     """The same of the longest straight lines of a file."""
-    lines = [own.curve for own in drawing.strokes if isinstance(own.curve, StraightLine)]
-    ends = np.array([(own.start, own.end) for own in lines]).reshape(-1, 2, 2)
+    lines = [stroke.curve for stroke in drawing.strokes if isinstance(stroke.curve, StraightLine)]
+    ends = np.array([(line.start, line.end) for line in lines]).reshape(-1, 2, 2)
     ways = ends[:, 1] - ends[:, 0]
     lengths = np.hypot(ways[:, 0], ways[:, 1])
     longest = np.argsort(-lengths, kind="stable")[:_MOST_LINES]

@@ -105,4 +105,4 @@ class OpenedSheet:
 def _longest_pictured(drawing: VectorDrawing) -> float:
     """px of a line that what a page shows besides strokes may have at most."""
     sides = [(box[2] - box[0], box[3] - box[1]) for box in drawing.pictures]
-    return max((float(np.hypot(*own)) for own in sides), default=np.inf)
+    return max((float(np.hypot(*side)) for side in sides), default=np.inf)

@@ -75,12 +75,12 @@ def with_pale(weight: npt.NDArray[np.float32], ink: Mask) -> npt.NDArray[np.floa
     if shade is not None:
         pens = [shade]
     # Beside dark strokes the shade of a pixel says nothing.
-    beside = around <= _PALE
-    own = np.array(pens)[np.searchsorted(_between(pens), around)]
-    full = np.where(beside, np.minimum(weight / own, 1.0), weight)
-    strokes = ink & beside
+    adjacent = around <= _PALE
+    values = np.array(pens)[np.searchsorted(_between(pens), around)]
+    full = np.where(adjacent, np.minimum(weight / values, 1.0), weight)
+    strokes = ink & adjacent
     strong = _STRONG if mean_stroke_width(strokes, full * strokes) > _WIDE_PX else 1.0
-    return _with_faint(np.where(beside, strong * full, full).astype(np.float32), ink)
+    return _with_faint(np.where(adjacent, strong * full, full).astype(np.float32), ink)
 
 
 def _around(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:

@@ -108,5 +108,5 @@ def _small(grey: npt.NDArray[np.uint8]) -> tuple[npt.NDArray[np.uint8], npt.NDAr
     closed = cv2.morphologyEx(inked, cv2.MORPH_CLOSE, kernel)
     factor = min(1.0, _SMALL / max(closed.shape))
     size = (max(1, round(closed.shape[1] * factor)), max(1, round(closed.shape[0] * factor)))
-    both = [cv2.resize(own, size, interpolation=cv2.INTER_AREA) for own in (inked, closed)]
+    both = [cv2.resize(item, size, interpolation=cv2.INTER_AREA) for item in (inked, closed)]
     return both[0], both[1]

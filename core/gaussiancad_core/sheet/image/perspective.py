@@ -148,9 +148,9 @@ def find_sight(segments: Segments) -> Sight:
             angles = _angles(tilted, _FOCAL, segments)
             rotation = tilted @ _turn(_commonest(angles, segments))
             starts.append((_explained(rotation, _FOCAL, segments, _REACHES[1]), rotation))
-    starts.sort(key=lambda own: -own[0])
+    starts.sort(key=lambda start: -start[0])
     found = [_fitted(Sight(rotation, _FOCAL), segments) for _, rotation in starts[:3]]
-    return max(found, key=lambda own: explained(own, segments))
+    return max(found, key=lambda sight: explained(sight, segments))
 
 
 def _fitted(sight: Sight, segments: Segments) -> Sight:
@@ -160,13 +160,13 @@ def _fitted(sight: Sight, segments: Segments) -> Sight:
         near = errors.min(axis=0) < reach
         if near.sum() < _FEWEST:
             break
-        own = Segments(
+        this_segments = Segments(
             segments.middles[near],
             segments.ways[near],
             segments.lengths[near],
             segments.noise[near],
         )
-        residuals = partial(_residuals, sight, own, errors[:, near].argmin(axis=0))
+        residuals = partial(_residuals, sight, this_segments, errors[:, near].argmin(axis=0))
         found = least_squares(residuals, np.zeros(4), loss="soft_l1")
         sight = Sight(*_moved(sight, found.x))
     return sight

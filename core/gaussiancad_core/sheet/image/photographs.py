@@ -198,7 +198,7 @@ def _seen_from_above(
         return None
     places = above[:, :2] / above[:, 2:]
     low, high = np.floor(places.min(axis=0)), np.ceil(places.max(axis=0))
-    width, height = (int(own) + 1 for own in high - low)
+    width, height = (int(item) + 1 for item in high - low)
     if width * height > min(_LARGER * picture.size, MAX_PIXELS):
         return None
     moved = to_picture @ np.array([[1.0, 0.0, low[0]], [0.0, 1.0, low[1]], [0.0, 0.0, 1.0]])
@@ -219,6 +219,6 @@ def _paper_wider(outline: PaperOutline | None, to_picture: Floats) -> float | No
         return None
     lengths = np.hypot(*sides.T)
     seen = lengths[level].mean() / lengths[~level].mean()
-    usual = [own for one in _PROPORTIONS for own in (one, 1.0 / one)]
-    nearest = min(usual, key=lambda own: abs(np.log(seen / own)))
+    usual = [item for one in _PROPORTIONS for item in (one, 1.0 / one)]
+    nearest = min(usual, key=lambda item: abs(np.log(seen / item)))
     return float(seen / nearest) if abs(np.log(seen / nearest)) < _NEARLY else None

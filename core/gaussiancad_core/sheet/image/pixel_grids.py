@@ -66,8 +66,8 @@ def seen_rounding(views: Iterable[Sequence[Stroke]], *, well_read: bool) -> Roun
     if rounding_step([lines], well_read=well_read):
         return Rounding.TOLD
     spread = well_read and all(
-        len(own) >= fewest and all(_concentration(own, step) <= most for step in _STEPS)
-        for own, fewest, most in (
+        len(item) >= fewest and all(_concentration(item, step) <= most for step in _STEPS)
+        for item, fewest, most in (
             (both, _FEWEST, _FREE),
             (columns, _FEWEST_ALONG, _FREE_ALONG),
             (rows, _FEWEST_ALONG, _FREE_ALONG),
@@ -88,7 +88,7 @@ def rounding_step(views: Iterable[Sequence[Stroke]], *, well_read: bool) -> floa
     lines = _lines(views)
     least = _ROUNDED_WELL if well_read else _ROUNDED
     by_kind = [_both_ways([line for line in lines if line.linetype is kind]) for kind in Linetype]
-    families = [own for own in by_kind if len(own) >= _FEWEST_ALONG]
+    families = [values for values in by_kind if len(values) >= _FEWEST_ALONG]
     for step in _STEPS:
         if step >= _LEAST_ROUNDED and any(
             _is_rounded(groups, step, least) for groups in ([_both_ways(lines)], families)
@@ -122,11 +122,11 @@ def _places(lines: Sequence[Segment], direction: int) -> npt.NDArray[np.float64]
 def _is_rounded(families: Sequence[npt.NDArray[np.float64]], step: float, least: float) -> bool:
     """Whether places are multiples of a step, each family's counted from a beginning of its own,
     and not by chance (Rayleigh's test)."""
-    told = [_concentration(own, step) if len(own) else 0.0 for own in families]
-    evidence = sum(len(own) * one**2 for own, one in zip(families, told, strict=True))
+    stated = [_concentration(family, step) if len(family) else 0.0 for family in families]
+    evidence = sum(len(family) * one**2 for family, one in zip(families, stated, strict=True))
     # The sum of as many exponential variates, by chance.
     chance = float(gammaincc(max(len(families), 1), evidence))
-    return min(told, default=0.0) >= least and chance <= _CHANCE
+    return min(stated, default=0.0) >= least and chance <= _CHANCE
 
 
 def _concentration(places: npt.NDArray[np.float64], step: float) -> float:

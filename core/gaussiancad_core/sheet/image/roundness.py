@@ -51,12 +51,12 @@ def proportion(grey: npt.NDArray[np.uint8]) -> float | None:
     ovals = [oval for outline in outlines if (oval := _oval(outline.reshape(-1, 2))) is not None]
     if not ovals:
         return None
-    values = np.array([own.proportion for own in ovals])
-    radii = np.array([own.radius for own in ovals])
+    values = np.array([this_oval.proportion for this_oval in ovals])
+    radii = np.array([this_oval.radius for this_oval in ovals])
     # Most of the outline's length has about the proportion that is looked for.
     near = np.abs(np.log(values[:, None] / values)) < _SAME
     best = near[int(np.argmax(near @ radii))]
-    chosen = [own for own, taken in zip(ovals, best, strict=True) if taken]
+    chosen = [this_oval for this_oval, taken in zip(ovals, best, strict=True) if taken]
     if not _several(chosen) or radii[best].sum() < radii.sum() / 2:
         return None
     return float(np.exp(np.average(np.log(values[best]), weights=radii[best])))
@@ -86,6 +86,6 @@ def _oval(points: npt.NDArray[np.int32]) -> _Oval | None:
 def _several(ovals: list[_Oval]) -> bool:
     first = ovals[0]
     return any(
-        np.hypot(*(own.centre - first.centre)) > _APART * min(own.radius, first.radius)
-        for own in ovals[1:]
+        np.hypot(*(oval.centre - first.centre)) > _APART * min(oval.radius, first.radius)
+        for oval in ovals[1:]
     )

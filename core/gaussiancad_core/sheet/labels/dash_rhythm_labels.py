@@ -34,10 +34,10 @@ def rhythm_odds(shape: InkedShape, run: InkedRun, log_p: Floats) -> Floats:
         run: of it; all of its runs are asked.
         log_p: (n, classes) of the points.
     """
-    share = alternating([own.run.length for own in shape.runs])
-    told = np.clip((share - _SHARES[0]) / (_SHARES[1] - _SHARES[0]), 0.0, 1.0)
+    share = alternating([inked_run.run.length for inked_run in shape.runs])
+    stated = np.clip((share - _SHARES[0]) / (_SHARES[1] - _SHARES[0]), 0.0, 1.0)
     hidden = 1.0 / (1.0 + np.exp(log_p[:, InkClass.VISIBLE] - log_p[:, InkClass.HIDDEN]))
-    return -_TELLS * told * hidden
+    return -_TELLS * stated * hidden
 
 
 def alternating(lengths: Sequence[float]) -> float:
@@ -47,10 +47,10 @@ def alternating(lengths: Sequence[float]) -> float:
     Args:
         lengths: of the dashes of a line, in order.
     """
-    own = np.asarray(lengths, dtype=np.float64)
-    if len(own) < _FEWEST + 2:
+    values = np.asarray(lengths, dtype=np.float64)
+    if len(values) < _FEWEST + 2:
         return 0.0
-    before, inner, after = own[:-2], own[1:-1], own[2:]
+    before, inner, after = values[:-2], values[1:-1], values[2:]
     long = inner > _LONGER * np.maximum(before, after)
     short = _LONGER * inner < np.minimum(before, after)
     return float(np.mean(long | short))

@@ -118,19 +118,25 @@ def labelled_curves(
             continue
         margin, mean = float(odds[members].mean()), log_p[members].mean(axis=0)
         ink, otherwise = (likeliest(mean, part=part) for part in (margin > 0.0, margin <= 0.0))
-        told = abs(margin), _share(abs(margin) * log_odds_factor()), Evidence.NETWORK
-        own = points[members] + _CENTRE
-        found.append(LabelledLine(own, float(len(members)), ink, otherwise, *told))
+        stated = abs(margin), _share(abs(margin) * log_odds_factor()), Evidence.NETWORK
+        values = points[members] + _CENTRE
+        found.append(LabelledLine(values, float(len(members)), ink, otherwise, *stated))
     return tuple(found)
 
 
 def _line(points: Floats, piece: LabelledRun) -> LabelledLine:
     margin = piece.margin if piece.is_part else -piece.margin
     # Near a tie its ink tells nothing, whatever speaks for the decision beside it.
-    told = abs(margin) * log_odds_factor()
-    told = told if piece.support is None else min(told, piece.support)
+    stated = abs(margin) * log_odds_factor()
+    stated = stated if piece.support is None else min(stated, piece.support)
     return LabelledLine(
-        points, piece.run.run.length, piece.ink, piece.otherwise(), margin, _share(told), piece.why
+        points,
+        piece.run.run.length,
+        piece.ink,
+        piece.otherwise(),
+        margin,
+        _share(stated),
+        piece.why,
     )
 
 
@@ -148,13 +154,13 @@ class SheetLabels:
 
     def within(self, box: Box) -> "SheetLabels":
         """Those that meet a box, px of the upright sheet."""
-        return replace(self, lines=tuple(own for own in self.lines if meets(own.box, box)))
+        return replace(self, lines=tuple(line for line in self.lines if meets(line.box, box)))
 
     def doubtful(self) -> tuple[LabelledLine, ...]:
         """Those that may be either and are so long that it matters, the most doubtful first."""
         long = _LONG * self.stroke_width
-        found = [own for own in self.lines if own.confidence < DOUBT and own.length > long]
-        return tuple(sorted(found, key=lambda own: own.confidence))
+        found = [line for line in self.lines if line.confidence < DOUBT and line.length > long]
+        return tuple(sorted(found, key=lambda line: line.confidence))
 
     def along(self, points: Floats, part: bool) -> LabelledLine | None:
         """The line that tells what a stroke is: the least sure of those along which it runs; None
@@ -194,7 +200,7 @@ class SheetLabels:
     @cached_property
     def _groups(self) -> "dict[bool, _Group]":
         return {
-            part: _Group([own for own in self.lines if own.is_part is part])
+            part: _Group([line for line in self.lines if line.is_part is part])
             for part in (True, False)
         }
 
@@ -208,9 +214,9 @@ class _Group:
 
     def __init__(self, lines: list[LabelledLine]) -> None:
         self.lines = lines
-        counts = [len(own.points) for own in lines]
+        counts = [len(line.points) for line in lines]
         self.owners = np.repeat(np.arange(len(lines)), counts)
-        self.tree = cKDTree(np.concatenate([own.points for own in lines])) if lines else None
+        self.tree = cKDTree(np.concatenate([line.points for line in lines])) if lines else None
 
 
 def _by_confidence(line: LabelledLine) -> tuple[bool, float]:

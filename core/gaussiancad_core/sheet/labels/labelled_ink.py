@@ -78,7 +78,7 @@ def separate_by_labels(
     rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
     grown = grow_shapes(ridges, rules)
     field = ink_field(sheet)
-    shapes = [inked_shape(sheet, field, ridges, own) for own in grown]
+    shapes = [inked_shape(sheet, field, ridges, item) for item in grown]
     shared = _shared(shapes, sheet)
     told_by = [rhythm_odds]
     labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
@@ -92,32 +92,32 @@ def separate_by_labels(
         labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
     labelled = related(shapes, labelled, sheet.stroke_width)
     free = np.ones(len(ridges.points), dtype=bool)
-    for own in grown:
-        free[own.members] = False
+    for entry in grown:
+        free[entry.members] = False
     unexplained, loose, curves = _free_curves(ridges.points[free], labels, sheet.ink.shape)
-    told = _told(shapes, labelled, unexplained, loose)
-    part = erased(sheet, told)
-    part = masked(part, ~_stray(part.ink, best, told))
-    marks += line_marks(told)
+    stated = _told(shapes, labelled, unexplained, loose)
+    part = erased(sheet, stated)
+    part = masked(part, ~_stray(part.ink, best, stated))
+    marks += line_marks(stated)
     hatched = None
-    if any(AnnotationKind.HATCHING in own for own in told.kinds):
+    if any(AnnotationKind.HATCHING in annotation_kinds for annotation_kinds in stated.kinds):
         found = find_hatching(sheet, shapes, ridges, free)
         hatched = found.area if found.marks else None
         marks += found.marks
     decided = SheetLabels((*labelled_lines(shapes, labelled), *curves), sheet.stroke_width)
     askew = sheet.ink & ~part.ink & (best == InkClass.PICTORIAL)
-    return SeparatedSheet(part, tuple(marks), hatched, askew, told, decided)
+    return SeparatedSheet(part, tuple(marks), hatched, askew, stated, decided)
 
 
 def _writing(ink: Mask, best: np.ndarray) -> Mask:
     """(h, w) bool, ink that is writing: all of a piece of which most is, else by the pixel."""
-    own = ink & (best == InkClass.TEXT)
+    item = ink & (best == InkClass.TEXT)
     count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
     sizes = np.bincount(labels.ravel(), minlength=count)
-    inside = np.bincount(labels[own], minlength=count)
+    inside = np.bincount(labels[item], minlength=count)
     most = inside > _TEXT_SHARE * sizes
     most[0] = False
-    return most[labels] | own
+    return most[labels] | item
 
 
 def _text_marks(text: Mask, stroke_width: float) -> list[Mark]:
@@ -138,8 +138,8 @@ def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:
     layer = np.zeros(sheet.ink.shape, np.uint8)
     for shape in shapes:
         boxes = []
-        for own in shape.runs:
-            path = np.rint(points_along(shape.geometry, own.run, 2.0) * 8).astype(np.int32)
+        for run in shape.runs:
+            path = np.rint(points_along(shape.geometry, run.run, 2.0) * 8).astype(np.int32)
             cv2.polylines(layer, [path], False, 1, width, shift=3)
             low = np.maximum(path.min(axis=0) // 8 - width - 1, 0)
             high = path.max(axis=0) // 8 + width + 2
@@ -159,14 +159,14 @@ def _free_curves(
     curves = np.zeros(shape, np.uint8)
     curves[rows, columns] = 1
     _, chains = cv2.connectedComponents(curves, connectivity=8)
-    own = chains[rows, columns]
+    item = chains[rows, columns]
     log_p = labels.at(points)
-    odds = np.bincount(own, weights=part_odds(log_p))
-    part = (odds > 0.0)[own]
+    odds = np.bincount(item, weights=part_odds(log_p))
+    part = (odds > 0.0)[item]
     unexplained, loose = np.zeros(shape, bool), np.zeros(shape, bool)
     unexplained[rows[part], columns[part]] = True
     loose[rows[~part], columns[~part]] = True
-    return unexplained, loose, labelled_curves(points, own, log_p)
+    return unexplained, loose, labelled_curves(points, item, log_p)
 
 
 def _told(
@@ -176,34 +176,34 @@ def _told(
     loose: Mask,
 ) -> Told:
     found, kinds = [], []
-    for shape, own in zip(shapes, labelled, strict=True):
-        found.append(InkedShape(shape.geometry, tuple(each.run for each in own)))
-        kinds.append([_kind(shape, each) for each in own])
+    for shape, runs in zip(shapes, labelled, strict=True):
+        found.append(InkedShape(shape.geometry, tuple(each.run for each in runs)))
+        kinds.append([_kind(shape, each) for each in runs])
     return Told(found, kinds, unexplained, loose)
 
 
-def _kind(shape: InkedShape, own: LabelledRun) -> AnnotationKind | None:
+def _kind(shape: InkedShape, run: LabelledRun) -> AnnotationKind | None:
     """What a run is, None for the part's; a slanted dimension line is a leader."""
-    if own.is_part:
+    if run.is_part:
         return None
-    kind = _KINDS[own.ink]
+    kind = _KINDS[run.ink]
     if kind is AnnotationKind.DIMENSION:
-        ends = points_along(shape.geometry, own.run.run, 1e9)
+        ends = points_along(shape.geometry, run.run.run, 1e9)
         if rule_of(ends[0].tolist(), ends[-1].tolist()) is None:
             return AnnotationKind.LEADER
     return kind
 
 
-def _stray(ink: Mask, best: np.ndarray, told: Told) -> Mask:
+def _stray(ink: Mask, best: np.ndarray, stated: Told) -> Mask:
     """(h, w) bool, pieces of what is left through which no edge runs and of which most is
     annotation: arrowheads and the like."""
     count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
     part = ink & np.isin(best, PART)
     sizes = np.bincount(labels.ravel(), minlength=count)
     stray = np.bincount(labels[part], minlength=count) < 0.5 * sizes
-    for shape, kinds in zip(told.shapes, told.kinds, strict=True):
-        for own, kind in zip(shape.runs, kinds, strict=True):
+    for shape, kinds in zip(stated.shapes, stated.kinds, strict=True):
+        for run, kind in zip(shape.runs, kinds, strict=True):
             if kind is None:
-                stray[values_at(labels, points_along(shape.geometry, own.run, 1.0))] = False
+                stray[values_at(labels, points_along(shape.geometry, run.run, 1.0))] = False
     stray[0] = False
     return stray[labels]

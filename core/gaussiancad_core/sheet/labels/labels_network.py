@@ -76,16 +76,16 @@ class InkLabels:
         best = np.ones(self.log_p.shape[1:], np.uint8)
         most = self.log_p[1].astype(np.float32)
         for k in range(2, len(self.log_p)):
-            own = self.log_p[k].astype(np.float32)
-            best[own > most] = k
-            np.maximum(most, own, out=most)
+            item = self.log_p[k].astype(np.float32)
+            best[item > most] = k
+            np.maximum(most, item, out=most)
         return best
 
 
 def part_odds(log_p: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """(n,) log-odds of the part's edges against annotation, from (n, classes) log-probabilities;
     paper counts for neither."""
-    part = np.logaddexp(*(log_p[:, own] for own in PART))
+    part = np.logaddexp(*(log_p[:, ink_class] for ink_class in PART))
     rest = np.logaddexp.reduce(log_p[:, max(PART) + 1 :], axis=1)
     return part - rest
 
@@ -115,8 +115,8 @@ def log_odds_factor() -> float:
         card = json.loads(files(__package__).joinpath(_CARD).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return 1.0
-    told = card.get("temperature") or (card.get("calibration") or {}).get("temperature")
-    return float(told) if told else 1.0
+    stated = card.get("temperature") or (card.get("calibration") or {}).get("temperature")
+    return float(stated) if stated else 1.0
 
 
 def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
@@ -130,8 +130,8 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
     padded[:height, :width] = grey
     log_p = np.full((len(InkClass), *padded.shape), _FLOOR, np.float16)
     log_p[InkClass.PAPER] = 0.0
-    beside = np.ones((2 * _BESIDE + 1, 2 * _BESIDE + 1), np.uint8)
-    near = cv2.erode(padded, beside) < _PAPER
+    adjacent = np.ones((2 * _BESIDE + 1, 2 * _BESIDE + 1), np.uint8)
+    near = cv2.erode(padded, adjacent) < _PAPER
     session = _session()
     name = session.get_inputs()[0].name
     for top, left in product(range(0, padded.shape[0], _TILE), range(0, padded.shape[1], _TILE)):
@@ -144,8 +144,8 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
         (logits,) = session.run(None, {name: ink})
         rows, columns = np.nonzero(near[inner])
         at = (rows + top - above) * seen.shape[1] + columns + left - before
-        own = logits[0, : len(InkClass)].reshape(len(InkClass), -1).take(at, axis=1)
-        log_p[:, rows + top, columns + left] = np.maximum(_log_softmax(own), _FLOOR)
+        item = logits[0, : len(InkClass)].reshape(len(InkClass), -1).take(at, axis=1)
+        log_p[:, rows + top, columns + left] = np.maximum(_log_softmax(item), _FLOOR)
     return InkLabels(log_p[:, :height, :width])
 
 

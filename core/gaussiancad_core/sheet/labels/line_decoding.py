@@ -98,8 +98,8 @@ class LabelledRun:
         log_p[ink] = _NEVER
         margin = float(part_odds(log_p[None])[0])
         ink = likeliest(log_p, margin > 0.0)
-        told = {"why": Evidence.FIGURE, "support": None}
-        return replace(self, ink=ink, margin=margin, log_p=log_p, **told)
+        stated = {"why": Evidence.FIGURE, "support": None}
+        return replace(self, ink=ink, margin=margin, log_p=log_p, **stated)
 
     def otherwise(self) -> InkClass:
         """The likeliest class of the other group: what it would be if the decision is wrong."""
@@ -109,7 +109,7 @@ class LabelledRun:
 def likeliest(log_p: Floats, part: bool) -> InkClass:
     """The likeliest class of ink of a group."""
     ranked = (InkClass(k) for k in np.argsort(-log_p, kind="stable") if k)
-    return next(own for own in ranked if (own in PART) is part)
+    return next(ink_class for ink_class in ranked if (ink_class in PART) is part)
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,43 +139,43 @@ def labelled_runs(
             log-probabilities.
     """
     points = []
-    for own in shape.runs:
-        where = points_along(shape.geometry, own.run, _STEP)
+    for inked_run in shape.runs:
+        where = points_along(shape.geometry, inked_run.run, _STEP)
         log_p = labels.at(where)
         network = part_odds(log_p)
-        odds = network + sum(told(shape, own, log_p) for told in pens)
+        odds = network + sum(pen(shape, inked_run, log_p) for pen in pens)
         weights = np.where(values_at(shared, where), _SHARED, 1.0)
         odds, network = (np.clip(each, -_CLIP, _CLIP) for each in (odds, network))
         points.append(_Points(log_p, odds, network, weights))
     if not points:
         return []
-    rows = _rows([own.run.length for own in shape.runs])
+    rows = _rows([run.run.length for run in shape.runs])
     points = _with_row_linetypes(points, rows)
-    told = np.concatenate([_weighed(own.odds) * own.weights for own in points]) * _PER_PX
-    starts = np.cumsum([0, *(len(own.odds) for own in points)])
-    change = np.full(len(told), _CHANGE)
+    stated = np.concatenate([_weighed(point.odds) * point.weights for point in points]) * _PER_PX
+    starts = np.cumsum([0, *(len(point.odds) for point in points)])
+    change = np.full(len(stated), _CHANGE)
     change[starts[:-1]] = np.where(rows, _CHANGE_IN_ROW, _CHANGE_AT_GAP)
-    is_part = _cheapest(told, change)
+    is_part = _cheapest(stated, change)
     return [
         _labelled(
             run,
-            own,
+            point,
             piece,
             part=bool(is_part[start + piece[0]]),
-            kept=_kept(told, change, is_part, (start + piece[0], start + piece[1])),
+            kept=_kept(stated, change, is_part, (start + piece[0], start + piece[1])),
         )
-        for run, own, start in zip(shape.runs, points, starts[:-1].tolist(), strict=True)
-        for piece in _pieces(is_part[start : start + len(own.odds)])
+        for run, point, start in zip(shape.runs, points, starts[:-1].tolist(), strict=True)
+        for piece in _pieces(is_part[start : start + len(point.odds)])
     ]
 
 
 def _rows(lengths: Sequence[float]) -> npt.NDArray[np.bool_]:
     """(n,) whether each run of a line goes on a row of dashes with the one before it."""
-    own = np.asarray(lengths)
-    alike = np.maximum(own[1:], own[:-1]) <= _ALIKE * np.minimum(own[1:], own[:-1])
+    values = np.asarray(lengths)
+    alike = np.maximum(values[1:], values[:-1]) <= _ALIKE * np.minimum(values[1:], values[:-1])
     # Two of equal length may be anything; three are a row.
-    beside = np.pad(alike, 1)
-    return np.concatenate([[False], alike & (beside[:-2] | beside[2:])])
+    adjacent = np.pad(alike, 1)
+    return np.concatenate([[False], alike & (adjacent[:-2] | adjacent[2:])])
 
 
 def _with_row_linetypes(points: list[_Points], rows: npt.NDArray[np.bool_]) -> list[_Points]:
@@ -188,11 +188,11 @@ def _with_row_linetypes(points: list[_Points], rows: npt.NDArray[np.bool_]) -> l
         log_p = np.concatenate([points[k].log_p for k in row])
         ratio = float(np.mean(log_p[:, InkClass.HIDDEN] - log_p[:, InkClass.VISIBLE]))
         for k in row:
-            own = points[k].log_p.copy()
-            both = np.logaddexp(own[:, InkClass.VISIBLE], own[:, InkClass.HIDDEN])
-            own[:, InkClass.HIDDEN] = both - np.logaddexp(0.0, -ratio)
-            own[:, InkClass.VISIBLE] = both - np.logaddexp(0.0, ratio)
-            found[k] = replace(points[k], log_p=own)
+            item = points[k].log_p.copy()
+            both = np.logaddexp(item[:, InkClass.VISIBLE], item[:, InkClass.HIDDEN])
+            item[:, InkClass.HIDDEN] = both - np.logaddexp(0.0, -ratio)
+            item[:, InkClass.VISIBLE] = both - np.logaddexp(0.0, ratio)
+            found[k] = replace(points[k], log_p=item)
     return found
 
 
@@ -202,22 +202,22 @@ def _weighed(odds: Floats | float) -> Floats | float:
     return odds * np.abs(odds) / _CLIP
 
 
-def _cheapest(told: Floats, change: Floats) -> npt.NDArray[np.bool_]:
+def _cheapest(stated: Floats, change: Floats) -> npt.NDArray[np.bool_]:
     """(n,) whether each point is the part's.
 
     Args:
-        told: (n,) log-odds.
+        stated: (n,) log-odds.
         change: (n,) cost of a change between a point and the one before it.
     """
     # By how much being the part's costs less up to here; a change lowers it to what that costs.
     ahead = 0.0
     back = []
-    for own, cost in zip(told.tolist(), change.tolist(), strict=True):
+    for item, cost in zip(stated.tolist(), change.tolist(), strict=True):
         back.append((ahead > cost, ahead < -cost))
-        ahead = min(max(ahead, -cost), cost) + own
+        ahead = min(max(ahead, -cost), cost) + item
     state = int(ahead >= 0.0)
-    states = np.zeros(len(told), bool)
-    for k in range(len(told) - 1, -1, -1):
+    states = np.zeros(len(stated), bool)
+    for k in range(len(stated) - 1, -1, -1):
         states[k] = bool(state)
         if back[k][state]:
             state = 1 - state
@@ -232,21 +232,21 @@ def _pieces(states: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def _kept(
-    told: Floats, change: Floats, is_part: npt.NDArray[np.bool_], piece: tuple[int, int]
+    stated: Floats, change: Floats, is_part: npt.NDArray[np.bool_], piece: tuple[int, int]
 ) -> float:
     """By how much a piece costs less as it is than turned, all else as it is.
 
     Args:
-        told, change: as of :func:`_cheapest`.
+        stated, change: as of :func:`_cheapest`.
         is_part: (n,) what that found.
         piece: first and last index.
     """
     first, last = piece
     state = bool(is_part[first])
-    saved = float(told[first : last + 1].sum()) * (1.0 if state else -1.0)
+    saved = float(stated[first : last + 1].sum()) * (1.0 if state else -1.0)
     if first > 0:
         saved += float(change[first]) * (1.0 if bool(is_part[first - 1]) is state else -1.0)
-    if last + 1 < len(told):
+    if last + 1 < len(stated):
         saved += float(change[last + 1]) * (1.0 if bool(is_part[last + 1]) is state else -1.0)
     return saved
 
@@ -259,11 +259,11 @@ def _labelled(
     step = run.run.length / max(count - 1, 1)
     start = run.run.start + step * (first - 0.5 if first else 0)
     end = run.run.start + step * (last + 0.5) if last < count - 1 else run.run.end
-    own = slice(first, last + 1)
-    weights = points.weights[own] / points.weights[own].sum()
-    mean = weights @ points.log_p[own]
-    margin = float(weights @ points.odds[own])
-    network = float(weights @ points.network[own])
+    this_slice = slice(first, last + 1)
+    weights = points.weights[this_slice] / points.weights[this_slice].sum()
+    mean = weights @ points.log_p[this_slice]
+    margin = float(weights @ points.odds[this_slice])
+    network = float(weights @ points.network[this_slice])
     ink = likeliest(mean, part)
     why = Evidence.NETWORK
     if (margin > 0.0) is not part:

@@ -55,13 +55,13 @@ def related(shapes: Sequence[InkedShape], labelled: Labelled, stroke_width: floa
         labelled: the pieces of each.
         stroke_width: px.
     """
-    pieces = [own for each in labelled for own in each]
+    pieces = [run for each in labelled for run in each]
     if not pieces:
         return labelled
     points = [
-        points_along(shape.geometry, own.run.run, _STEP)
+        points_along(shape.geometry, run.run.run, _STEP)
         for shape, each in zip(shapes, labelled, strict=True)
-        for own in each
+        for run in each
     ]
     ends = _meetings(points, _REACH * stroke_width + _SPARE_PX)
     pieces = _of_one_figure(pieces, ends)
@@ -73,10 +73,10 @@ def related(shapes: Sequence[InkedShape], labelled: Labelled, stroke_width: floa
 def _meetings(points: Sequence[Floats], reach: float) -> list[tuple[list[int], list[int]]]:
     """For both ends of each piece the others that pass there."""
     every = np.concatenate(points)
-    owner = np.repeat(np.arange(len(points)), [len(own) for own in points])
+    owner = np.repeat(np.arange(len(points)), [len(point) for point in points])
     tree = cKDTree(every)
-    firsts = tree.query_ball_point(np.array([own[0] for own in points]), reach)
-    lasts = tree.query_ball_point(np.array([own[-1] for own in points]), reach)
+    firsts = tree.query_ball_point(np.array([point[0] for point in points]), reach)
+    lasts = tree.query_ball_point(np.array([point[-1] for point in points]), reach)
     return [
         tuple(sorted(set(owner[near].tolist()) - {k}) for near in both)
         for k, both in enumerate(zip(firsts, lasts, strict=True))
@@ -88,7 +88,7 @@ def _of_one_figure(
 ) -> list[LabelledRun]:
     """Pieces of a view or a pictorial, as most of what hangs together with them is."""
     kinds = (*PART, InkClass.PICTORIAL)
-    figure = np.array([own.ink in kinds for own in pieces])
+    figure = np.array([piece.ink in kinds for piece in pieces])
     pairs = [(k, j) for k, both in enumerate(ends) for near in both for j in near]
     pairs = [(k, j) for k, j in pairs if figure[k] and figure[j]]
     groups = _components(len(pieces), pairs)
@@ -124,17 +124,17 @@ def _without_loose_ends(
     # What the rest of its line decided against its own ink stays as it is.
     doubtful = {
         k
-        for k, own in enumerate(pieces)
-        if abs(own.margin) <= _DOUBTFUL and own.is_part is (own.margin > 0.0)
+        for k, piece in enumerate(pieces)
+        if abs(piece.margin) <= _DOUBTFUL and piece.is_part is (piece.margin > 0.0)
     }
-    part = [own.is_part for own in pieces]
+    part = [piece.is_part for piece in pieces]
     pairs = [
         (k, j) for k in doubtful for near in ends[k] for j in near if j in doubtful and not part[j]
     ]
     pairs = [(k, j) for k, j in pairs if not part[k]]
     groups = _components(len(pieces), pairs)
     chosen = [{k} for k in doubtful]
-    chosen += [own for group in _members(groups) if len(own := set(group) & doubtful) > 1]
+    chosen += [items for group in _members(groups) if len(items := set(group) & doubtful) > 1]
 
     def looseness(near: Sequence[int]) -> float:
         if any(part[j] for j in near):
@@ -182,8 +182,8 @@ def _without_loose_ends(
         for number in {number for k in changed for number in asking[k]}:
             gains[number] = saved(number)
     return [
-        own if own.is_part is state else own.turned(supports.get(k))
-        for k, (own, state) in enumerate(zip(pieces, part, strict=True))
+        piece if piece.is_part is state else piece.turned(supports.get(k))
+        for k, (piece, state) in enumerate(zip(pieces, part, strict=True))
     ]
 
 
@@ -191,7 +191,7 @@ def _members(groups: npt.NDArray[np.int32]) -> list[list[int]]:
     """The members of each group, ascending, by the groups' numbers."""
     order = np.argsort(groups, kind="stable")
     starts = np.flatnonzero(np.diff(groups[order])) + 1
-    return [own.tolist() for own in np.split(order, starts)]
+    return [values.tolist() for values in np.split(order, starts)]
 
 
 def _components(count: int, pairs: Sequence[tuple[int, int]]) -> npt.NDArray[np.int32]:

@@ -74,10 +74,10 @@ def learnt_colours(
     pens = np.where(tint > 0, hues + 1, 0).astype(np.uint8)
     part, rest = np.zeros(_PENS + 1), np.zeros(_PENS + 1)
     for shape, pieces in zip(shapes, labelled, strict=True):
-        for own in pieces:
-            if abs(own.margin) >= SURE:
-                into = part if own.is_part else rest
-                into[_pen_of(pens, shape, own.run)] += own.run.run.length
+        for piece in pieces:
+            if abs(piece.margin) >= SURE:
+                into = part if piece.is_part else rest
+                into[_pen_of(pens, shape, piece.run)] += piece.run.run.length
     sure = part + rest
     known = sure >= _LEAST * stroke_width
     if known.sum() < 2:

@@ -70,9 +70,9 @@ class Pens:
         along = np.interp(np.linspace(0.0, 1.0, len(log_p)), at[known], widths[known])
         seen = np.interp(np.linspace(0.0, 1.0, len(log_p)), at, known.astype(float))
         middle, half = 0.5 * (self.thick + self.thin), 0.5 * (self.thick - self.thin)
-        told = _TELLS * np.clip((along - middle) / half, -1.0, 1.0) * seen
+        stated = _TELLS * np.clip((along - middle) / half, -1.0, 1.0) * seen
         visible = 1.0 / (1.0 + np.exp(log_p[:, InkClass.HIDDEN] - log_p[:, InkClass.VISIBLE]))
-        return np.where(told < 0.0, told * visible, told)
+        return np.where(stated < 0.0, stated * visible, stated)
 
 
 def learnt_pens(
@@ -90,14 +90,14 @@ def learnt_pens(
     thick: list[float] = []
     thin: list[float] = []
     for shape, pieces in zip(shapes, labelled, strict=True):
-        for own in pieces:
-            known = abs(own.margin) >= SURE and own.run.run.length >= _LONG * sheet.stroke_width
-            if known and own.ink in (InkClass.VISIBLE, *_THIN):
-                width = run_width(sheet, shape.geometry, own.run.run)
-                (thick if own.is_part else thin).append(width)
+        for piece in pieces:
+            known = abs(piece.margin) >= SURE and piece.run.run.length >= _LONG * sheet.stroke_width
+            if known and piece.ink in (InkClass.VISIBLE, *_THIN):
+                width = run_width(sheet, shape.geometry, piece.run.run)
+                (thick if piece.is_part else thin).append(width)
     if not thick and not thin:
         thick, thin = _by_width_alone(sheet, shapes)
-    thick, thin = ([own for own in each if np.isfinite(own)] for each in (thick, thin))
+    thick, thin = ([value for value in each if np.isfinite(value)] for each in (thick, thin))
     if min(len(thick), len(thin)) < _LEAST:
         return None
     wide, narrow = float(np.median(thick)), float(np.median(thin))
@@ -112,10 +112,10 @@ def _by_width_alone(
     the least variance within both (Otsu 1979)."""
     widths = np.sort(
         [
-            own.width
+            run.width
             for shape in shapes
-            for own in shape.runs
-            if own.width is not None and own.run.length >= _LONG * sheet.stroke_width
+            for run in shape.runs
+            if run.width is not None and run.run.length >= _LONG * sheet.stroke_width
         ]
     )
     if len(widths) < 2 * _LEAST:

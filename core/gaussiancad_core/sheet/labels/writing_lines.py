@@ -39,7 +39,7 @@ def written_lines(letters: Sequence[Box], pitch: float = 0.0) -> list[Box]:
             space, narrow ones stand apart.
     """
     groups = written_groups(letters, pitch)
-    return [_around(np.array([letters[k] for k in own])) for own in groups]
+    return [_around(np.array([letters[k] for k in this_groups])) for this_groups in groups]
 
 
 def written_groups(letters: Sequence[Box], pitch: float = 0.0) -> list[list[int]]:
@@ -59,7 +59,7 @@ def written_groups(letters: Sequence[Box], pitch: float = 0.0) -> list[list[int]
     turned = looked[alone]
     ways = ((looked[~alone], level[~alone]), (turned, _groups(_turned(boxes[turned]), pitch)))
     return [
-        numbers[groups == own].tolist() for numbers, groups in ways for own in np.unique(groups)
+        numbers[groups == item].tolist() for numbers, groups in ways for item in np.unique(groups)
     ]
 
 

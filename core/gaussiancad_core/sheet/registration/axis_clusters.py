@@ -107,8 +107,8 @@ def _matched(seen: SeenCoordinates, fit: AxisFit, limits: Limits) -> AxisFit:
     common = fit.common(seen)
     low = max(float(common[seen.view == v].min()) for v in np.unique(seen.view))
     high = min(float(common[seen.view == v].max()) for v in np.unique(seen.view))
-    own = Limits(limits.apart, fit.reach, limits.finest)
-    cluster = clustered(SeenCoordinates(common, seen.weight, seen.view), own, (low, high))
+    this_limits = Limits(limits.apart, fit.reach, limits.finest)
+    cluster = clustered(SeenCoordinates(common, seen.weight, seen.view), this_limits, (low, high))
     return AxisFit(fit.gain, fit.shift, cluster, fit.reach)
 
 

@@ -37,10 +37,10 @@ def axis_residual(
     away = []
     coordinates = 0
     for cluster, level in enumerate(levels):
-        own = fit.cluster == cluster
-        views = np.unique(seen.view[own])
+        item = fit.cluster == cluster
+        views = np.unique(seen.view[item])
         coordinates += len(views) > 1
         for view in views if len(views) > 1 else ():
-            of = own & (seen.view == view)
+            of = item & (seen.view == view)
             away.append(abs(float(np.average(common[of], weights=seen.weight[of])) - level))
     return Residual(float(np.median(away)), float(max(away)), coordinates) if away else None

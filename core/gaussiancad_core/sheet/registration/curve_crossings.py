@@ -13,23 +13,23 @@ _FLAT = 0.09
 """Sine of the flattest angle at which two lines cross in a point that is known."""
 
 
-def crossings(own: Round | Slant, direction: int, value: float, touch: float) -> list[float]:
+def crossings(slant: Round | Slant, direction: int, value: float, touch: float) -> list[float]:
     """The other coordinates at which a support has ``value`` in a direction.
 
     A circle that comes within ``touch`` px of the value touches it.
     """
-    if isinstance(own, Slant):
-        way = own.line.direction
+    if isinstance(slant, Slant):
+        way = slant.line.direction
         if abs(way[direction]) < _FLAT:
             return []
-        along = (value - own.line.point[direction]) / way[direction]
-        return [own.line.point[1 - direction] + along * way[1 - direction]]
-    away, middle = value - own.centre[direction], own.centre[1 - direction]
-    if abs(abs(away) - own.radius) <= touch:
+        along = (value - slant.line.point[direction]) / way[direction]
+        return [slant.line.point[1 - direction] + along * way[1 - direction]]
+    away, middle = value - slant.centre[direction], slant.centre[1 - direction]
+    if abs(abs(away) - slant.radius) <= touch:
         return [middle]
-    if abs(away) > own.radius:
+    if abs(away) > slant.radius:
         return []
-    half = float(np.sqrt(own.radius**2 - away**2))
+    half = float(np.sqrt(slant.radius**2 - away**2))
     return [middle - half, middle + half]
 
 

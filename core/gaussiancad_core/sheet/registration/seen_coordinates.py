@@ -162,10 +162,10 @@ class SeenByViews:
         extents = [
             extent
             for index in self.showing(axis)
-            for (own, _), extent in zip(
+            for (this_axis, _), extent in zip(
                 self.views[index].axes, self.views[index].extents, strict=True
             )
-            if own is axis
+            if this_axis is axis
         ]
         return fit_axis(self.on(axis), np.array(extents), self.limits)
 

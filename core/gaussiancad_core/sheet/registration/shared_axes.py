@@ -99,13 +99,13 @@ def share_axes(views: Sequence[PlaneView]) -> SharedAxes:
     )
     shifted = tuple(
         ViewMap(
-            own.gain,
+            view_map.gain,
             tuple(
                 shift - unknowns.zero[axis]
-                for shift, (axis, _) in zip(own.shift, view.axes, strict=True)
+                for shift, (axis, _) in zip(view_map.shift, view.axes, strict=True)
             ),
         )
-        for own, view in zip(maps, views, strict=True)
+        for view_map, view in zip(maps, views, strict=True)
     )
     residuals = {
         axis: found
@@ -185,8 +185,8 @@ class _Unknowns:
             self._weights.append(1e-3)
         circles = [
             (view, number)
-            for view, own in enumerate(self._seen.supported)
-            for number, support in enumerate(own.supports)
+            for view, strokes in enumerate(self._seen.supported)
+            for number, support in enumerate(strokes.supports)
             if isinstance(support, Round)
         ]
         values = np.array([self._raw_radius(*circle) for circle in circles])
@@ -196,16 +196,16 @@ class _Unknowns:
         far = _UNSURE_REACH * limits.apart
         sure = weights >= 1.0 / limits.finest**2
         for group, reach in ((sure, near), (~sure, max(far, near))):
-            own = np.flatnonzero(group)
-            if not len(own):
+            row = np.flatnonzero(group)
+            if not len(row):
                 continue
-            of = np.zeros(len(own), int)
-            told = SeenCoordinates(values[own], weights[own], of)
-            cluster = clustered(told, Limits(reach, reach, reach))
-            for index, number in zip(own, cluster, strict=True):
+            of = np.zeros(len(row), int)
+            coordinates = SeenCoordinates(values[row], weights[row], of)
+            cluster = clustered(coordinates, Limits(reach, reach, reach))
+            for index, number in zip(row, cluster, strict=True):
                 self._radius[circles[index]] = len(self._start) + int(number)
-            self._start += averages(values[own], weights[own], cluster).tolist()
-            self._weights += np.bincount(cluster, weights=weights[own]).tolist()
+            self._start += averages(values[row], weights[row], cluster).tolist()
+            self._weights += np.bincount(cluster, weights=weights[row]).tolist()
 
     def _circle(self, view: int, support: int) -> Round:
         found = self._seen.supported[view].supports[support]
@@ -216,9 +216,9 @@ class _Unknowns:
     def _centre(self, source: CoordinateSource) -> float:
         """Of a circle, on the shared axis as its view has it."""
         sign = self._seen.views[source.view].axes[source.direction][1]
-        own = self._maps[source.view]
+        view_map = self._maps[source.view]
         centre = sign * self._circle(source.view, source.support).centre[source.direction]
-        return own.gain[source.direction] * centre + own.shift[source.direction]
+        return view_map.gain[source.direction] * centre + view_map.shift[source.direction]
 
     def _raw_radius(self, view: int, support: int) -> float:
         return self._circle(view, support).radius * float(np.mean(self._maps[view].gain))
@@ -262,21 +262,24 @@ class _Unknowns:
                     else None
                 )
                 if not isinstance(support, Round):
-                    own = self._maps[source.view]
-                    at = own.gain[source.direction] * seen.at[index] + own.shift[source.direction]
+                    view_map = self._maps[source.view]
+                    at = (
+                        view_map.gain[source.direction] * seen.at[index]
+                        + view_map.shift[source.direction]
+                    )
                     number = self._number[source]
                     information[number, number] += seen.weight[index]
                     pull[number] += seen.weight[index] * at
 
     def _observe_circle(self, view: int, support: int, information: Floats, pull: Floats) -> None:
-        circle, own = self._circle(view, support), self._seen.views[view]
-        signs = np.array([own.axes[0][1], own.axes[1][1], 1])
-        told = circle.information * np.outer(signs, signs) / own.precision.noise**2
+        circle, plane_view = self._circle(view, support), self._seen.views[view]
+        signs = np.array([plane_view.axes[0][1], plane_view.axes[1][1], 1])
+        stated = circle.information * np.outer(signs, signs) / plane_view.precision.noise**2
         sources = [CoordinateSource(view, direction, support) for direction in (0, 1)]
         where = np.array([*(self._number[s] for s in sources), self._radius[view, support]])
         seen = np.array([*(self._centre(s) for s in sources), self._raw_radius(view, support)])
-        information[np.ix_(where, where)] += told
-        pull[where] += told @ seen
+        information[np.ix_(where, where)] += stated
+        pull[where] += stated @ seen
 
     def _ties(self) -> list[Tie]:
         ties = [
@@ -292,7 +295,7 @@ class _Unknowns:
         return list(dict.fromkeys(ties))
 
 
-def _on_shared(own: SupportedStrokes, view: PlaneView, place: ViewMap) -> SupportedStrokes:
+def _on_shared(strokes: SupportedStrokes, view: PlaneView, place: ViewMap) -> SupportedStrokes:
     """A view's strokes and supports on the shared axes, as its map has them."""
     signs = np.array([sign for _, sign in view.axes], dtype=float)
     gain, shift = np.array(place.gain), signs * np.array(place.shift)
@@ -326,14 +329,14 @@ def _on_shared(own: SupportedStrokes, view: PlaneView, place: ViewMap) -> Suppor
         return replace(support, centre=moved(support.centre), radius=scale * support.radius)
 
     return SupportedStrokes(
-        tuple(stroke_moved(stroke) for stroke in own.strokes),
-        tuple(support_moved(support) for support in own.supports),
-        own.of,
+        tuple(stroke_moved(stroke) for stroke in strokes.strokes),
+        tuple(support_moved(support) for support in strokes.supports),
+        strokes.of,
     )
 
 
 def _settled(
-    unknowns: _Unknowns, view: PlaneView, index: int, own: SupportedStrokes
+    unknowns: _Unknowns, view: PlaneView, index: int, supported_strokes: SupportedStrokes
 ) -> tuple[Stroke, ...]:
     """The strokes of a view at the shared coordinates."""
     signs = [sign for _, sign in view.axes]
@@ -361,9 +364,12 @@ def _settled(
     levels = tuple(np.sort(sign * unknowns.levels[axis]) for axis, sign in view.axes)
     grid = Grid((levels[0], levels[1]), view.precision)
     settled = SupportedStrokes(
-        tuple(_translated(stroke, -zeros) for stroke in own.strokes),
-        tuple(support_settled(number, support) for number, support in enumerate(own.supports)),
-        own.of,
+        tuple(_translated(stroke, -zeros) for stroke in supported_strokes.strokes),
+        tuple(
+            support_settled(number, support)
+            for number, support in enumerate(supported_strokes.supports)
+        ),
+        supported_strokes.of,
     )
     strokes = settled_strokes(settled, grid)
     return tuple(

@@ -122,7 +122,9 @@ def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> SupportedS
                 known.add(number, stroke)
         groups[number].append(index)
         of.append(number)
-    supports = tuple(_support([strokes[i] for i in own], precision) for own in groups)
+    supports = tuple(
+        _support([strokes[i] for i in this_groups], precision) for this_groups in groups
+    )
     return SupportedStrokes(strokes, supports, tuple(of))
 
 
@@ -162,8 +164,8 @@ def _alike(
     ends = others.reshape(-1, 2, 2)
     ways = ends[:, 1] - ends[:, 0]
     ways = ways / np.maximum(np.hypot(*ways.T), 1e-12)[:, None]
-    own = np.array(_line(stroke).direction)
-    sine = np.abs(ways[:, 0] * own[1] - ways[:, 1] * own[0])
+    values = np.array(_line(stroke).direction)
+    sine = np.abs(ways[:, 0] * values[1] - ways[:, 1] * values[0])
     offsets = np.array([stroke.start, stroke.end])[:, None] - ends[:, 0]
     across = np.abs(offsets[..., 1] * ways[:, 0] - offsets[..., 0] * ways[:, 1])
     return (sine <= _TURN) & (across.max(axis=0) <= apart)
@@ -203,11 +205,11 @@ def _support(strokes: list[Stroke], precision: Precision) -> Support:
         low, high = segments[0].start[fixed], segments[0].end[fixed]
         lean = abs(high - low) / (_LEANING * precision.noise)
         return AxisLine(fixed, (low + high) / 2.0, weight / (1.0 + lean**2))
-    longest = max(segments, key=lambda own: own.length)
+    longest = max(segments, key=lambda segment: segment.length)
     if len(segments) == 1:
         return Slant(_line(longest), weight)
-    ends = np.array([point for own in segments for point in (own.start, own.end)])
-    weights = np.repeat([own.length for own in segments], 2)
+    ends = np.array([point for segment in segments for point in (segment.start, segment.end)])
+    weights = np.repeat([segment.length for segment in segments], 2)
     middle = np.average(ends, axis=0, weights=weights)
     offset = (ends - middle) * np.sqrt(weights)[:, None]
     way = np.linalg.svd(offset, full_matrices=False)[2][0]

@@ -45,9 +45,9 @@ class ViewEvidence:
     @cached_property
     def segments(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.bool_]]:
         """(n, 2, 2) ends of the straight strokes, and (n,) whether they are hidden."""
-        straight = [own for own in self.strokes if isinstance(own, Segment)]
-        ends = np.array([(own.start, own.end) for own in straight]).reshape(-1, 2, 2)
-        return ends, np.array([own.linetype is Linetype.HIDDEN for own in straight], bool)
+        straight = [stroke for stroke in self.strokes if isinstance(stroke, Segment)]
+        ends = np.array([(item.start, item.end) for item in straight]).reshape(-1, 2, 2)
+        return ends, np.array([item.linetype is Linetype.HIDDEN for item in straight], bool)
 
 
 Extent = dict[Axis, tuple[float, float]]
@@ -124,13 +124,13 @@ def _wall_samples(
     ends = {0: (x0, x1), 1: (y1, y0)}
     axes = (frame.right_axis, frame.up_axis)
     down_the_sheet = axes[1][0] is depth_axis
-    own, other = (1, 0) if down_the_sheet else (0, 1)
+    number, other = (1, 0) if down_the_sheet else (0, 1)
 
     def placed(index: int, at: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         low, high = ends[index] if axes[index][1] > 0 else ends[index][::-1]
         return low + at * (high - low)
 
-    depth = placed(own, samples)
+    depth = placed(number, samples)
     position = float(placed(other, np.array([fraction]))[0])
     level = np.full_like(depth, position)
     xs, ys = (level, depth) if down_the_sheet else (depth, level)

@@ -75,18 +75,18 @@ class Grid:
         return nearest if abs(nearest - value) <= allowed else value
 
 
-def settled_strokes(own: SupportedStrokes, grid: Grid) -> tuple[Stroke, ...]:
+def settled_strokes(strokes: SupportedStrokes, grid: Grid) -> tuple[Stroke, ...]:
     """The strokes with their ends at common vertices.
 
     Args:
-        own: lines along axes and circles as they are to stay.
+        strokes: lines along axes and circles as they are to stay.
         grid: coordinates for ends that nothing else tells.
     """
-    vertices = _vertices(own, grid.precision)
-    supports = list(own.supports)
-    places = [_place(vertex, own, grid, slanted=False) for vertex in vertices]
+    vertices = _vertices(strokes, grid.precision)
+    supports = list(strokes.supports)
+    places = [_place(vertex, strokes, grid, slanted=False) for vertex in vertices]
     strokes_on: dict[int | None, list[Stroke]] = defaultdict(list)
-    for stroke, number in zip(own.strokes, own.of, strict=True):
+    for stroke, number in zip(strokes.strokes, strokes.of, strict=True):
         strokes_on[number].append(stroke)
     ends_on: dict[int, list[tuple[Vertex, Point | None]]] = defaultdict(list)
     for vertex, place in zip(vertices, places, strict=True):
@@ -94,13 +94,13 @@ def settled_strokes(own: SupportedStrokes, grid: Grid) -> tuple[Stroke, ...]:
             ends_on[number].append((vertex, place))
     for number, support in enumerate(supports):
         if isinstance(support, Slant):
-            supports[number] = _relaid(number, own, (strokes_on[number], ends_on[number]), grid)
-    own = replace(own, supports=tuple(supports))
+            supports[number] = _relaid(number, strokes, (strokes_on[number], ends_on[number]), grid)
+    strokes = replace(strokes, supports=tuple(supports))
     ends: dict[tuple[int, int], Point] = {}
     for vertex, known in zip(vertices, places, strict=True):
-        place = known or _place(vertex, own, grid, slanted=True) or vertex.place
+        place = known or _place(vertex, strokes, grid, slanted=True) or vertex.place
         ends.update(dict.fromkeys(vertex.ends, place))
-    return tuple(_settled(own, index, ends) for index in range(len(own.strokes)))
+    return tuple(_settled(strokes, index, ends) for index in range(len(strokes.strokes)))
 
 
 def end_points(stroke: Stroke) -> tuple[Point, Point] | None:
@@ -115,14 +115,14 @@ def end_points(stroke: Stroke) -> tuple[Point, Point] | None:
     return None
 
 
-def _vertices(own: SupportedStrokes, precision: Precision) -> list[Vertex]:
+def _vertices(strokes: SupportedStrokes, precision: Precision) -> list[Vertex]:
     """Ends that lie together, and what passes there."""
     from scipy.spatial import cKDTree
 
     keys: list[tuple[int, int]] = []
     points: list[Point] = []
-    for index, stroke in enumerate(own.strokes):
-        ends = end_points(stroke) if own.of[index] is not None else None
+    for index, stroke in enumerate(strokes.strokes):
+        ends = end_points(stroke) if strokes.of[index] is not None else None
         if ends is not None:
             keys += [(index, 0), (index, 1)]
             points += ends
@@ -144,21 +144,21 @@ def _vertices(own: SupportedStrokes, precision: Precision) -> list[Vertex]:
             group[index] = first
         members[first] += members.pop(second)
     places = {number: at[held].mean(axis=0) for number, held in members.items()}
-    through = _passing(own, np.array(list(places.values())), precision.ends)
+    through = _passing(strokes, np.array(list(places.values())), precision.ends)
     return [
         Vertex(
             tuple(keys[i] for i in held),
-            tuple(dict.fromkeys([*(own.of[keys[i][0]] for i in held), *crossing])),
+            tuple(dict.fromkeys([*(strokes.of[keys[i][0]] for i in held), *crossing])),
             (float(places[number][0]), float(places[number][1])),
         )
         for (number, held), crossing in zip(members.items(), through, strict=True)
     ]
 
 
-def _passing(own: SupportedStrokes, places: Floats, reach: float) -> list[list[int]]:
+def _passing(strokes: SupportedStrokes, places: Floats, reach: float) -> list[list[int]]:
     """For each of (n, 2) places the supports of strokes that run through it."""
     found: list[list[int]] = [[] for _ in places]
-    for stroke, support in zip(own.strokes, own.of, strict=True):
+    for stroke, support in zip(strokes.strokes, strokes.of, strict=True):
         if support is None:
             continue
         if isinstance(stroke, Segment):
@@ -179,17 +179,17 @@ def _passing(own: SupportedStrokes, places: Floats, reach: float) -> list[list[i
     return found
 
 
-def _place(vertex: Vertex, own: SupportedStrokes, grid: Grid, slanted: bool) -> Point | None:
+def _place(vertex: Vertex, strokes: SupportedStrokes, grid: Grid, slanted: bool) -> Point | None:
     """Where the supports of a vertex meet.
 
     Args:
         vertex: the ends.
-        own: with the supports as they are known.
+        strokes: with the supports as they are known.
         grid: coordinates for ends that nothing else tells.
         slanted: whether slanted lines are settled; without them, None where they are needed and
             no settled coordinate is near.
     """
-    supports = [own.supports[number] for number in vertex.supports]
+    supports = [strokes.supports[number] for number in vertex.supports]
     fixed: list[float | None] = [None, None]
     for direction in (0, 1):
         lines = [s.at for s in supports if isinstance(s, AxisLine) and s.fixed == direction]
@@ -241,7 +241,7 @@ def _on_axis_line(
         return (value, other) if direction == 0 else (other, value)
 
     found = [
-        point(other) for own in crossing for other in crossings(own, direction, value, grid.touch)
+        point(other) for item in crossing for other in crossings(item, direction, value, grid.touch)
     ]
     near = nearest(found, place, 2.0 * grid.precision.ends)
     if near is not None:
@@ -249,36 +249,36 @@ def _on_axis_line(
     return point(grid.snapped(1 - direction, place[1 - direction]))
 
 
-def _free_end(own: Round | Slant, place: Point, grid: Grid) -> Point:
+def _free_end(this_round: Round | Slant, place: Point, grid: Grid) -> Point:
     """An end that meets nothing: where its support has a settled coordinate, else as it was."""
     found: list[Point] = []
     for direction in (0, 1):
         value = grid.snapped(direction, place[direction])
         if value == place[direction]:
             continue
-        for other in crossings(own, direction, value, grid.touch):
+        for other in crossings(this_round, direction, value, grid.touch):
             found.append((value, other) if direction == 0 else (other, value))
     near = nearest(found, place, grid.precision.ends)
     if near is None:
-        return _foot(own, place)
+        return _foot(this_round, place)
     # A corner of two settled coordinates, if the support leads there.
     corner = grid.snapped(0, near[0]), grid.snapped(1, near[1])
     away = np.hypot(corner[0] - near[0], corner[1] - near[1])
     return corner if away <= grid.precision.limits.apart else near
 
 
-def _foot(own: Round | Slant, place: Point) -> Point:
+def _foot(slant: Round | Slant, place: Point) -> Point:
     """The point of a support next to a place."""
-    if isinstance(own, Slant):
-        return own.line.at(float(own.line.coordinates(np.array([place]))[0][0]))
-    offset = np.subtract(place, own.centre)
-    point = np.array(own.centre) + offset * (own.radius / max(float(np.hypot(*offset)), 1e-12))
+    if isinstance(slant, Slant):
+        return slant.line.at(float(slant.line.coordinates(np.array([place]))[0][0]))
+    offset = np.subtract(place, slant.centre)
+    point = np.array(slant.centre) + offset * (slant.radius / max(float(np.hypot(*offset)), 1e-12))
     return float(point[0]), float(point[1])
 
 
 def _relaid(
     number: int,
-    own: SupportedStrokes,
+    supported_strokes: SupportedStrokes,
     on_it: tuple[Sequence[Stroke], Sequence[tuple[Vertex, Point | None]]],
     grid: Grid,
 ) -> Slant:
@@ -286,11 +286,11 @@ def _relaid(
 
     Args:
         number: of the line among the supports.
-        own: the strokes of the view, as they were supported before.
+        supported_strokes: the strokes of the view, as they were supported before.
         on_it: strokes of the line, and the vertices there with their settled places.
         grid: coordinates for ends that nothing else tells.
     """
-    slant = own.supports[number]
+    slant = supported_strokes.supports[number]
     strokes, own_vertices = on_it
     raw = np.array([point for s in strokes for point in (end_points(s) or ())])
     along, _ = slant.line.coordinates(raw)
@@ -300,7 +300,7 @@ def _relaid(
         vertex, place = min(
             own_vertices, key=lambda pair: float(np.hypot(*np.subtract(pair[0].place, end)))
         )
-        circles = (own.supports[index] for index in vertex.supports)
+        circles = (supported_strokes.supports[index] for index in vertex.supports)
         touched = _touched(circles, slant.line, grid.touch)
         held.append(touched or (place or _foot(slant, (float(end[0]), float(end[1]))), 0.0))
     line = _tangent(*held, slant.line)
@@ -360,10 +360,10 @@ def _settled_segment(
     return replace(segment, start=start, end=end)
 
 
-def _settled(own: SupportedStrokes, index: int, ends: dict[tuple[int, int], Point]) -> Stroke:
+def _settled(strokes: SupportedStrokes, index: int, ends: dict[tuple[int, int], Point]) -> Stroke:
     """A stroke on its support, with the ends of its vertices."""
-    stroke, number = own.strokes[index], own.of[index]
-    support = own.supports[number] if number is not None else None
+    stroke, number = strokes.strokes[index], strokes.of[index]
+    support = strokes.supports[number] if number is not None else None
     if isinstance(stroke, Segment):
         return _settled_segment(stroke, support, (ends[index, 0], ends[index, 1]))
     if not isinstance(stroke, Arc) or not isinstance(support, Round):

@@ -151,9 +151,9 @@ def _fillings(
             cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
             yield closed, filled
         # Discs on both sides of two ends before a corner overlap, though none comes through.
-        beside = cv2.dilate(padded, kernel)
-        cv2.floodFill(beside, None, (0, 0), 2)
-        outside = cv2.dilate((beside == 2).astype(np.uint8), kernel)
+        adjacent = cv2.dilate(padded, kernel)
+        cv2.floodFill(adjacent, None, (0, 0), 2)
+        outside = cv2.dilate((adjacent == 2).astype(np.uint8), kernel)
         yield closed, np.ascontiguousarray(1 - outside[inner])
 
 

@@ -216,20 +216,20 @@ def axis_extents(boxes: dict[Role, Box], unseen: Axis | None = None) -> AxisExte
     for axis, by_role in seen.items():
         longest, shortest = max(by_role.values()), min(by_role.values())
         if longest - shortest > max(_CONTRADICTION * longest, 3.0):
-            told = ", ".join(f"{role.value} {px:.0f} px" for role, px in by_role.items())
+            text = ", ".join(f"{role.value} {px:.0f} px" for role, px in by_role.items())
             raise NoModelError(
                 "views-contradict",
                 "the views disagree about the part's extent along {axis} ({extents}): "
                 "check that they show one part at one scale, or name them with --view",
                 boxes=[boxes[role] for role in by_role],
                 axis=axis.name,
-                extents=told,
+                extents=text,
                 views=", ".join(role.value for role in by_role),
                 percent=round(100 * (1.0 - shortest / longest)),
             )
     known = {axis: list(seen[axis].values()) for axis in Axis if axis in seen}
-    extents = {axis: float(np.mean(own)) for axis, own in known.items()}
-    spread = {axis: max(own) - min(own) for axis, own in known.items()}
+    extents = {axis: float(np.mean(items)) for axis, items in known.items()}
+    spread = {axis: max(items) - min(items) for axis, items in known.items()}
     return AxisExtents(extents, spread)
 
 
@@ -243,12 +243,14 @@ def placement(role: Role, box: Box, size: tuple[float, float, float]) -> Placeme
     return Placement(role, box, interval(*role.frame.right_axis), interval(*role.frame.up_axis))
 
 
-def shared_placement(plain: Placement, own: ViewMap, size: tuple[float, float, float]) -> Placement:
+def shared_placement(
+    plain: Placement, view_map: ViewMap, size: tuple[float, float, float]
+) -> Placement:
     """Where a view lies in its plane once the axes are shared.
 
     Args:
         plain: its box in its plane, in px of its own extents.
-        own: its place on the shared axes.
+        view_map: its place on the shared axes.
         size: of the part in px.
     """
     shared = placement(plain.role, plain.box, size)
@@ -256,7 +258,9 @@ def shared_placement(plain: Placement, own: ViewMap, size: tuple[float, float, f
     signs = np.array([frame.right_axis[1], frame.up_axis[1]])
     corners = np.array([[shared.right[0], shared.up[0]], [shared.right[1], shared.up[1]]])
     # Where the ends of the shared axes were on the view's own.
-    (x0, y1), (x1, y0) = plain.to_sheet((corners - signs * own.shift) / np.array(own.gain))
+    (x0, y1), (x1, y0) = plain.to_sheet(
+        (corners - signs * view_map.shift) / np.array(view_map.gain)
+    )
     box = (float(x0), float(y0), float(x1), float(y1))
     return Placement(plain.role, box, shared.right, shared.up)
 

@@ -36,17 +36,17 @@ def sections_beside(
         return layout, ()
     special: list[SpecialView] = []
     found: list[ReadView] = []
-    for own in layout.special:
+    for special_view in layout.special:
         role = None
-        if own.kind in SECTIONS and not own.used:
-            looks = next((looks for box, looks in named if overlap(box, own.box)), None)
-            role = _role_of(own.box, looks, layout)
+        if special_view.kind in SECTIONS and not special_view.used:
+            looks = next((looks for box, looks in named if overlap(box, special_view.box)), None)
+            role = _role_of(special_view.box, looks, layout)
         if role is None:
-            special.append(own)
+            special.append(special_view)
             continue
-        (view,) = read(replace(layout, boxes={role: own.box}))
-        found.append(cut_open(view, own, hatched))
-        special.append(replace(own, used=True, beside=True))
+        (view,) = read(replace(layout, boxes={role: special_view.box}))
+        found.append(cut_open(view, special_view, hatched))
+        special.append(replace(special_view, used=True, adjacent=True))
     return replace(layout, special=tuple(special)), tuple(found)
 
 

@@ -68,13 +68,13 @@ def find_breaks(ink: Mask, clusters: Sequence[Box], stroke_width: float) -> list
     """
     found = []
     for upright in (False, True):
-        own = ink.T if upright else ink
+        values = ink.T if upright else ink
         boxes = [_swapped(box) if upright else box for box in clusters]
         for k, one in enumerate(boxes):
             for j, other in enumerate(boxes):
                 if k == j or not _face(one, other):
                     continue
-                lines = _break_lines(own, one, other, stroke_width)
+                lines = _break_lines(values, one, other, stroke_width)
                 if lines is not None:
                     box = (
                         one[0],
@@ -101,8 +101,8 @@ def may_be_broken(ink: Mask, clusters: Sequence[Box]) -> bool:
         clusters: boxes of what may be halves.
     """
     return any(
-        _face(one, other) and not _is_edge(own, one, 2) and not _is_edge(own, other, 0)
-        for own, boxes in ((ink, clusters), (ink.T, [_swapped(box) for box in clusters]))
+        _face(one, other) and not _is_edge(values, one, 2) and not _is_edge(values, other, 0)
+        for values, boxes in ((ink, clusters), (ink.T, [_swapped(box) for box in clusters]))
         for one, other in permutations(boxes, 2)
     )
 
@@ -122,8 +122,8 @@ def _face(one: Box, other: Box) -> bool:
     """Whether one box stands close to the left of another, beside it."""
     heights = one[3] - one[1], other[3] - other[1]
     shared = min(one[3], other[3]) - max(one[1], other[1])
-    beside = shared > _BESIDE * min(heights)
-    return beside and 0.0 < other[0] - one[2] < _WIDEST * min(heights)
+    adjacent = shared > _BESIDE * min(heights)
+    return adjacent and 0.0 < other[0] - one[2] < _WIDEST * min(heights)
 
 
 def _break_lines(ink: Mask, one: Box, other: Box, stroke_width: float) -> Mask | None:

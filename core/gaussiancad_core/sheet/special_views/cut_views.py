@@ -33,8 +33,8 @@ def section_kind(hatched: Mask, box: Box) -> SpecialKind | None:
     spans = [_span(window.any(axis=axis)) for axis in (0, 1)]
     if all(high - low > _WHOLE for low, high in spans):
         return SpecialKind.SECTION
-    for own, other in (spans, spans[::-1]):
-        if other[1] - other[0] > _HALF and _is_half(own):
+    for pair, other in (spans, spans[::-1]):
+        if other[1] - other[0] > _HALF and _is_half(pair):
             return SpecialKind.HALF_SECTION
     return SpecialKind.PARTIAL_SECTION
 

@@ -73,40 +73,42 @@ class Lines:
         return float(self.lengths[chosen].sum() / max(self.lengths.sum(), 1e-9))
 
 
-def lines_in(told: Told, box: Box) -> Lines:
+def lines_in(stated: Told, box: Box) -> Lines:
     """The straight lines in a box that show a part."""
-    angles, ends = told.straight_runs
+    angles, ends = stated.straight_runs
     low, high = _around(box)
-    own = ((ends >= low) & (ends <= high)).all(axis=(1, 2))
-    stacked = ends[own]
-    return Lines(angles[own], np.hypot(*(stacked[:, 1] - stacked[:, 0]).T), stacked)
+    item = ((ends >= low) & (ends <= high)).all(axis=(1, 2))
+    stacked = ends[item]
+    return Lines(angles[item], np.hypot(*(stacked[:, 1] - stacked[:, 0]).T), stacked)
 
 
-def special_kind(told: Told, box: Box) -> SpecialKind | None:
+def special_kind(stated: Told, box: Box) -> SpecialKind | None:
     """What a drawing is that fits no principal view, or nothing where it has no name.
 
     Args:
-        told: the lines and circles of the sheet.
+        stated: the lines and circles of the sheet.
         box: of the drawing in px.
     """
-    lines = lines_in(told, box)
+    lines = lines_in(stated, box)
     side = max(box[2] - box[0], box[3] - box[1])
     if side < _LEAST_PX:
         return None
-    if _is_round_pictorial(told, lines, box):
+    if _is_round_pictorial(stated, lines, box):
         return SpecialKind.PICTORIAL
     return slanted_kind(lines)
 
 
-def _is_round_pictorial(told: Told, lines: Lines, box: Box) -> bool:
+def _is_round_pictorial(stated: Told, lines: Lines, box: Box) -> bool:
     """Whether a drawing is of curves, none of them a circle, and its lines run one slanted way:
     what was turned on a lathe, seen askew."""
     x0, y0, x1, y1 = (int(value) for value in box)
-    curved = float(told.unexplained[y0:y1, x0:x1].sum())
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
+    curved = float(stated.unexplained[y0:y1, x0:x1].sum())
+    for shape, annotation_kinds in zip(stated.shapes, stated.kinds, strict=True):
         if isinstance(shape.geometry, Line):
             continue
-        runs = [run for run, kind in zip(shape.runs, own, strict=True) if kind in SHOWS]
+        runs = [
+            run for run, kind in zip(shape.runs, annotation_kinds, strict=True) if kind in SHOWS
+        ]
         runs = [r for r in runs if _within(points_along(shape.geometry, r.run, 2.0) + 0.5, box)]
         length = sum(run.run.length for run in runs)
         round_one = isinstance(shape.geometry, Circle)
@@ -158,41 +160,41 @@ def _apart(angles: Floats, other: float | Floats) -> Floats:
     return np.abs((angles - other + np.pi / 2) % np.pi - np.pi / 2)
 
 
-def details(told: Told, used: Sequence[Box], stroke_width: float) -> list[Box]:
+def details(stated: Told, used: Sequence[Box], stroke_width: float) -> list[Box]:
     """Boxes of the circles beside the views that cut lines off: enlarged details.
 
     Args:
-        told: the lines and circles of the sheet, whatever they were taken for.
+        stated: the lines and circles of the sheet, whatever they were taken for.
         used: boxes of the views.
         stroke_width: px.
     """
     found = []
-    for circle in _whole_circles(told):
+    for circle in _whole_circles(stated):
         (x, y), radius = circle.centre, circle.radius
         box = (x + 0.5 - radius, y + 0.5 - radius, x + 0.5 + radius, y + 0.5 + radius)
         if 2.0 * radius < _LEAST_PX or any(_overlap(box, other) for other in used):
             continue
-        if _cut_off(told, circle, stroke_width) >= 2:
+        if _cut_off(stated, circle, stroke_width) >= 2:
             found.append(box)
     return found
 
 
-def _whole_circles(told: Told) -> list[Circle]:
+def _whole_circles(stated: Told) -> list[Circle]:
     return [
         shape.geometry
-        for shape in told.shapes
+        for shape in stated.shapes
         if isinstance(shape.geometry, Circle)
         and sum(r.run.length for r in shape.runs) > _WHOLE * 2.0 * np.pi * shape.geometry.radius
     ]
 
 
-def _cut_off(told: Told, circle: Circle, stroke_width: float) -> int:
+def _cut_off(stated: Told, circle: Circle, stroke_width: float) -> int:
     """How many ends of strokes within a circle lie on it."""
     count = 0
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
+    for shape, annotation_kinds in zip(stated.shapes, stated.kinds, strict=True):
         if shape.geometry == circle:
             continue
-        for run, kind in zip(shape.runs, own, strict=True):
+        for run, kind in zip(shape.runs, annotation_kinds, strict=True):
             if kind is AnnotationKind.CENTRE_LINE or run.run.length < _LEAST_PX / 2:
                 continue
             points = points_along(shape.geometry, run.run, 2.0) - np.array(circle.centre)

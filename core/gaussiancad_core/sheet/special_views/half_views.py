@@ -70,18 +70,20 @@ class Half:
         return on_line and within and max(x1 - x0, y1 - y0) < _LEAST_SIDE_PX
 
 
-def find_halves(ink: Mask, told: Told, clusters: Sequence[Box], stroke_width: float) -> list[Half]:
+def find_halves(
+    ink: Mask, stated: Told, clusters: Sequence[Box], stroke_width: float
+) -> list[Half]:
     """Half views among clusters of ink.
 
     Args:
         ink: (h, w) bool, without annotations.
-        told: the sheet's lines, and which of them are centre lines.
+        stated: the sheet's lines, and which of them are centre lines.
         clusters: boxes of what may be half views.
         stroke_width: px.
     """
     found = []
-    for upright, at, span in _centre_lines(told):
-        own = ink if upright else ink.T
+    for upright, at, span in _centre_lines(stated):
+        values = ink if upright else ink.T
         for box in clusters:
             x0, y0, x1, y1 = box if upright else (box[1], box[0], box[3], box[2])
             length = y1 - y0
@@ -90,18 +92,18 @@ def find_halves(ink: Mask, told: Told, clusters: Sequence[Box], stroke_width: fl
                 continue
             for side, beyond in ((x1, True), (x0, False)):
                 near = abs(side - at) < _NEAR * stroke_width + 1.0
-                if near and _is_open(own, (y0, y1), (at, beyond), stroke_width):
+                if near and _is_open(values, (y0, y1), (at, beyond), stroke_width):
                     found.append(Half(box, upright, at, beyond, span))
     return found
 
 
-def _centre_lines(told: Told) -> list[tuple[bool, float, tuple[float, float]]]:
+def _centre_lines(stated: Told) -> list[tuple[bool, float, tuple[float, float]]]:
     """Whether each level or upright centre line is upright, its place across it, and its ends."""
     found = []
-    for shape, kinds in zip(told.shapes, told.kinds, strict=True):
+    for shape, kinds in zip(stated.shapes, stated.kinds, strict=True):
         runs = [
-            own.run
-            for own, kind in zip(shape.runs, kinds, strict=True)
+            run.run
+            for run, kind in zip(shape.runs, kinds, strict=True)
             if kind is AnnotationKind.CENTRE_LINE
         ]
         if not runs or not isinstance(shape.geometry, Line):
@@ -126,8 +128,8 @@ def _is_open(
     middle = int(at)
     along = ink[first:last, max(middle - reach, 0) : middle + reach + 1].any(axis=1)
     start = middle - 3 * reach - 2 if beyond else middle + reach + 1
-    beside = ink[first:last, max(start, 0) : start + 2 * reach + 2].any(axis=1)
-    ending = np.concatenate([[False], beside & along])
+    neighbour = ink[first:last, max(start, 0) : start + 2 * reach + 2].any(axis=1)
+    ending = np.concatenate([[False], neighbour & along])
     edges = int(np.count_nonzero(ending[1:] & ~ending[:-1]))
     return float(along.mean()) < _OPEN and edges >= _LEAST_EDGES
 
@@ -172,10 +174,10 @@ def completed(sheet: CleanSheet, half: Half, others: Sequence[Box]) -> CleanShee
     ink[window] = np.where(far, nearest > 0, ink[window] | (nearest > 0))
     odds = sheet.hidden_odds
     if odds is not None:
-        own = (odds if half.upright else odds.T).astype(np.float32)
-        across = cv2.remap(np.ascontiguousarray(own), *maps, cv2.INTER_NEAREST)
-        own[window] = np.where(far, across, own[window])
-        odds = np.ascontiguousarray(own if half.upright else own.T).astype(np.float16)
+        values = (odds if half.upright else odds.T).astype(np.float32)
+        across = cv2.remap(np.ascontiguousarray(values), *maps, cv2.INTER_NEAREST)
+        values[window] = np.where(far, across, values[window])
+        odds = np.ascontiguousarray(values if half.upright else values.T).astype(np.float16)
     if not half.upright:
         weight, ink = np.ascontiguousarray(weight.T), np.ascontiguousarray(ink.T)
     return replace(sheet, weight=weight, ink=ink, hidden_odds=odds)

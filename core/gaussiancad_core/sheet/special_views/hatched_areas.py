@@ -36,7 +36,11 @@ def with_hatched_areas(
     """
     if hatched is None:
         return tuple(drawn)
-    sections = {own.box: own for own in layout.special if own.kind in SECTIONS and own.used}
+    sections = {
+        special_view.box: special_view
+        for special_view in layout.special
+        if special_view.kind in SECTIONS and special_view.used
+    }
     found = []
     for view in drawn:
         section = sections.get(layout.boxes[view.role])
@@ -58,11 +62,11 @@ def with_named_sections(
     """
     if hatched is None:
         return tuple(drawn), layout
-    known = {own.box for own in layout.special}
+    known = {special_view.box for special_view in layout.special}
     found = []
     for view in drawn:
         box = layout.boxes[view.role]
-        is_named = box not in known and any(inside(box, own) for own in named)
+        is_named = box not in known and any(inside(box, pair) for pair in named)
         x0, y0, x1, y1 = (round(value) for value in box)
         if not is_named or not hatched[y0:y1, x0:x1].any():
             found.append(view)

@@ -19,7 +19,7 @@ def as_pictorial(error: NoModelError, separated: SeparatedSheet) -> NoModelError
     """
     found = _pictorials(separated)
     groups = boxes_of(error.message)
-    if not found or not all(any(inside(box, own) for own in found) for box in groups):
+    if not found or not all(any(inside(box, pair) for pair in found) for box in groups):
         return error
     places = "; ".join("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in found)
     return NoModelError(
@@ -32,7 +32,9 @@ def as_pictorial(error: NoModelError, separated: SeparatedSheet) -> NoModelError
 
 
 def _pictorials(separated: SeparatedSheet) -> list[Box]:
-    if separated.askew is None or separated.told is None:
+    if separated.askew is None or separated.strokes_known is None:
         return []
     boxes = find_clusters(separated.askew)
-    return [box for box in boxes if special_kind(separated.told, box) is SpecialKind.PICTORIAL]
+    return [
+        box for box in boxes if special_kind(separated.strokes_known, box) is SpecialKind.PICTORIAL
+    ]

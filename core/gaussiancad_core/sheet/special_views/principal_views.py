@@ -27,7 +27,7 @@ from gaussiancad_core.sheet.views.sheet_layout import (
     lone_layout,
     view_clusters,
 )
-from gaussiancad_core.sheet.views.silhouettes import beside, without_stickouts
+from gaussiancad_core.sheet.views.silhouettes import side_strips, without_stickouts
 
 
 @dataclass(frozen=True)
@@ -89,14 +89,14 @@ def find_named_layout(
         for box, kind in cut.items()
     ]
     rest = [box for box in layout.left_out if box not in cut]
-    if separated.told is not None:
+    if separated.strokes_known is not None:
         used = list(layout.boxes.values())
         width = separated.part.stroke_width
-        for ring in details(separated.told, used, width):
+        for ring in details(separated.strokes_known, used, width):
             special.append(SpecialView(SpecialKind.DETAIL, ring))
             rest = [box for box in rest if not inside(box, ring)]
         for box in list(rest):
-            kind = special_kind(separated.told, box)
+            kind = special_kind(separated.strokes_known, box)
             if kind is not None:
                 special.append(SpecialView(kind, box))
                 rest.remove(box)
@@ -119,7 +119,9 @@ def _askew(separated: SeparatedSheet) -> list[SpecialView]:
     """Pictorials and auxiliary views, told by their ink."""
     if separated.askew is None:
         return []
-    kinds = {box: special_kind(separated.told, box) for box in find_clusters(separated.askew)}
+    kinds = {
+        box: special_kind(separated.strokes_known, box) for box in find_clusters(separated.askew)
+    }
     return [SpecialView(kind, box) for box, kind in kinds.items() if kind is not None]
 
 
@@ -129,7 +131,7 @@ def _figures(separated: SeparatedSheet, clusters: list[Box]) -> tuple[SeparatedS
     figures = without_stickouts(clusters, part.ink, part.stroke_width)
     marks = list(separated.marks)
     for cluster, figure in zip(clusters, figures, strict=True):
-        for strip in beside(cluster, figure):
+        for strip in side_strips(cluster, figure):
             x0, y0, x1, y1 = (int(value) for value in strip)
             kept = np.ones(part.ink.shape, dtype=bool)
             kept[y0:y1, x0:x1] = False
@@ -144,20 +146,20 @@ def _completed(
 ) -> tuple[SeparatedSheet, list[Box], list[tuple[Half, Box]]]:
     """The sheet with the mirror images of half views, the clusters with whole views instead of
     halves, and each half with the box of what stands for it now."""
-    if separated.told is None:
+    if separated.strokes_known is None:
         return separated, clusters, []
     part = separated.part
     found: list[tuple[Half, Box]] = []
     # Open sides look like single lines that stick out: here they count.
     for half in find_halves(
         part.ink,
-        separated.told,
+        separated.strokes_known,
         find_clusters(part.ink, has_paper=separated.has_paper),
         part.stroke_width,
     ):
-        own = [box for box in clusters if inside(box, half.box)]
-        others = [box for box in clusters if box not in own and not half.marks(box)]
-        if not own:
+        boxes = [box for box in clusters if inside(box, half.box)]
+        others = [box for box in clusters if box not in boxes and not half.marks(box)]
+        if not boxes:
             continue
         both = completed(part, half, others)
         part = part if both is None else both
@@ -207,9 +209,9 @@ def _arranged(
 def _named(named: dict[Role, Box], clusters: list[Box], projection: Projection | None) -> Layout:
     """The layout where captions name the views: their places tell the projection."""
     rest = tuple(box for box in clusters if box not in named.values())
-    told = projection or told_projection(named)
+    stated_projection = projection or told_projection(named)
     source = "inferred" if projection is None else "given"
-    return Layout(named, told or Projection.THIRD, source, (), rest)
+    return Layout(named, stated_projection or Projection.THIRD, source, (), rest)
 
 
 def _other_parts(rest: list[Box], layout: Layout, ink: Mask) -> list[list[Box]]:

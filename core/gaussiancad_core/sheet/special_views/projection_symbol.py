@@ -18,8 +18,8 @@ def find_symbol(sheet: OpenedSheet, *, pictured: bool = False) -> ProjectionSymb
     drawing = image.vectors
     on_paper = image.pixels_per_inch is not None and (drawing is None or drawing.has_paper)
     largest = largest_symbol(sheet.shape, image.pixels_per_inch if on_paper else None)
-    told = drawing is not None and drawing.strokes and not sheet.turn.angle
-    found = stroke_symbol(drawing, largest) if told else None
-    if found is None and (not told or (pictured and not drawing.complete)):
+    stated = drawing is not None and drawing.strokes and not sheet.turn.angle
+    found = stroke_symbol(drawing, largest) if stated else None
+    if found is None and (not stated or (pictured and not drawing.complete)):
         return pixel_symbol(sheet.clean, largest)
     return found

@@ -42,7 +42,7 @@ def tellings(special: Sequence[SpecialView]) -> list[Telling]:
             boxes = [
                 view.box
                 for view in special
-                if view.kind is kind and view.used is used and not view.beside
+                if view.kind is kind and view.used is used and not view.adjacent
             ]
             if boxes:
                 found.append(_told(kind, used, boxes))

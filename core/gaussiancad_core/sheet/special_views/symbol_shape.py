@@ -120,8 +120,8 @@ def symbol_beside(
     places = (sides - np.array(circle.centre)) @ np.stack([way, across], axis=1) / circle.radius
     middle = places.mean(axis=1)
     low, high = _ALONG[0] < middle[:, 0], middle[:, 0] < _ALONG[1]
-    beside = (_ACROSS[0] < np.abs(middle[:, 1])) & (np.abs(middle[:, 1]) < _ACROSS[1])
-    places = places[low & high & beside]
+    neighbour = (_ACROSS[0] < np.abs(middle[:, 1])) & (np.abs(middle[:, 1]) < _ACROSS[1])
+    places = places[low & high & neighbour]
     turned = places[:, 0, 0] > places[:, 1, 0]
     places[turned] = places[turned, ::-1]
     run = places[:, 1] - places[:, 0]

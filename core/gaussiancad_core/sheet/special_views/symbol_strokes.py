@@ -63,7 +63,7 @@ def stroke_symbol(drawing: VectorDrawing, largest: float) -> ProjectionSymbol | 
         drawing: of the sheet, which lies upright.
         largest: px that a symbol is long at most.
     """
-    solid = [own for own in drawing.strokes if _is_solid(own)]
+    solid = [stroke for stroke in drawing.strokes if _is_solid(stroke)]
     lines = _lines(solid, largest)
     ways = np.abs(lines[:, 1] - lines[:, 0])
     slanted = lines[ways.min(axis=1) > 0.02 * ways.max(axis=1)] if len(lines) else lines
@@ -89,7 +89,11 @@ def _length(symbol: ProjectionSymbol) -> float:
 
 def _lines(strokes: list[VectorStroke], largest: float) -> Floats:
     """(n, 2, 2) ends of the straight pieces that are as short as a symbol's."""
-    ends = [(own.curve.start, own.curve.end) for own in strokes if isinstance(own.curve, Line)]
+    ends = [
+        (stroke.curve.start, stroke.curve.end)
+        for stroke in strokes
+        if isinstance(stroke.curve, Line)
+    ]
     found = np.array(ends, dtype=float).reshape(-1, 2, 2)
     return found[np.hypot(*(found[:, 1] - found[:, 0]).T) <= largest]
 
@@ -97,8 +101,8 @@ def _lines(strokes: list[VectorStroke], largest: float) -> Floats:
 def _circles(strokes: list[VectorStroke], largest: float) -> list[Circle]:
     """Whole circles of at most so many px of radius, whatever their file draws them with."""
     arcs = []
-    for own in strokes:
-        arc = _round(own.curve)
+    for stroke in strokes:
+        arc = _round(stroke.curve)
         if arc is not None and 0.0 < arc[2] <= largest:
             arcs.append(arc)
     if not arcs:
@@ -138,8 +142,10 @@ def _ringed(circles: list[Circle]) -> list[Circle]:
     """Circles with another one around the same centre in them."""
     if not circles:
         return []
-    tree = cKDTree([own.centre for own in circles])
-    near = tree.query_ball_point([own.centre for own in circles], [own.radius for own in circles])
+    tree = cKDTree([circle.centre for circle in circles])
+    near = tree.query_ball_point(
+        [circle.centre for circle in circles], [circle.radius for circle in circles]
+    )
     return [
         outer
         for outer, inside in zip(circles, near, strict=True)
@@ -153,8 +159,8 @@ def _is_closed(ends: Ends, lines: Floats) -> bool:
     places = (lines - np.array(ends.circle.centre)) @ base
     for along, across in zip(ends.along, ends.across, strict=True):
         reach = _ON_END * ends.circle.radius
-        own = places[(np.abs(places[:, :, 0] - along) <= reach).all(axis=1)][:, :, 1]
-        low, high = own.min(axis=1), own.max(axis=1)
+        item = places[(np.abs(places[:, :, 0] - along) <= reach).all(axis=1)][:, :, 1]
+        low, high = item.min(axis=1), item.max(axis=1)
         near = (low <= across.max()) & (high >= across.min())
         low, high = low[near], high[near]
         steps = np.linspace(across.min(), across.max(), _SLICES + 2)[1:-1, None]

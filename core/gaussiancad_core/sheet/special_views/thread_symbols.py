@@ -63,15 +63,15 @@ class ThreadSymbol:
 
 
 def without_threads(
-    drawn: Sequence[ReadView], beside: Sequence[Arc]
+    drawn: Sequence[ReadView], arcs: Sequence[Arc]
 ) -> tuple[tuple[ReadView, ...], tuple[SpecialView, ...]]:
     """Views without the lines of thread symbols, and the symbols.
 
     Args:
         drawn: the views.
-        beside: arcs in other pens than the part's, or of which nobody knows.
+        arcs: arcs in other pens than the part's, or of which nobody knows.
     """
-    found = [symbol for view in drawn for symbol in _symbols(view, beside)]
+    found = [symbol for view in drawn for symbol in _symbols(view, arcs)]
     views = tuple(
         replace(
             view,
@@ -86,16 +86,16 @@ def without_threads(
     return views, tuple(symbol.special for symbol in found)
 
 
-def arcs_of(told: Told) -> list[Arc]:
+def arcs_of(stated: Told) -> list[Arc]:
     """The circles of a picture that are no edges and of which one piece is missing, px of the
     upright sheet.
 
     Args:
-        told: the sheet's lines and circles, and what each is.
+        stated: the sheet's lines and circles, and what each is.
     """
     found = []
-    for shape, kinds in zip(told.shapes, told.kinds, strict=True):
-        runs = [own.run for own in shape.runs]
+    for shape, kinds in zip(stated.shapes, stated.kinds, strict=True):
+        runs = [run.run for run in shape.runs]
         if not isinstance(shape.geometry, Circle) or not runs or None in kinds:
             continue
         around = shape.geometry.around
@@ -110,14 +110,14 @@ def arcs_of(told: Told) -> list[Arc]:
     return found
 
 
-def _symbols(view: ReadView, beside: Sequence[Arc]) -> Iterator[ThreadSymbol]:
-    own = [stroke for stroke in view.strokes if isinstance(stroke, Arc)]
-    rims = [arc for arc in own if _share(arc) >= _WHOLE]
+def _symbols(view: ReadView, arcs: Sequence[Arc]) -> Iterator[ThreadSymbol]:
+    strokes = [stroke for stroke in view.strokes if isinstance(stroke, Arc)]
+    rims = [arc for arc in strokes if _share(arc) >= _WHOLE]
     seen: list[Arc] = []
-    for arc in (*beside, *own):
+    for arc in (*arcs, *strokes):
         if not _DRAWN[0] < _share(arc) < _DRAWN[1] or any(_same(arc, other) for other in seen):
             continue
-        if sum(_same(arc, other) for other in own) > 1:
+        if sum(_same(arc, other) for other in strokes) > 1:
             continue  # A circle in pieces.
         rim = next((rim for rim in rims if _about(arc, rim)), None)
         if rim is not None:
@@ -145,7 +145,7 @@ def _is_of(stroke: Stroke, symbol: ThreadSymbol, view: ReadView, drawn: Sequence
     if isinstance(stroke, Arc):
         if view.role is symbol.role:
             return _same(stroke, symbol.thin)
-        return any(_same(stroke, own) for own in _seen_along(symbol, view, drawn))
+        return any(_same(stroke, arc) for arc in _seen_along(symbol, view, drawn))
     if not isinstance(stroke, Segment) or view.role is symbol.role:
         return False
     return any(
@@ -160,9 +160,9 @@ def _is_beside(stroke: Segment, upright: bool, at: float, strokes: Sequence[Stro
     along = 1 if upright else 0
     low, high = sorted((stroke.start[along], stroke.end[along]))
     covered = 0.0
-    for own in strokes:
-        if isinstance(own, Segment) and _runs_at(own, upright, at):
-            first, last = sorted((own.start[along], own.end[along]))
+    for segment in strokes:
+        if isinstance(segment, Segment) and _runs_at(segment, upright, at):
+            first, last = sorted((segment.start[along], segment.end[along]))
             covered += max(0.0, min(last, high) - max(first, low))
     return covered >= _ALONG * (high - low)
 
@@ -187,12 +187,12 @@ def _sides(
 
 def _seen_along(symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]) -> Iterator[Arc]:
     """The thin circle where a view along the same axis, from the other side, has it."""
-    frame, own = view.role.frame, symbol.role.frame
-    if frame.look_axis[0] is not own.look_axis[0]:
+    frame, view_frame = view.role.frame, symbol.role.frame
+    if frame.look_axis[0] is not view_frame.look_axis[0]:
         return
     source = _box(symbol.role, drawn)
     middle: dict[Axis, float] = {}
-    for axis in (own.right_axis[0], own.up_axis[0]):
+    for axis in (view_frame.right_axis[0], view_frame.up_axis[0]):
         low, high = _places_of(symbol.role, source, axis, symbol.thin)
         middle[axis] = (low + high) / 2.0
     x = _across_of(view.role, view.box, frame.right_axis[0], middle[frame.right_axis[0]])
@@ -207,8 +207,8 @@ def _box(role: Role, drawn: Sequence[ReadView]) -> tuple[float, float, float, fl
 def _runs_at(stroke: Segment, upright: bool, at: float) -> bool:
     along, across = (1, 0) if upright else (0, 1)
     ends = stroke.start, stroke.end
-    beside = max(abs(end[across] - at) for end in ends)
-    return beside <= _CONCENTRIC_PX and abs(ends[0][along] - ends[1][along]) >= _SHORTEST_PX
+    offset = max(abs(end[across] - at) for end in ends)
+    return offset <= _CONCENTRIC_PX and abs(ends[0][along] - ends[1][along]) >= _SHORTEST_PX
 
 
 def _shared_axes_of(one: Role, other: Role) -> list[Axis]:

@@ -34,11 +34,11 @@ class SpecialView:
         box: around it, px of the upright sheet.
         used: whether it stands for a principal view all the same, or beside one.
         cut: around the hatching of a section, px of the upright sheet.
-        beside: whether it is a section that is used beside a plain view of its direction.
+        adjacent: whether it is a section that is used beside a plain view of its direction.
     """
 
     kind: SpecialKind
     box: Box
     used: bool = False
     cut: Box | None = None
-    beside: bool = False
+    adjacent: bool = False

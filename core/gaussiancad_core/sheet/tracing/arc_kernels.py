@@ -22,19 +22,19 @@ _SMALLEST, _LARGEST = 3.0, 6_000.0
 
 
 @njit(cache=True)
-def grow_arcs(tables, limits, fit, beside):  # noqa: ANN001, ANN201
+def grow_arcs(tables, limits, fit, neighbour):  # noqa: ANN001, ANN201
     """Arcs from all points that no line has: rows (x, y, r, 0) and members, as for lines.
 
-    ``beside`` is each point's distance from the line that has it, infinite where none has.
+    ``neighbour`` is each point's distance from the line that has it, infinite where none has.
     """
     points = tables[0]
     count = len(points)
     rows, splits = [np.zeros(4)], [0]
     members = np.empty(0, dtype=np.int64)
     used = 0
-    tried = beside < np.inf
+    tried = neighbour < np.inf
     scratch = scratch_of(count)
-    own = scratch[1]
+    item = scratch[1]
     unclaimed = np.full(count, np.inf)
     circle = np.zeros(4)
     for seed in range(count):
@@ -43,17 +43,17 @@ def grow_arcs(tables, limits, fit, beside):  # noqa: ANN001, ANN201
         tried[seed] = True
         for chain in _CHAINS:
             number = _chain(tables, seed, chain, scratch)
-            if number < 5 or not _osculating(tables, seed, own, number, circle):
+            if number < 5 or not _osculating(tables, seed, item, number, circle):
                 continue
-            good, number = _grow_arc(tables, (limits, fit), seed, circle, (scratch, beside))
+            good, number = _grow_arc(tables, (limits, fit), seed, circle, (scratch, neighbour))
             if not good:
                 continue
             for k in range(number):
-                tried[own[k]] = True
+                tried[item[k]] = True
             consumed = (limits[0], CONSUMED, CONSUMED_COSINE)
             number, _ = _along_circle(tables, circle, seed, consumed, (scratch, unclaimed))
             members = with_room(members, used, number)
-            members[used : used + number] = own[:number]
+            members[used : used + number] = item[:number]
             used += number
             rows.append(circle.copy())
             splits.append(used)
@@ -65,11 +65,11 @@ def grow_arcs(tables, limits, fit, beside):  # noqa: ANN001, ANN201
 def _chain(tables, seed, length, scratch):  # noqa: ANN001, ANN202
     """Follow the ridge both ways from a point for ``length`` px; the points passed."""
     points, tangents, index = tables
-    stamp, own, marks = scratch
+    stamp, item, marks = scratch
     marks[0] += 1
     mark = marks[0]
     height, width = index.shape
-    own[0] = seed
+    item[0] = seed
     stamp[seed] = mark
     number = 1
     for way in (1.0, -1.0):
@@ -94,7 +94,7 @@ def _chain(tables, seed, length, scratch):  # noqa: ANN001, ANN202
             if best < 0:
                 break
             stamp[best] = mark
-            own[number] = best
+            item[number] = best
             number += 1
             sign = 1.0 if tangents[best, 0] * dx + tangents[best, 1] * dy > 0.0 else -1.0
             dx, dy = sign * tangents[best, 0], sign * tangents[best, 1]
@@ -103,7 +103,7 @@ def _chain(tables, seed, length, scratch):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _osculating(tables, seed, own, number, circle):  # noqa: ANN001, ANN202
+def _osculating(tables, seed, item, number, circle):  # noqa: ANN001, ANN202
     """The circle that follows a chain: from the mean turn of the tangents per px, which is steadier
     for short chains than a fit to the points; then a fit where the chain is long enough."""
     points, tangents, _ = tables
@@ -111,7 +111,7 @@ def _osculating(tables, seed, own, number, circle):  # noqa: ANN001, ANN202
     dx, dy = tangents[seed, 0], tangents[seed, 1]
     moment = turning = 0.0
     for k in range(number):
-        i = own[k]
+        i = item[k]
         sign = 1.0 if tangents[i, 0] * dx + tangents[i, 1] * dy > 0.0 else -1.0
         tx, ty = sign * tangents[i, 0], sign * tangents[i, 1]
         turn = np.arctan2(ty * dx - tx * dy, tx * dx + ty * dy)
@@ -128,28 +128,28 @@ def _osculating(tables, seed, own, number, circle):  # noqa: ANN001, ANN202
     circle[0], circle[1], circle[2] = x - radius * dy, y + radius * dx, abs(radius)
     fits = True
     for _ in range(4):
-        fits = fits and _fit_circle(points, own, number, circle)
+        fits = fits and _fit_circle(points, item, number, circle)
     return fits
 
 
 @njit(cache=True)
 def _grow_arc(tables, rules, seed, circle, work):  # noqa: ANN001, ANN202
     """Grow an arc in place: whether it is one, and how many points it has."""
-    points, own = tables[0], work[0][1]
+    points, item = tables[0], work[0][1]
     limits, fit = rules
     number, before, sweep = 0, -1, 0.0
     for turn in range(12):
         band = 1.8 if turn < 2 else (1.2 if turn < 4 else limits[1])
         looser = (limits[0], band, limits[2])
         number, sweep = _along_circle(tables, circle, seed, looser, work)
-        if number < fit[0] or not _fit_circle(points, own, number, circle):
+        if number < fit[0] or not _fit_circle(points, item, number, circle):
             return False, number
         if turn > 4 and number == before:
             break
         before = number
     square = 0.0
     for k in range(number):
-        ox, oy = points[own[k], 0] - circle[0], points[own[k], 1] - circle[1]
+        ox, oy = points[item[k], 0] - circle[0], points[item[k], 1] - circle[1]
         square += (np.hypot(ox, oy) - circle[2]) ** 2
     rms = np.sqrt(square / number)
     sagitta = circle[2] * (1.0 - np.cos(min(sweep, 2 * np.pi) / 2))
@@ -164,7 +164,7 @@ def _along_circle(tables, circle, seed, limits, work):  # noqa: ANN001, ANN202
     that they span."""
     points, tangents, index = tables
     gap, band, cosine = limits
-    (stamp, own, marks), beside = work
+    (stamp, item, marks), neighbour = work
     marks[0] += 1
     mark = marks[0]
     height, width = index.shape
@@ -191,7 +191,10 @@ def _along_circle(tables, circle, seed, limits, work):  # noqa: ANN001, ANN202
                     ox, oy = points[i, 0] - x, points[i, 1] - y
                     distance = np.hypot(ox, oy)
                     # A tangent's points are the tangent's, however near to the arc.
-                    if abs(distance - radius) > min(band, beside[i] + _NEARER) or distance < 1e-9:
+                    if (
+                        abs(distance - radius) > min(band, neighbour[i] + _NEARER)
+                        or distance < 1e-9
+                    ):
                         continue
                     # A point counts where it lies, not where it is first seen from.
                     if abs(ox * sine_here - oy * cosine_here) > 1.0:
@@ -201,7 +204,7 @@ def _along_circle(tables, circle, seed, limits, work):  # noqa: ANN001, ANN202
                     last = angle
                     if stamp[i] != mark:
                         stamp[i] = mark
-                        own[number] = i
+                        item[number] = i
                         number += 1
             angle += step
         spans[side] = last
@@ -210,13 +213,13 @@ def _along_circle(tables, circle, seed, limits, work):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _fit_circle(points, own, number, circle):  # noqa: ANN001, ANN202
+def _fit_circle(points, item, number, circle):  # noqa: ANN001, ANN202
     """One Gauss-Newton step of the geometric fit, in place; whether the circle is still one."""
     normal = np.zeros((3, 3))
     right = np.zeros(3)
     row = np.empty(3)
     for k in range(number):
-        ox, oy = points[own[k], 0] - circle[0], points[own[k], 1] - circle[1]
+        ox, oy = points[item[k], 0] - circle[0], points[item[k], 1] - circle[1]
         distance = np.hypot(ox, oy)
         if distance < 1e-9:
             return False

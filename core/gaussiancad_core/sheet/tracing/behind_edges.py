@@ -64,10 +64,10 @@ def with_ends_behind_edges(
     for index, (line, piece) in enumerate(pieces):
         if not isinstance(line, Line) or piece.linetype is not Linetype.HIDDEN:
             continue
-        others = [own for k, own in enumerate(led) if k != index]
+        others = [pair for k, pair in enumerate(led) if k != index]
         start, end = (
-            _led(line, told, others, sheet, rhythm)
-            for told in ((piece.start, -1.0), (piece.end, 1.0))
+            _led(line, stated, others, sheet, rhythm)
+            for stated in ((piece.start, -1.0), (piece.end, 1.0))
         )
         led[index] = line, replace(piece, start=start, end=end)
     return led
@@ -107,11 +107,13 @@ def _next_edge(
     points = line.points_at(ahead)
     corner = points[:1]
     near = [
-        own for own in others if distances_to(own, points[len(points) // 2][None])[0] <= 2.0 * reach
+        other
+        for other in others
+        if distances_to(other, points[len(points) // 2][None])[0] <= 2.0 * reach
     ]
-    away = np.array([distances_to(own, points) for own in near]).reshape(len(near), len(points))
+    away = np.array([distances_to(pair, points) for pair in near]).reshape(len(near), len(points))
     edges = np.array([piece.linetype is Linetype.VISIBLE for _, piece in near], dtype=bool)
-    left = np.array([distances_to(own, corner)[0] <= _AT_PX for own in near], dtype=bool)
+    left = np.array([distances_to(pair, corner)[0] <= _AT_PX for pair in near], dtype=bool)
     if not (edges & left).any():
         return None
     met = (edges & ~left)[:, None] & (away <= _AT_PX / 2.0)
@@ -140,9 +142,9 @@ def _inked(line: Line, points: Floats, sheet: CleanSheet) -> npt.NDArray[np.bool
     normal = np.array([-dy, dx])
     offsets = np.array([-0.5, 0.0, 0.5])
     flank = sheet.stroke_width / 2.0 + _BESIDE
-    own = _weights(points, offsets, normal, sheet).mean(axis=1)
-    beside = _weights(points, np.array([-flank, flank]), normal, sheet).max(axis=1)
-    return own - beside > _DARKER
+    item = _weights(points, offsets, normal, sheet).mean(axis=1)
+    neighbour = _weights(points, np.array([-flank, flank]), normal, sheet).max(axis=1)
+    return item - neighbour > _DARKER
 
 
 def _weights(points: Floats, offsets: Floats, normal: Floats, sheet: CleanSheet) -> Floats:

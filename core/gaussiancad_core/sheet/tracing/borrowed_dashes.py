@@ -57,11 +57,11 @@ def own_runs(
     if not short or len(groups) < 2:
         return list(runs)
     crossed = [
-        (line, [own for own in other if _is_like(own.length, rhythm.dash)])
+        (line, [run for run in other if _is_like(run.length, rhythm.dash)])
         for line, other in lines
         if _LEAST_SINE < _sine(line, geometry) < _MOST_SINE
     ]
-    crossed = [own for own in crossed if len(own[1]) >= _FEWEST]
+    crossed = [pair for pair in crossed if len(pair[1]) >= _FEWEST]
 
     def is_borrowed(run: Run) -> bool:
         points = geometry.points_at(np.array([run.start, run.end]))
@@ -100,8 +100,8 @@ def _has(dashed: Dashed, ends: np.ndarray, gap: float, near: float) -> bool:
         return False
     low, high = float(along.min()), float(along.max())
     return any(
-        own is not other and _is_like(max(own.start - other.end, other.start - own.end), gap)
-        for own in dashes
-        if own.start < high and own.end > low
+        dash is not other and _is_like(max(dash.start - other.end, other.start - dash.end), gap)
+        for dash in dashes
+        if dash.start < high and dash.end > low
         for other in dashes
     )

@@ -74,11 +74,13 @@ def with_close_fits(
     }
     better: dict[Geometry, Geometry] = {}
     for bundle in bundles:
-        own = {strand.geometry for strand in bundle}
-        others = [placed for placed in ended if placed[0] not in own]
+        items = {strand.geometry for strand in bundle}
+        others = [placed for placed in ended if placed[0] not in items]
         for strand, fitted in zip(bundle, _fitted(bundle, others, sheet, pens), strict=True):
             better[strand.geometry] = fitted.geometry
-    return [(better.get(own, own), _as_long(own, better.get(own, own), p)) for own, p in pieces]
+    return [
+        (better.get(item, item), _as_long(item, better.get(item, item), p)) for item, p in pieces
+    ]
 
 
 def _as_long(before: Geometry, after: Geometry, piece: Piece) -> Piece:
@@ -102,14 +104,14 @@ def _fitted(
         return list(bundle)
     ink = sheet.weight[pixels[:, 1].astype(int), pixels[:, 0].astype(int)].astype(np.float64)
     facing = _facing(bundle[0])
-    free = [[0, 1, 2] if isinstance(own.geometry, Circle) else [0, 1] for own in bundle]
-    own_pens = [pens[own.kind] for own in bundle]
-    places = [3 * k + at for k, own in enumerate(free) for at in own]
+    free = [[0, 1, 2] if isinstance(strand.geometry, Circle) else [0, 1] for strand in bundle]
+    own_pens = [pens[strand.kind] for strand in bundle]
+    places = [3 * k + at for k, items in enumerate(free) for at in items]
 
     def strands(values: Floats) -> list[Strand]:
         moves = np.zeros(3 * len(bundle))
         moves[places] = values * scales
-        return [own.moved(moves[3 * k : 3 * k + 3]) for k, own in enumerate(bundle)]
+        return [strand.moved(moves[3 * k : 3 * k + 3]) for k, strand in enumerate(bundle)]
 
     # A turn is measured by what it moves a line's ends.
     scales = np.array(
@@ -122,8 +124,8 @@ def _fitted(
     )
 
     def residual(values: Floats) -> Floats:
-        beside = np.stack([own.offsets(pixels, facing) for own in strands(values)])
-        return _inked(beside, own_pens) - ink
+        adjacent = np.stack([strand.offsets(pixels, facing) for strand in strands(values)])
+        return _inked(adjacent, own_pens) - ink
 
     start = np.zeros(len(places))
     before = float(np.square(residual(start)).sum())
@@ -132,8 +134,8 @@ def _fitted(
     if after > _BETTER * before or np.abs(found.x).max() > 0.99 * _MOVED:
         return list(bundle)
     fitted = strands(found.x)
-    for own, pen in zip(fitted, own_pens, strict=True):
-        near = np.abs(own.offsets(pixels, facing)) <= pen.width / 2.0 + _AROUND
+    for this_strand, pen in zip(fitted, own_pens, strict=True):
+        near = np.abs(this_strand.offsets(pixels, facing)) <= pen.width / 2.0 + _AROUND
         # What bends away from its line was none.
         if near.any() and float(np.abs(found.fun[near]).mean()) > _EVEN:
             return list(bundle)
@@ -161,22 +163,22 @@ def _dashed(strand: Strand, sheet: CleanSheet, pens: Mapping[Linetype, Pen]) -> 
     return replace(strand, dashes=tuple(dashes))
 
 
-def _inked(beside: Floats, pens: Sequence[Pen]) -> Floats:
+def _inked(adjacent: Floats, pens: Sequence[Pen]) -> Floats:
     """(k, n) px by which k strands lie beside n pixels -> (n,) ink of the bands together."""
-    total = np.zeros(beside.shape[1])
-    reached = np.full(beside.shape[1], -np.inf)
+    total = np.zeros(adjacent.shape[1])
+    reached = np.full(adjacent.shape[1], -np.inf)
     half, gain, blur = (
-        np.array(own)[:, None]
-        for own in (
+        np.array(items)[:, None]
+        for items in (
             [pen.width / 2.0 for pen in pens],
             [pen.gain for pen in pens],
             [max(pen.blur, _LEAST_BLUR) for pen in pens],
         )
     )
-    order = np.argsort(beside, axis=0)
+    order = np.argsort(adjacent, axis=0)
     for rank in order:
-        centre = np.take_along_axis(beside, rank[None], axis=0)[0]
-        wide, dark, soft = (own[rank, 0] for own in (half, gain, blur))
+        centre = np.take_along_axis(adjacent, rank[None], axis=0)[0]
+        wide, dark, soft = (values[rank, 0] for values in (half, gain, blur))
         low, high = np.maximum(centre - wide, reached), centre + wide
         inside = np.isfinite(centre) & (high > low)
         ends = ndtr(high[inside] / soft[inside]), ndtr(low[inside] / soft[inside])

@@ -72,11 +72,11 @@ def with_close_lines(sheet: CleanSheet, lines: list[Line]) -> tuple[list[Line], 
     close: set[Line] = set()
     for pair in pairs:
         kept = [line for line in kept if not _is_between(line, *pair)]
-        for own in pair:
-            same = [line for line in kept if _is_same(line, own)]
+        for this_fine in pair:
+            same = [line for line in kept if _is_same(line, this_fine)]
             if not same:
-                kept.append(own.line)
-            close.update(same or [own.line])
+                kept.append(this_fine.line)
+            close.update(same or [this_fine.line])
     return kept, close.intersection(kept)
 
 
@@ -112,9 +112,9 @@ def _shows(one: _Fine, other: _Fine, sheet: CleanSheet) -> bool:
     dark = [sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] for points in (first, second)]
     middle = 0.5 * (first + second)
     between = sample(sheet.weight, middle[:, :1], middle[:, 1:])[:, 0]
-    for own in dark:
-        inked = own > _DARK
-        if inked.sum() < _SHORTEST or between[inked].mean() > _PALER * own[inked].mean():
+    for values in dark:
+        inked = values > _DARK
+        if inked.sum() < _SHORTEST or between[inked].mean() > _PALER * values[inked].mean():
             return False
     return True
 
@@ -126,12 +126,12 @@ def _is_between(line: Line, one: _Fine, other: _Fine) -> bool:
     if abs(float(np.dot(line.direction, one.line.direction))) < np.cos(np.radians(8.0)):
         return False
     off = line.coordinates(ends)[1]
-    beside = line.coordinates(other.line.points_at(other.line.positions(ends)))[1]
-    inside = (np.minimum(off, beside) <= _OWN) & (np.maximum(off, beside) >= -_OWN)
-    own = (np.abs(off) <= _OWN).all() or (np.abs(beside) <= _OWN).all()
-    return bool(inside.all()) and not own
+    adjacent = line.coordinates(other.line.points_at(other.line.positions(ends)))[1]
+    inside = (np.minimum(off, adjacent) <= _OWN) & (np.maximum(off, adjacent) >= -_OWN)
+    flag = (np.abs(off) <= _OWN).all() or (np.abs(adjacent) <= _OWN).all()
+    return bool(inside.all()) and not flag
 
 
-def _is_same(line: Line, own: _Fine) -> bool:
-    ends = own.line.points_at(np.array([own.start, own.end]))
+def _is_same(line: Line, fine: _Fine) -> bool:
+    ends = fine.line.points_at(np.array([fine.start, fine.end]))
     return bool(line.distances(ends).max() <= 2.0 * _OWN)

@@ -76,11 +76,11 @@ class Strand:
         geometry = self.geometry
         if isinstance(geometry, Circle):
             around = pixels - np.array(geometry.centre)
-            beside = geometry.radius - np.hypot(*around.T)
+            neighbour = geometry.radius - np.hypot(*around.T)
         else:
             across = geometry.coordinates(pixels)[1]
             normal = np.array([-geometry.direction[1], geometry.direction[0]])
-            beside = -across * np.sign(normal @ facing)
+            neighbour = -across * np.sign(normal @ facing)
         at = geometry.positions(pixels)
         drawn = np.zeros(len(pixels), bool)
         solid = ((piece.start, piece.end) for piece in self.pieces)
@@ -89,7 +89,7 @@ class Strand:
             if np.isfinite(geometry.around):
                 along = start + np.mod(at - start, geometry.around)
             drawn |= (along >= start) & (along <= end)
-        return np.where(drawn, beside, np.inf)
+        return np.where(drawn, neighbour, np.inf)
 
 
 def find_bundles(ended: Sequence[Placed], width: float) -> list[list[Strand]]:
@@ -101,9 +101,9 @@ def find_bundles(ended: Sequence[Placed], width: float) -> list[list[Strand]]:
     """
     bundles: list[list[Strand]] = []
     for strand in _strands(ended):
-        beside = [b for b in bundles if any(_run_beside(strand, other, width) for other in b)]
-        bundles = [b for b in bundles if b not in beside]
-        bundles.append([strand, *(other for b in beside for other in b)])
+        bs = [b for b in bundles if any(_run_beside(strand, other, width) for other in b)]
+        bundles = [b for b in bundles if b not in bs]
+        bundles.append([strand, *(other for b in bs for other in b)])
     return [bundle for bundle in bundles if len(bundle) > 1]
 
 
@@ -119,10 +119,10 @@ def _strands(ended: Sequence[Placed]) -> list[Strand]:
         if isinstance(geometry, Line | Circle):
             found.setdefault(geometry, []).append(piece)
     return [
-        Strand(geometry, tuple(sorted(own, key=lambda piece: piece.start)))
-        for geometry, own in found.items()
-        if len({piece.linetype for piece in own}) == 1
-        and (isinstance(geometry, Line) or own[0].linetype is Linetype.VISIBLE)
+        Strand(geometry, tuple(sorted(pieces, key=lambda piece: piece.start)))
+        for geometry, pieces in found.items()
+        if len({piece.linetype for piece in pieces}) == 1
+        and (isinstance(geometry, Line) or pieces[0].linetype is Linetype.VISIBLE)
     ]
 
 
@@ -141,8 +141,8 @@ def _run_beside(one: Strand, other: Strand, width: float) -> bool:
     if abs(x * v - y * u) > _PARALLEL:
         return False
     for piece in one.pieces:
-        for beside in other.pieces:
-            ends = a.positions(b.points_at(np.array([beside.start, beside.end])))
+        for adjacent_piece in other.pieces:
+            ends = a.positions(b.points_at(np.array([adjacent_piece.start, adjacent_piece.end])))
             start, end = max(piece.start, float(ends.min())), min(piece.end, float(ends.max()))
             if end - start >= _SHORTEST:
                 away = b.distances(a.points_at(np.array([start, end])))

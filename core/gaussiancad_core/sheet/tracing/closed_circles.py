@@ -43,7 +43,7 @@ def is_closed_by_others(
 
 def has_ink_of_its_own(
     circle: Circle,
-    told: Piece,
+    piece: Piece,
     lines: Iterable[tuple[Line, Sequence[Run | Piece]]],
     sheet: CleanSheet,
     rhythm: Rhythm,
@@ -52,13 +52,13 @@ def has_ink_of_its_own(
 
     Args:
         circle: of the arc.
-        told: the arc.
+        piece: the arc.
         lines: with what is drawn of each.
         sheet: the ink.
         rhythm: of its dashes.
     """
-    points = circle.points_at(np.arange(told.end, told.start + circle.around, _STEP))
-    beside = np.zeros(len(points), np.bool_)
+    points = circle.points_at(np.arange(piece.end, piece.start + circle.around, _STEP))
+    adjacent = np.zeros(len(points), np.bool_)
     near = sheet.stroke_width / 2.0 + _TOUCHING_PX
     for line, drawn in lines:
         if (
@@ -69,9 +69,11 @@ def has_ink_of_its_own(
         along, off = line.coordinates(points)
         for stretch in drawn:
             inside = (along >= stretch.start - near) & (along <= stretch.end + near)
-            beside |= inside & (np.abs(off) <= near)
-    own = points[~beside]
+            adjacent |= inside & (np.abs(off) <= near)
+    point = points[~adjacent]
     # A gap of the circle's own dashes may lie there.
-    if len(own) * _STEP < _TELLING * rhythm.gap:
+    if len(point) * _STEP < _TELLING * rhythm.gap:
         return True
-    return bool((sample(sheet.weight, own[:, :1], own[:, 1:])[:, 0] > _DARK).mean() >= _OWN_INKED)
+    return bool(
+        (sample(sheet.weight, point[:, :1], point[:, 1:])[:, 0] > _DARK).mean() >= _OWN_INKED
+    )

@@ -136,8 +136,8 @@ def _leg(
     places = np.arange(0.0, _LONGEST * (rhythm.dash + rhythm.gap), _STEP)
     points = corner.place + places[:, None] * corner.aside
     dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
-    beside = width / 2.0
-    tick = (places > beside) & (places < beside + _TICK)
+    offset = width / 2.0
+    tick = (places > offset) & (places < offset + _TICK)
     if not dark[tick].all() or _is_taken(points[tick][-1], others, width):
         return None
     ends = (k for k in np.flatnonzero(places > 2.0 * width) if _is_taken(points[k], others, 0.0))
@@ -158,17 +158,17 @@ def _leg(
 def _is_led_on(way: Floats, point: Floats, others: Sequence[Placed]) -> bool:
     """Whether a hidden line along a way ends at a point: what leads there is a dash of its own."""
     return any(
-        isinstance(own[0], Line)
-        and own[1].linetype is Linetype.HIDDEN
-        and abs(float(np.dot(own[0].direction, way))) > _ALONG
-        and distance_to(own, point) <= _CLEAR
-        for own in others
+        isinstance(other[0], Line)
+        and other[1].linetype is Linetype.HIDDEN
+        and abs(float(np.dot(other[0].direction, way))) > _ALONG
+        and distance_to(other, point) <= _CLEAR
+        for other in others
     )
 
 
 def _is_taken(point: Floats, others: Sequence[Placed], width: float) -> bool:
     """Whether a point lies on another stroke, or within its ink."""
-    return any(distance_to(own, point) <= width / 2.0 + _CLEAR for own in others)
+    return any(distance_to(other, point) <= width / 2.0 + _CLEAR for other in others)
 
 
 def longest_blank(dark: npt.NDArray[np.bool_]) -> int:

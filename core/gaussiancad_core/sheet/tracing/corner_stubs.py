@@ -57,8 +57,8 @@ def without_stubs(placed: Sequence[Placed], stroke_width: float) -> list[Placed]
         return list(placed)
     cut = list(placed)
     # Two corners of a wedge on the line lie no farther apart than its height leaves them.
-    beside = stroke_width + _BESIDE
-    pairs = cKDTree([end.place for end in ends]).query_pairs(8.0 * beside, output_type="ndarray")
+    offset = stroke_width + _BESIDE
+    pairs = cKDTree([end.place for end in ends]).query_pairs(8.0 * offset, output_type="ndarray")
     for i, k in pairs:
         one, other = ends[i], ends[k]
         if one.index == other.index:
@@ -69,8 +69,8 @@ def without_stubs(placed: Sequence[Placed], stroke_width: float) -> list[Placed]
         stubs = [float((end.place - corner) @ end.outward) for end in (one, other)]
         if min(stubs) < _SHORTEST:
             continue
-        thirds = (own for k, own in enumerate(placed) if k not in (one.index, other.index))
-        if any(_hides(own, corner, (one, other), beside) for own in thirds):
+        thirds = (pair for k, pair in enumerate(placed) if k not in (one.index, other.index))
+        if any(_hides(third, corner, (one, other), offset) for third in thirds):
             for end in (one, other):
                 cut[end.index] = _ended(cut[end.index], end, corner)
     return cut
@@ -97,10 +97,10 @@ def _crossing(one: _End, other: _End) -> npt.NDArray[np.float64] | None:
 
 
 def _hides(
-    own: Placed, corner: npt.NDArray[np.float64], ends: tuple[_End, _End], beside: float
+    pair: Placed, corner: npt.NDArray[np.float64], ends: tuple[_End, _End], offset: float
 ) -> bool:
     """Whether a line has both ends on it, at flat angles, and the corner merges with its ink."""
-    geometry, piece = own
+    geometry, piece = pair
     if not isinstance(geometry, Line):
         return False
     along, across = geometry.coordinates(np.array([corner, *(end.place for end in ends)]))
@@ -111,7 +111,7 @@ def _hides(
         return False
     # One on either side of the corner's foot: both strokes lead away from the line.
     apart = (along[1] - along[0]) * (along[2] - along[0]) < 0.0
-    return both and apart and abs(float(across[0])) <= beside
+    return both and apart and abs(float(across[0])) <= offset
 
 
 def _ended(placed: Placed, end: _End, corner: npt.NDArray[np.float64]) -> Placed:

@@ -133,5 +133,5 @@ def from_cut(corner: Corner, offsets: Floats, begin: float) -> Floats:
 
 def _from_both(corner: Corner, offsets: Floats, begin: float) -> Floats:
     """Distances from two strokes that begin some px from their corner, or run past it."""
-    away = np.minimum(*(from_ray(own, offsets, begin) for own in (corner.first, corner.second)))
+    away = np.minimum(*(from_ray(end, offsets, begin) for end in (corner.first, corner.second)))
     return np.minimum(away, from_passing(corner, offsets)) if corner.passes else away

@@ -179,7 +179,7 @@ def _corners(placed: Sequence[Placed]) -> list[_CurvedCorner]:
         if not {ends[k].index for k in np.flatnonzero(near)} - {line.index, curve.index}:
             found.append(corner)
     lengths = [piece.end - piece.start for _, piece in placed]
-    return sorted(found, key=lambda own: -lengths[own.line.index])
+    return sorted(found, key=lambda curved_corner: -lengths[curved_corner.line.index])
 
 
 def _both(index: int, geometry: Line | Circle, piece: Piece) -> list[_End]:
@@ -225,18 +225,18 @@ def _rounding(
 ) -> _Rounding | None:
     """The arc that explains the corner's ink, None if it is sharp or cut."""
     reach = corner.longest + pen.width / 2.0 + AROUND
-    own = {corner.line.index, corner.curve.index}
+    items = {corner.line.index, corner.curve.index}
     near = ((boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)).all(1)
-    around = [placed[k] for k in np.flatnonzero(near) if k not in own]
+    around = [placed[k] for k in np.flatnonzero(near) if k not in items]
     others = [stroke for stroke in around if not _is_between(stroke, corner)]
     pixels = _pixels_around(weight.shape, corner.place, reach)
     strokes = _cut_strokes(corner, placed, corner.place, corner.place)
-    beside = pen.width / 2.0 + AROUND
+    offset = pen.width / 2.0 + AROUND
     wedge = _nearest([visible_leg(*_tips(corner))], pixels) <= corner.longest / 2.0
-    told = (_nearest(strokes, pixels) <= beside) | wedge
-    told &= np.hypot(*(pixels - corner.place).T) <= corner.longest
-    told &= _nearest(others, pixels) > beside
-    pixels = pixels[told]
+    stated = (_nearest(strokes, pixels) <= offset) | wedge
+    stated &= np.hypot(*(pixels - corner.place).T) <= corner.longest
+    stated &= _nearest(others, pixels) > offset
+    pixels = pixels[stated]
     if len(pixels) < _FEWEST:
         return None
     columns, rows = pixels.astype(int).T
@@ -266,7 +266,7 @@ def _rounding(
         (zip(cuts, cuts, strict=True), _THAN_EVEN),
         (product(cuts, cuts), _THAN_CUT),
     ):
-        cut = min((error(_with_cut(corner, placed, *own)) for own in lengths), default=np.inf)
+        cut = min((error(_with_cut(corner, placed, *length)) for length in lengths), default=np.inf)
         if best > share * cut:
             return None
     return found
@@ -295,9 +295,9 @@ def _cut_strokes(
     return cut
 
 
-def _ended(own: Placed, piece: Piece, end: _End, place: Floats) -> Piece:
+def _ended(pair: Placed, piece: Piece, end: _End, place: Floats) -> Piece:
     """A piece that ends at (2,) px."""
-    geometry = own[0]
+    geometry = pair[0]
     at = float(geometry.positions(place[None])[0])
     old = piece.start if end.at_start else piece.end
     if np.isfinite(geometry.around):
@@ -322,9 +322,9 @@ def _tips(corner: _CurvedCorner) -> tuple[Floats, Floats]:
     return corner.place + half * corner.line.inward, corner.place + half * corner.way
 
 
-def _is_between(own: Placed, corner: _CurvedCorner) -> bool:
+def _is_between(pair: Placed, corner: _CurvedCorner) -> bool:
     """Whether a piece may be a chord of a fillet, or a chamfer."""
-    geometry, piece = own
+    geometry, piece = pair
     if not isinstance(geometry, Line):
         return False
     ends = geometry.points_at(np.array([piece.start, piece.end]))
@@ -342,6 +342,6 @@ def _pixels_around(shape: tuple[int, ...], place: Floats, reach: float) -> Float
 def _nearest(pieces: Sequence[Placed], pixels: Floats) -> Floats:
     """(n,) px to the nearest of some pieces; far where there is none."""
     distance = np.full(len(pixels), 1e3)
-    for own in pieces:
-        distance = np.minimum(distance, distances_to(own, pixels))
+    for piece in pieces:
+        distance = np.minimum(distance, distances_to(piece, pixels))
     return distance

@@ -41,10 +41,18 @@ def with_met_ends(
         if not isinstance(geometry, Line) or piece.linetype is not Linetype.VISIBLE:
             moved.append((geometry, piece))
             continue
-        others = [own for k, own in enumerate(pieces) if k != number and own[0] != geometry]
-        along = [own for k, (other, own) in enumerate(pieces) if k != number and other == geometry]
+        others = [
+            this_piece
+            for k, this_piece in enumerate(pieces)
+            if k != number and this_piece[0] != geometry
+        ]
+        along = [
+            this_piece
+            for k, (other, this_piece) in enumerate(pieces)
+            if k != number and other == geometry
+        ]
         # Where a line goes on hidden, its visible part ends there.
-        joints = [end for own in along for end in (own.start, own.end)]
+        joints = [end for this_piece in along for end in (this_piece.start, this_piece.end)]
         start, end = (
             at
             if any(abs(joint - at) <= _MET for joint in joints)
@@ -66,11 +74,11 @@ def _met(
     others, unexplained, stroke_width = around
     x, y = line.at(at)
     column, row = round(x), round(y)
-    beside = (
+    adjacent = (
         slice(max(row - _CLEAR_PX, 0), max(row + _CLEAR_PX + 1, 0)),
         slice(max(column - _CLEAR_PX, 0), max(column + _CLEAR_PX + 1, 0)),
     )
-    if unexplained[beside].any():
+    if unexplained[adjacent].any():
         return at
     way = 1.0 if at > (piece.start + piece.end) / 2.0 else -1.0
     # Short strokes are seen to end as soon as others' ink is beside them.
@@ -87,7 +95,9 @@ def _met(
                 short.append(crossing.at)
         if stretch.linetype is Linetype.VISIBLE:
             found = crossings_with(line, piece, other, longer, stroke_width)
-            near += [own.at for own in found if abs(own.at - at) <= _REACH]
+            near += [
+                this_crossing.at for this_crossing in found if abs(this_crossing.at - at) <= _REACH
+            ]
     return min(short or near, key=lambda place: abs(place - at), default=at)
 
 

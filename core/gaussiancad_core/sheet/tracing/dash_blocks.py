@@ -81,8 +81,8 @@ def _with_rows(view: ViewShapes, rhythm: Rhythm) -> ViewShapes:
     for row in _rows(view.sheet, rhythm):
         right = _right(shapes, row)
         reach = _reach(shapes, row)
-        left = [own if own is right else _without(own, row) for own in shapes]
-        shapes = [own for own in left if own is not None]
+        left = [shape if shape is right else _without(shape, row) for shape in shapes]
+        shapes = [shape for shape in left if shape is not None]
         if right is None:
             shapes.append(_line_through(row, reach, view.sheet))
     return replace(view, shapes=tuple(shapes))
@@ -107,10 +107,10 @@ def _rows(sheet: CleanSheet, rhythm: Rhythm) -> Iterator[_Row]:
         across = 1 - along
         wide = (width[:, along] > _WIDER * pen) & (width[:, along] < _WIDEST * pen)
         wide &= solid & dashes[:, along] & (size[:, across] > _SQUARE * size[:, along])
-        own = np.flatnonzero(wide)
-        own = own[np.lexsort((low[own, along], low[own, across]))]
-        breaks = np.flatnonzero(np.diff(low[own, across]) > _IN_LINE_PX) + 1
-        for group in np.split(own, breaks):
+        values = np.flatnonzero(wide)
+        values = values[np.lexsort((low[values, along], low[values, across]))]
+        breaks = np.flatnonzero(np.diff(low[values, across]) > _IN_LINE_PX) + 1
+        for group in np.split(values, breaks):
             boxes = np.stack([low[group], low[group] + size[group]], axis=1) - 0.5
             boxes = boxes[np.argsort(boxes[:, 0, along])]
             if len(group) >= _FEWEST and _is_row(boxes, along, rhythm):
@@ -187,9 +187,13 @@ def _line_through(row: _Row, reach: tuple[float, float], sheet: CleanSheet) -> S
     along = np.arange(reach[0], reach[1] + _STEP, _STEP)
     points = line.points_at(along)
     # Between two lines whose strokes just touch there may be a shade of paper.
-    beside = np.array([-1.0, 0.0, 1.0]) * np.ptp(row.boxes[:, :, 1 - row.along], axis=1).min() / 4.0
+    neighbour = (
+        np.array([-1.0, 0.0, 1.0]) * np.ptp(row.boxes[:, :, 1 - row.along], axis=1).min() / 4.0
+    )
     shift = (0.0, 1.0) if row.along == 0 else (1.0, 0.0)
-    ink = sample(sheet.weight, points[:, :1] + shift[0] * beside, points[:, 1:] + shift[1] * beside)
+    ink = sample(
+        sheet.weight, points[:, :1] + shift[0] * neighbour, points[:, 1:] + shift[1] * neighbour
+    )
     dark = ink.max(axis=1) > _DARK
     runs = tuple(Run(float(along[a]), float(along[b])) for a, b in runs_of_ink(dark))
     return Shape(line, runs, float(sum(run.length for run in runs)))

@@ -77,8 +77,8 @@ def _is_pair(one: Run, other: Run, stroke_width: float) -> bool:
 def _is_free(field: InkField, geometry: Geometry, end: float, start: float) -> bool:
     """Whether there is no ink around two ends that face each other."""
     half = field.stroke_width / 2.0
-    beside = half + np.array([1.5, _AROUND_PX])
-    across = np.concatenate([-beside, beside])
+    adjacent = half + np.array([1.5, _AROUND_PX])
+    across = np.concatenate([-adjacent, adjacent])
     for position, outward in ((end, 1.0), (start, -1.0)):
         along = position + outward * np.arange(-half, half + _AROUND_PX + 0.5, 0.5)
         if _has_ink(field, geometry, along, across):

@@ -66,8 +66,8 @@ def _with_rings(
     view = views[role]
     shapes, width = list(view.shapes), view.sheet.stroke_width
     for centre in _centres(view):
-        told = _told_radii(role, np.array(centre) + view.offset, views, boxes)
-        rings = [ring for ring in _rings(view, centre, told) if _may_be(ring, view, centre)]
+        stated = _told_radii(role, np.array(centre) + view.offset, views, boxes)
+        rings = [ring for ring in _rings(view, centre, stated) if _may_be(ring, view, centre)]
         melting = _melting(rings, view)
         circles = _circles_about(view, centre)
         # Of what was found as it is nothing is known better.
@@ -114,8 +114,8 @@ def _told_radii(
     for axis, share in _shares(role, centre, boxes[role]):
         for other, view in views.items():
             frame = other.frame
-            for coordinate, (own, sign) in enumerate((frame.right_axis, frame.up_axis)):
-                if other is role or own is not axis:
+            for coordinate, (this_axis, sign) in enumerate((frame.right_axis, frame.up_axis)):
+                if other is role or this_axis is not axis:
                     continue
                 box = boxes[other]
                 # Rows of the sheet count downwards.
@@ -172,13 +172,13 @@ def _distinct(radii: Sequence[float]) -> list[float]:
     return kept
 
 
-def _rings(view: ViewShapes, centre: tuple[float, float], told: Sequence[float]) -> list[Ring]:
+def _rings(view: ViewShapes, centre: tuple[float, float], stated: Sequence[float]) -> list[Ring]:
     """The circles about a centre."""
     seen = [
         shape.geometry.radius for shape in _circles_about(view, centre) if _coverage(shape) > _WHOLE
     ]
-    ink = _ink_about(view, centre, max([*told, *seen], default=0.0))
-    known = _distinct([*seen, *(radius for radius in told if radius < ink.radii[-1])])
+    ink = _ink_about(view, centre, max([*stated, *seen], default=0.0))
+    known = _distinct([*seen, *(radius for radius in stated if radius < ink.radii[-1])])
     return fit_rings(ink, known, view.sheet.stroke_width)
 
 
@@ -257,5 +257,5 @@ def _is_replaced(shape: Shape, rings: Sequence[Shape], stroke_width: float) -> b
 def _shape(centre: tuple[float, float], ring: Ring) -> Shape:
     """A ring as a shape whose linetype is known all around."""
     circle = Circle(centre, ring.radius)
-    told = Linetype.VISIBLE if ring.solid else Linetype.HIDDEN
-    return Shape(circle, (), circle.around, close=True, told=told)
+    linetype = Linetype.VISIBLE if ring.solid else Linetype.HIDDEN
+    return Shape(circle, (), circle.around, close=True, given_linetype=linetype)

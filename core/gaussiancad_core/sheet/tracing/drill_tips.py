@@ -99,11 +99,11 @@ def with_drill_tips(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]
         base = _line(*level.corners)
         # The edge at the bottom melts with both flanks.
         lost = level is not bottom and not _is_known(base, found)
-        if lost or not all(_is_known(own, found) for own in flanks):
+        if lost or not all(_is_known(flank, found) for flank in flanks):
             course = [*flanks, base]
             outline = np.array([*level.corners, point])
-            found = [_met(own, level) for own in found if not _is_inside(outline, own)]
-            found += [own for own in course if not _is_known(own, found)]
+            found = [_met(pair, level) for pair in found if not _is_inside(outline, pair)]
+            found += [pair for pair in course if not _is_known(pair, found)]
     return found
 
 
@@ -164,15 +164,15 @@ def _on_its_ink(bottom: _Bottom, sheet: CleanSheet) -> _Bottom:
     return replace(bottom, corners=bottom.corners + shift * bottom.outward)
 
 
-def _met(own: Placed, bottom: _Bottom) -> Placed:
+def _met(pair: Placed, bottom: _Bottom) -> Placed:
     """A piece, one of the bore's sides as far as its bottom."""
-    line, piece = own
+    line, piece = pair
     for (side, its), corner in zip(bottom.sides, bottom.corners, strict=True):
         if line is side and piece is its:
             at = float(side.positions(corner[None])[0])
             outwards = float(np.dot(side.direction, bottom.outward)) > 0.0
             return line, replace(piece, end=at) if outwards else replace(piece, start=at)
-    return own
+    return pair
 
 
 def _height(bottom: _Bottom, sheet: CleanSheet) -> float | None:
@@ -183,8 +183,11 @@ def _height(bottom: _Bottom, sheet: CleanSheet) -> float | None:
     worth = np.zeros(len(heights))
     for k, height in enumerate(heights):
         shares = [_shares(corner, bottom, float(height), sheet) for corner in bottom.corners]
-        if min(own[0] for own in shares) >= _DASHED and max(own[1] for own in shares) <= _BLANK:
-            worth[k] = sum(own[0] - own[1] for own in shares)
+        if (
+            min(share[0] for share in shares) >= _DASHED
+            and max(share[1] for share in shares) <= _BLANK
+        ):
+            worth[k] = sum(share[0] - share[1] for share in shares)
     best = int(np.argmax(worth))
     # What has more ink the flatter it is, or the steeper, is another stroke's.
     return float(heights[best]) if 0 < best < len(heights) - 1 and worth[best] > 0.0 else None
@@ -203,14 +206,14 @@ def _shares(
     places = corner + along[:, None] * way
     outside = bottom.outward - float(bottom.outward @ way) * way
     outside = outside / np.hypot(*outside)
-    beside = places + (sheet.stroke_width / 2.0 + _ASIDE) * outside
+    neighbour = places + (sheet.stroke_width / 2.0 + _ASIDE) * outside
     ink, paper = (
         np.clip(
-            sample(sheet.weight, own[None, :, 0], own[None, :, 1])[0] / bottom.ink,
+            sample(sheet.weight, item[None, :, 0], item[None, :, 1])[0] / bottom.ink,
             0.0,
             1.0,
         )
-        for own in (places, beside)
+        for item in (places, neighbour)
     )
     return float(ink.mean()), float(paper.mean())
 
@@ -226,12 +229,15 @@ def _is_known(flank: Placed, pieces: Sequence[Placed]) -> bool:
     """Whether lines that were found cover a flank, from one of its ends to the other."""
     line, piece = flank
     ends = line.points_at(np.array([piece.start, piece.end]))
-    lines = [own for own in pieces if isinstance(own[0], Line)]
-    if any(distances_to(own, ends).max() < _SAME_PX for own in lines):
+    lines = [this_piece for this_piece in pieces if isinstance(this_piece[0], Line)]
+    if any(distances_to(this_line, ends).max() < _SAME_PX for this_line in lines):
         return True
-    near = [own for own in lines if distances_to(flank, _ends(own)).max() < _SAME_PX]
+    near = [
+        this_line for this_line in lines if distances_to(flank, _ends(this_line)).max() < _SAME_PX
+    ]
     return all(
-        any(float(np.hypot(*(_ends(own) - end).T).min()) < _SAME_PX for own in near) for end in ends
+        any(float(np.hypot(*(_ends(pair) - end).T).min()) < _SAME_PX for pair in near)
+        for end in ends
     )
 
 
@@ -240,9 +246,9 @@ def _ends(placed: Placed) -> Floats:
     return geometry.points_at(np.array([piece.start, piece.end]))
 
 
-def _is_inside(outline: Floats, own: Placed) -> bool:
+def _is_inside(outline: Floats, pair: Placed) -> bool:
     """Whether all of a piece lies in a tip, (3, 2) corners, whose ink it was taken from."""
-    geometry, piece = own
+    geometry, piece = pair
     count = max(3, int(piece.end - piece.start))
     points = geometry.points_at(np.linspace(piece.start, piece.end, count))
     ways = np.roll(outline, -1, axis=0) - outline

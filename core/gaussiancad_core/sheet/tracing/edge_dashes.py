@@ -101,11 +101,13 @@ def _with_dashes(view: ViewShapes, pen: DashPen, rhythm: Rhythm) -> tuple[Shape,
             pair = _melted(again, view, pen, rhythm) if again is not None else None
             if pair is None:
                 continue
-            left = [_elsewhere(own, pair) for own in left]
-            if not any(_is_same(pair[0], own) for own in found[::2]):
+            left = [_elsewhere(this_shape, pair) for this_shape in left]
+            if not any(_is_same(pair[0], this_shape) for this_shape in found[::2]):
                 found += pair
     kept = [
-        own for own, before in zip(left, view.shapes, strict=True) if own.runs or not before.runs
+        this_shape
+        for this_shape, before in zip(left, view.shapes, strict=True)
+        if this_shape.runs or not before.runs
     ]
     return (*kept, *found)
 
@@ -115,8 +117,8 @@ def _is_same(edge: Shape, other: Shape) -> bool:
     (run,) = edge.runs
     ends = edge.geometry.points_at(np.array([run.start, run.end]))
     at = np.sort(other.geometry.positions(ends))
-    beside = min(at[1], other.runs[0].end) - max(at[0], other.runs[0].start)
-    return beside > 0.0 and float(other.geometry.distances(ends).max()) < _ONE_PX
+    neighbour = min(at[1], other.runs[0].end) - max(at[0], other.runs[0].start)
+    return neighbour > 0.0 and float(other.geometry.distances(ends).max()) < _ONE_PX
 
 
 def _whole(edge: Shape, view: ViewShapes) -> Shape | None:
@@ -129,8 +131,8 @@ def _whole(edge: Shape, view: ViewShapes) -> Shape | None:
     middle = int(np.argmin(np.abs(along - (run.start + run.end) / 2.0)))
     for first, last in runs_of_ink(dark):
         if first <= middle <= last:
-            own = Run(float(along[first]), float(along[last]))
-            return replace(edge, runs=(own,), support=max(edge.support, own.length))
+            this_run = Run(float(along[first]), float(along[last]))
+            return replace(edge, runs=(this_run,), support=max(edge.support, this_run.length))
     return None
 
 
@@ -141,13 +143,18 @@ def _elsewhere(shape: Shape, pair: tuple[Shape, Shape]) -> Shape:
         return shape
     (run,), line = edge.runs, edge.geometry
     aside = float(line.coordinates(np.array([hidden.geometry.point]))[1][0])
-    places = np.array([(own.start, own.end) for own in shape.runs]).ravel()
-    at, across = (own.reshape(-1, 2) for own in line.coordinates(shape.geometry.points_at(places)))
+    places = np.array([(this_run.start, this_run.end) for this_run in shape.runs]).ravel()
+    at, across = (
+        coordinate.reshape(-1, 2)
+        for coordinate in line.coordinates(shape.geometry.points_at(places))
+    )
     there = (at >= run.start - _END_PX) & (at <= run.end + _END_PX)
     there &= (across >= min(aside, 0.0) - _ONE_PX) & (across <= max(aside, 0.0) + _ONE_PX)
     if not there.all(axis=1).any():
         return shape
-    kept = [own for own, gone in zip(shape.runs, there.all(axis=1), strict=True) if not gone]
+    kept = [
+        this_run for this_run, gone in zip(shape.runs, there.all(axis=1), strict=True) if not gone
+    ]
     return replace(shape, runs=tuple(kept))
 
 
@@ -159,9 +166,9 @@ def _melted(
     profile = _profile(view, edge, pen)
     if profile is None:
         return None
-    own = float(np.nanquantile(profile.ink, _NARROW))
-    wide = profile.ink > own + _WIDER / 2.0
-    dashes = _row(profile, wide, own, rhythm)
+    value = float(np.nanquantile(profile.ink, _NARROW))
+    wide = profile.ink > value + _WIDER / 2.0
+    dashes = _row(profile, wide, value, rhythm)
     if dashes is None:
         return None
     at_dashes = np.zeros(len(wide), dtype=bool)
@@ -227,7 +234,7 @@ def _profile(view: ViewShapes, edge: Shape, pen: DashPen) -> _Profile | None:
 
 
 def _row(
-    profile: _Profile, wide: Flags, own: float, rhythm: Rhythm
+    profile: _Profile, wide: Flags, value: float, rhythm: Rhythm
 ) -> list[tuple[int, int]] | None:
     """(first, last) place of each dash of the longest row along an edge; None if too short."""
     unknown = ~np.isfinite(profile.ink)
@@ -248,7 +255,7 @@ def _row(
     if len(longest) < _FEWEST:
         return None
     inner = [profile.ink[first + 2 : last - 1] for first, last in longest]
-    more = np.array([np.nanmedian(ink) - own for ink in inner if np.isfinite(ink).any()])
+    more = np.array([np.nanmedian(ink) - value for ink in inner if np.isfinite(ink).any()])
     steady = len(more) > 0 and np.abs(more - np.median(more)).max() <= _EVEN_PX
     between = slice(longest[0][0], longest[-1][1])
     gaps = np.count_nonzero(~(unknown | wide)[between])

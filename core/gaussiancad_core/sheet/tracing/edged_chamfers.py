@@ -61,13 +61,13 @@ class _Edged:
     """A corner with an edge beside one of its lines.
 
     Attributes:
-        beside: the end at the corner of the line along which the edge runs.
+        neighbour: the end at the corner of the line along which the edge runs.
         across: the end at the corner of the line that the edge ends on.
         corner: of the two.
         away: px from the corner to the edge.
     """
 
-    beside: End
+    neighbour: End
     across: End
     corner: Corner
     away: float
@@ -89,14 +89,18 @@ def with_edged_chamfers(
         return pieces, []
     chamfers: list[Placed] = []
     pen = visible_pen(weight, placed, stroke_width)
-    for own in sorted(edged, key=lambda own: own.away):
-        length = _length(weight, own, pieces, pen)
+    for this_edged in sorted(edged, key=lambda item: item.away):
+        length = _length(weight, this_edged, pieces, pen)
         if length is None:
             continue
-        start = own.corner.place + own.away * own.across.inward
-        end = own.corner.place + length * own.beside.inward
-        pieces[own.across.index] = _ended_at(pieces[own.across.index], own.across, start)
-        pieces[own.beside.index] = _ended_at(pieces[own.beside.index], own.beside, end)
+        start = this_edged.corner.place + this_edged.away * this_edged.across.inward
+        end = this_edged.corner.place + length * this_edged.neighbour.inward
+        pieces[this_edged.across.index] = _ended_at(
+            pieces[this_edged.across.index], this_edged.across, start
+        )
+        pieces[this_edged.neighbour.index] = _ended_at(
+            pieces[this_edged.neighbour.index], this_edged.neighbour, end
+        )
         chamfers.append(visible_leg(start, end))
         pieces.append(chamfers[-1])
     return pieces, chamfers
@@ -107,49 +111,49 @@ def _edged_corners(placed: Sequence[Placed], width: float) -> Iterator[_Edged]:
     for corner in open_corners(ends, placed):
         if abs(corner.first.inward @ corner.second.inward) > _SQUARE:
             continue
-        for beside, across in (
+        for adjacent_end, across in (
             (corner.first, corner.second),
             (corner.second, corner.first),
         ):
-            away = _edge_beside(beside, across, corner, ends, width)
+            away = _edge_beside(adjacent_end, across, corner, ends, width)
             # Each reaches the corner, or leaves off where the chamfer begins.
             if away is not None and all(
                 np.hypot(*(end.place - corner.place)) <= away + _MEETING * width
-                for end in (beside, across)
+                for end in (adjacent_end, across)
             ):
-                yield _Edged(beside, across, corner, away)
+                yield _Edged(adjacent_end, across, corner, away)
 
 
 def _edge_beside(
-    beside: End, across: End, corner: Corner, ends: Sequence[End], width: float
+    neighbour: End, across: End, corner: Corner, ends: Sequence[End], width: float
 ) -> float | None:
     """px from the corner along one of its lines to where the nearest edge ends on it."""
     least = max(_LEAST_SHORTEST, _SHORTEST * width)
     found = []
     for end in ends:
-        if end.index in (beside.index, across.index):
+        if end.index in (neighbour.index, across.index):
             continue
         way = end.place - corner.place
         along = float(way @ across.inward)
         off = float(way[0] * across.inward[1] - way[1] * across.inward[0])
-        turn = beside.inward[0] * end.inward[1] - beside.inward[1] * end.inward[0]
+        turn = neighbour.inward[0] * end.inward[1] - neighbour.inward[1] * end.inward[0]
         if (
             least <= along <= _LONGEST * width
             and abs(off) <= _MEETING * width
             and abs(turn) <= _PARALLEL
-            and end.inward @ beside.inward > 0.0
+            and end.inward @ neighbour.inward > 0.0
         ):
             found.append(along)
     return min(found, default=None)
 
 
 def _length(
-    weight: npt.NDArray[np.float32], own: _Edged, pieces: Sequence[Placed], pen: Pen
+    weight: npt.NDArray[np.float32], edged: _Edged, pieces: Sequence[Placed], pen: Pen
 ) -> float | None:
     """px from the corner to where the chamfer ends; None if the corner is sharp."""
-    turning = own.beside.index, own.across.index
+    turning = edged.neighbour.index, edged.across.index
     others = [piece for k, piece in enumerate(pieces) if k not in turning]
-    pixels = _pixels(weight.shape, own, others, pen)
+    pixels = _pixels(weight.shape, edged, others, pen)
     if len(pixels) < _FEWEST:
         return None
     columns, rows = pixels.astype(int).T
@@ -162,47 +166,47 @@ def _length(
         return float(((pen.ink(np.minimum(rest, distance)) - ink) ** 2).sum())
 
     def cut(length: float) -> float:
-        start = own.corner.place + own.away * own.across.inward
-        end = own.corner.place + length * own.beside.inward
+        start = edged.corner.place + edged.away * edged.across.inward
+        end = edged.corner.place + length * edged.neighbour.inward
         distance = distances_to(visible_leg(start, end), pixels)
-        for stroke, place in ((own.across, start), (own.beside, end)):
+        for stroke, place in ((edged.across, start), (edged.neighbour, end)):
             shorter = _ended_at(pieces[stroke.index], stroke, place)
             distance = np.minimum(distance, distances_to(shorter, pixels))
         return error(distance)
 
     as_it_is = np.minimum(*(distances_to(pieces[k], pixels) for k in turning))
-    joined = from_joins(own.corner, pixels - own.corner.place)
+    joined = from_joins(edged.corner, pixels - edged.corner.place)
     sharp = min(error(distance) for distance in (as_it_is, *joined))
-    room = min(_STEEPEST * own.away, own.beside.length - pen.width)
-    tried = np.arange(_FLATTEST * own.away, room, _FINE)
+    room = min(_STEEPEST * edged.away, edged.neighbour.length - pen.width)
+    tried = np.arange(_FLATTEST * edged.away, room, _FINE)
     if sharp < _LEAST_GAIN or not len(tried):
         return None
     left = [cut(float(length)) for length in tried]
     best = float(tried[int(np.argmin(left))])
-    even = cut(own.away)
+    even = cut(edged.away)
     if even <= _EVEN * sharp and even - min(left) < _LEAST_GAIN:
         # Nearly all chamfers are even, and so few pixels tell their length badly.
-        best = own.away
+        best = edged.away
     if min(left) > _BETTER * sharp or sharp - min(left) < _LEAST_GAIN:
         return None
     return best
 
 
-def _pixels(shape: tuple[int, ...], own: _Edged, others: Sequence[Placed], pen: Pen) -> Floats:
+def _pixels(shape: tuple[int, ...], edged: _Edged, others: Sequence[Placed], pen: Pen) -> Floats:
     """(n, 2) px around a corner, away from dashes."""
-    beside = pen.width / 2.0 + _AROUND
-    reach = _STEEPEST * own.away + beside
-    low = np.maximum(np.floor(own.corner.place - reach), 0).astype(int)
-    high = np.minimum(np.ceil(own.corner.place + reach) + 1, shape[::-1]).astype(int)
+    offset = pen.width / 2.0 + _AROUND
+    reach = _STEEPEST * edged.away + offset
+    low = np.maximum(np.floor(edged.corner.place - reach), 0).astype(int)
+    high = np.minimum(np.ceil(edged.corner.place + reach) + 1, shape[::-1]).astype(int)
     ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
-    offsets = pixels - own.corner.place
-    along, across = (offsets @ end.inward for end in (own.beside, own.across))
-    near = (along >= -beside) & (across >= -beside)
-    near &= (along <= reach) & (across <= own.away)
+    offsets = pixels - edged.corner.place
+    along, across = (offsets @ end.inward for end in (edged.neighbour, edged.across))
+    near = (along >= -offset) & (across >= -offset)
+    near &= (along <= reach) & (across <= edged.away)
     for other in others:
         if other[1].linetype is Linetype.HIDDEN:
-            near &= distances_to(other, pixels) > beside
+            near &= distances_to(other, pixels) > offset
     return pixels[near]
 
 

@@ -84,12 +84,12 @@ class Explained:
         # Ten chords to a radian.
         straight = isinstance(geometry, Line)
         chord = len(points) - 1 if straight else max(1, int(geometry.around / (20.0 * np.pi)))
-        width, beside = int(np.ceil(self.stroke_width)), 0 if close else 2
+        width, neighbour = int(np.ceil(self.stroke_width)), 0 if close else 2
         for first in range(0, len(points) - 1, chord):
             part = points[first : first + chord + 1]
             mark = int(_direction_marks(part[-1:] - part[:1])[0])
             path = np.rint(part * 8).astype(np.int32)
-            cv2.polylines(self.around, [path], False, mark, width + beside, shift=3)
+            cv2.polylines(self.around, [path], False, mark, width + neighbour, shift=3)
             cv2.polylines(self.upon, [path], False, mark, width, shift=3)
 
 
@@ -129,15 +129,15 @@ def with_dashes_beside(
     ]
     added: list[Run] = []
     while True:
-        beside = [
+        adjacent_runs = [
             run
             for run in candidates
             if run not in added
             and any(_apart(curve, run, other) <= reach for other in [*places, *added])
         ]
-        if not beside:
+        if not adjacent_runs:
             break
-        added += beside
+        added += adjacent_runs
     return [
         (run, max(odds, TOLD) if run in added else odds)
         for run, odds in runs
@@ -168,14 +168,14 @@ def told_linetypes(
 ) -> list[float]:
     """Log-odds that each run is hidden, with what tells dashes of a series that another stroke
     crosses at a flat angle, so that its ink makes them longer."""
-    told = [odds for _, odds in runs]
+    oddses = [odds for _, odds in runs]
     for index, (run, _) in enumerate(runs):
         if run.length <= rhythm.dash or not _has_dash_beside(runs, index, rhythm):
             continue
         old = _explained_along(geometry, run, explained)[0]
         if old.mean() > _CROSSED and _longest_true(~old) <= _DASH_UP_TO * rhythm.dash:
-            told[index] = max(told[index], TOLD)
-    return told
+            oddses[index] = max(oddses[index], TOLD)
+    return oddses
 
 
 def path_points(geometry: Geometry, start: float, end: float) -> npt.NDArray[np.float64]:

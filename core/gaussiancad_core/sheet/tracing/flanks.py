@@ -22,17 +22,17 @@ _AROUND = 3.0
 def has_flank(corner: Corner, placed: Sequence[Placed], boxes: Floats) -> bool:
     """Whether a straight piece cuts the corner at both of whose ends a third stroke ends: it is the
     flank of a groove, whose edges are seen, no chord of an arc."""
-    beside = {corner.first.index, corner.second.index}
+    neighbours = {corner.first.index, corner.second.index}
     near = (np.abs(boxes - corner.place) <= corner.longest + _AROUND).all(axis=(1, 2))
-    for index in set(np.flatnonzero(near).tolist()) - beside:
+    for index in set(np.flatnonzero(near).tolist()) - neighbours:
         line, piece = placed[index]
         if not isinstance(line, Line) or not is_within(line.points_at(samples(piece)), corner):
             continue
         ends = line.points_at(np.array([piece.start, piece.end]))
         thirds = [
-            own.points_at(np.array([part.start, part.end]))
-            for k, (own, part) in enumerate(placed)
-            if k != index and k not in beside
+            item.points_at(np.array([part.start, part.end]))
+            for k, (item, part) in enumerate(placed)
+            if k != index and k not in neighbours
         ]
         tips = np.concatenate([*thirds, np.empty((0, 2))])
         away = np.hypot(*np.moveaxis(tips[:, None] - ends, -1, 0))

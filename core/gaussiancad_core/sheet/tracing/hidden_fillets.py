@@ -193,8 +193,8 @@ def _radius(
     count = max(2, int(np.ceil(2.0 * half * radius / _STEP)))
     arc = _facing(corner, radius, np.linspace(-half, half, count))
     sharp_way = way[0] if corner.passes else np.concatenate([way[0][::-1], way[1]])
-    told = _blank(sharp_way, sheet) >= (_PAST if corner.passes else _WITHOUT) * gap
-    return radius if told and _blank(arc, sheet) <= _BLANK * gap else None
+    is_given = _blank(sharp_way, sheet) >= (_PAST if corner.passes else _WITHOUT) * gap
+    return radius if is_given and _blank(arc, sheet) <= _BLANK * gap else None
 
 
 def _facing(corner: Corner, radius: float, angles: Floats) -> Floats:
@@ -219,12 +219,12 @@ def _refined(radius: float, corner: Corner, sheet: CleanSheet) -> float:
         # By how much a larger radius moves the arc outward there: it touches the lines.
         outward = 1.0 - np.cos(off) / np.sin(corner.half)
         residual = radii - radius
-        own = (np.abs(off) < half) & (np.abs(residual) < _NEAR)
+        values = (np.abs(off) < half) & (np.abs(residual) < _NEAR)
         # Beside a line that runs past the ink is also that line's.
         places = corner.circle(radius).points_at(radius * angles) - corner.place
-        own &= from_passing(corner, places) > sheet.stroke_width + _MET
-        if not own.any():
+        values &= from_passing(corner, places) > sheet.stroke_width + _MET
+        if not values.any():
             return radius
-        weight = float((outward[own] ** 2).sum())
-        radius += float((outward[own] * residual[own]).sum()) / max(weight, 1e-9)
+        weight = float((outward[values] ** 2).sum())
+        radius += float((outward[values] * residual[values]).sum()) / max(weight, 1e-9)
     return radius

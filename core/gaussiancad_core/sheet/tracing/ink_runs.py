@@ -163,14 +163,14 @@ def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) ->
     # cos of twice the angle between them; ends of dashes and crossings have no clear direction.
     clear = strength > 0.45
     foreign = clear & (agreement <= (2 * _MAX_TURN**2 - 1) * strength)
-    own = clear & ~foreign
+    item = clear & ~foreign
     dots = field.hidden if field.hidden is not None else np.zeros((1, 1), bool)
     hidden = values_at(dots, points)
     runs = []
     for inked_span in runs_of_ink(inked):
         dotted = hidden[inked_span[0] : inked_span[1] + 1].mean() > 0.5
         least = (SHORTEST_DOT if dotted else SHORTEST_DASH) * field.stroke_width
-        span = _own_span(inked_span, own, foreign, field.stroke_width, least)
+        span = _own_span(inked_span, item, foreign, field.stroke_width, least)
         if span is not None:
             runs.append(Run(float(along[span[0]]), float(along[span[1]])))
     return _close_gaps(runs, 1.6)
@@ -186,7 +186,7 @@ def _inked(field: InkField, points: Floats, normals: Floats) -> npt.NDArray[np.b
 
 def _own_span(
     span: tuple[int, int],
-    own: npt.NDArray[np.bool_],
+    values: npt.NDArray[np.bool_],
     foreign: npt.NDArray[np.bool_],
     stroke_width: float,
     shortest: float,
@@ -196,7 +196,7 @@ def _own_span(
     first, last = span
     if foreign[first : last + 1].mean() > 0.4:
         # A crossing, perhaps with the dash that leads to it.
-        mine = first + np.flatnonzero(own[first : last + 1])
+        mine = first + np.flatnonzero(values[first : last + 1])
         least = max(_LEAST_OWN, stroke_width)
         if len(mine) * STEP < least:
             # The end of a dash has no clear direction, but is the dash's where it leads to it.
@@ -204,7 +204,7 @@ def _own_span(
             if len(mine) * STEP < least:
                 return _stub((first, last), foreign, stroke_width)
         first, last = int(mine[0]), int(mine[-1])
-    vague = own[first : last + 1].sum() * STEP < 1.5
+    vague = values[first : last + 1].sum() * STEP < 1.5
     return None if vague and (last - first) * STEP < shortest else (first, last)
 
 
@@ -334,15 +334,21 @@ def with_dashes_between(
         return list(pieces)
     longest = _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap)
     around = geometry.around
-    kept = [own for own in chosen if own.linetype is Linetype.HIDDEN]
+    kept = [piece for piece in chosen if piece.linetype is Linetype.HIDDEN]
 
     def leads_on(piece: Piece) -> bool:
         # Pieces beside each other may reach a little into each other.
-        before = any((piece.start - own.end + longest) % around <= 2.0 * longest for own in kept)
-        after = any((own.start - piece.end + longest) % around <= 2.0 * longest for own in kept)
+        before = any(
+            (piece.start - this_piece.end + longest) % around <= 2.0 * longest
+            for this_piece in kept
+        )
+        after = any(
+            (this_piece.start - piece.end + longest) % around <= 2.0 * longest
+            for this_piece in kept
+        )
         return piece.linetype is Linetype.HIDDEN and before and after
 
-    return [own for own in pieces if own in chosen or leads_on(own)]
+    return [piece for piece in pieces if piece in chosen or leads_on(piece)]
 
 
 def with_dashes_led_to(
@@ -357,7 +363,7 @@ def with_dashes_led_to(
     The last dashes of an arc hardly bend, but are the arc's where those before them are there,
     under lines that cross them.
     """
-    hidden = [own for own in pieces if own.linetype is Linetype.HIDDEN]
+    hidden = [piece for piece in pieces if piece.linetype is Linetype.HIDDEN]
     longest = _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap)
     joined: list[tuple[Piece, Piece]] = []
     for before, after in zip(hidden, [*hidden[1:], *hidden[:1]], strict=True):
@@ -368,15 +374,15 @@ def with_dashes_led_to(
             field, geometry, (before, over), rhythm, longest
         ):
             joined.append((before, after))
-    led = {own for own in chosen if own.linetype is Linetype.HIDDEN}
-    while more := {own for pair in joined if led & set(pair) for own in pair} - led:
+    led = {piece for piece in chosen if piece.linetype is Linetype.HIDDEN}
+    while more := {piece for pair in joined if led & set(pair) for piece in pair} - led:
         led |= more
-    return [own for own in pieces if own in chosen or own in led]
+    return [piece for piece in pieces if piece in chosen or piece in led]
 
 
 def is_mostly_dashed(geometry: Geometry, pieces: Sequence[Piece]) -> bool:
     """Whether hidden pieces make up so much of a closed curve that the rest of it will be there."""
-    dashed = sum(own.end - own.start for own in pieces if own.linetype is Linetype.HIDDEN)
+    dashed = sum(piece.end - piece.start for piece in pieces if piece.linetype is Linetype.HIDDEN)
     return bool(np.isfinite(geometry.around)) and dashed > _MOSTLY * geometry.around
 
 

@@ -184,8 +184,8 @@ def cross_profile(
     # another stroke crosses or lies beside.
     middle = len(offsets) // 2
     centre = np.full(len(along), np.nan)
-    for beside, white in _WINDOWS:
-        half = round(2.0 * (sheet.stroke_width / 2 + beside))
+    for offset, white in _WINDOWS:
+        half = round(2.0 * (sheet.stroke_width / 2 + offset))
         window = slice(max(middle - half, 0), middle + half + 1)
         part = profile[:, window]
         total = part.sum(1)

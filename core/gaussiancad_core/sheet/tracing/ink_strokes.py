@@ -135,7 +135,7 @@ def classify_strokes(
     ended += short
     remainder &= explained.around == 0
     ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
-    if pens is None or not pens.told:
+    if pens is None or not pens.distinct:
         ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
@@ -149,15 +149,19 @@ def _seen_pieces(
     """The pieces of all shapes where their ink is seen, those with most ink first; ``explained``
     has their ink at last."""
     pieces: list[Placed] = []
-    unsure = (shape for shape in view.shapes if shape.told is None)
+    unsure = (shape for shape in view.shapes if shape.given_linetype is None)
     order = sorted(unsure, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
     joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
-    lines = [(own.geometry, own.runs) for own in order if isinstance(own.geometry, Line)]
+    lines = [
+        (this_shape.geometry, this_shape.runs)
+        for this_shape in order
+        if isinstance(this_shape.geometry, Line)
+    ]
     known = explained
     for shape in view.shapes:
-        if shape.told is not None:
-            whole = Piece(0.0, shape.geometry.around, shape.told, 1.0)
+        if shape.given_linetype is not None:
+            whole = Piece(0.0, shape.geometry.around, shape.given_linetype, 1.0)
             pieces.append((shape.geometry, whole))
             explained.add(shape.geometry, whole, close=True)
     for index, shape in enumerate(order):
@@ -181,15 +185,19 @@ def _seen_pieces(
         if not isinstance(shape.geometry, Line):
             fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm, width)
         touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
-        told = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
-        found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
+        stated = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
+        found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, stated)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
             curved = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
             found = with_dashes_between(shape.geometry, found, curved, rhythm)
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
-            found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
+            found = [
+                this_piece
+                for this_piece in found
+                if not has_square_corner(circle, this_piece, view.sheet)
+            ]
         joined = bridged(view.field, shape.geometry, found, rhythm)
         if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
             found = joined
@@ -197,8 +205,8 @@ def _seen_pieces(
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
             pieces.append((shape.geometry, piece))
-            own = up_to_tangents(shape.geometry, piece, lines, view.sheet.stroke_width)
-            explained.add(shape.geometry, own)
+            up = up_to_tangents(shape.geometry, piece, lines, view.sheet.stroke_width)
+            explained.add(shape.geometry, up)
     return pieces
 
 
@@ -228,7 +236,7 @@ def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
 def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]:
     """Whether the start and the end of a run lie on another stroke: there is ink beside it."""
     half = field.stroke_width / 2
-    beside = half + 2.0
+    offset = half + 2.0
 
     def inked(place: npt.NDArray[np.float64]) -> bool:
         x, y = np.rint(place).astype(int)
@@ -243,7 +251,7 @@ def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]
             if share > 1.0 and not (np.abs(tangent).min() > _ASLANT and inked(here)):
                 break
             normal = np.array([-tangent[1], tangent[0]])
-            if inked(here + beside * normal) or inked(here - beside * normal):
+            if inked(here + offset * normal) or inked(here - offset * normal):
                 return True
         return False
 
@@ -276,8 +284,8 @@ def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explain
         arcs.append(fillet.arc)
         explained.add(*fillet.arc)
     gone = {index for fillet in fillets for index in fillet.instead}
-    left = [own for index, own in enumerate(rounded) if index not in gone]
-    return [own for own in left if not any(is_chord(own, arc) for arc in arcs)] + arcs
+    left = [pair for index, pair in enumerate(rounded) if index not in gone]
+    return [pair for pair in left if not any(is_chord(pair, arc) for arc in arcs)] + arcs
 
 
 def _with_curved_fillets(

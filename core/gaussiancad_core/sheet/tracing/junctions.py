@@ -101,7 +101,7 @@ def _ended(
                     blank=_blank_end(piece, stretch, rhythm, stroke_width),
                 )
             ]
-            crossings = [own[2] for own in met if not _is_beyond(geometry, piece, own, met)]
+            crossings = [pair[2] for pair in met if not _is_beyond(geometry, piece, pair, met)]
             ended.append(_end_at(piece, crossings, rhythm))
             ended[-2:] = _parted(ended[-2:], crossings, rhythm)
         if len(ended) > 1 and np.isfinite(geometry.around):
@@ -116,13 +116,13 @@ _Met = tuple[Geometry, Piece, Crossing]
 """What a piece meets, and where."""
 
 
-def _is_beyond(geometry: Geometry, piece: Piece, own: _Met, met: Sequence[_Met]) -> bool:
+def _is_beyond(geometry: Geometry, piece: Piece, pair: _Met, met: Sequence[_Met]) -> bool:
     """Whether another line would be met just beyond a visible one that ends them both.
 
     Where two lines meet a third one at flat angles, a few px from each other, all their ink is its.
     A hidden line's end may lie in a gap before both.
     """
-    other, stretch, crossing = own
+    other, stretch, crossing = pair
     if not isinstance(geometry, Line) or not isinstance(other, Line):
         return False
     way = 1.0 if crossing.at > (piece.start + piece.end) / 2.0 else -1.0
@@ -132,7 +132,8 @@ def _is_beyond(geometry: Geometry, piece: Piece, own: _Met, met: Sequence[_Met])
         return False
     tip = geometry.at(crossing.at)
     middles = [
-        line.at((own.start + own.end) / 2.0) for line, own in ((geometry, piece), (other, stretch))
+        line.at((this_piece.start + this_piece.end) / 2.0)
+        for line, this_piece in ((geometry, piece), (other, stretch))
     ]
     for third, limits, first in met:
         before = way * (crossing.at - first.at)
@@ -183,10 +184,12 @@ def _nearest(
     hidden = linetype is Linetype.HIDDEN
     outward = 1.8 * rhythm.gap + 3.0 if hidden else _SEEN_BEYOND
     near = [
-        (abs(own.at - position) - hidden * own.lead, own.at)
-        for own in crossings
+        (abs(crossing.at - position) - hidden * crossing.lead, crossing.at)
+        for crossing in crossings
         # Dashes in ink that the other stroke has too are not seen.
-        if -own.reach - _SEEN_BEYOND <= own.at - position <= outward + hidden * _UNSEEN * own.reach
+        if -crossing.reach - _SEEN_BEYOND
+        <= crossing.at - position
+        <= outward + hidden * _UNSEEN * crossing.reach
     ]
     return min(near, default=(0.0, position))[1]
 

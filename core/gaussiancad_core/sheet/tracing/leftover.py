@@ -64,9 +64,9 @@ class Leftover:
         offsets = np.stack([columns, rows], axis=1) + low - start
         along, across = offsets @ way, np.abs(offsets @ np.array([-way[1], way[0]]))
         ink = part[rows, columns] ** 2
-        beside = (along > -width) & (along < length + width) & (across <= _WITHIN * width)
-        own = (along > -width / 2.0) & (along < length + width / 2.0) & (across <= width / 2.0)
-        return float(ink[own].sum()) >= _MOSTLY * float(ink[beside].sum())
+        neighbour = (along > -width) & (along < length + width) & (across <= _WITHIN * width)
+        item = (along > -width / 2.0) & (along < length + width / 2.0) & (across <= width / 2.0)
+        return float(ink[item].sum()) >= _MOSTLY * float(ink[neighbour].sum())
 
 
 def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
@@ -78,15 +78,15 @@ def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
     rows, columns = np.nonzero(sheet.weight > _BLANK)
     pixels = np.stack([columns, rows], axis=1).astype(np.float64)
     expected = np.zeros(len(pixels))
-    for own in placed:
-        geometry, piece = own
+    for pair in placed:
+        geometry, piece = pair
         pen = pens[piece.linetype]
         count = max(2, int(piece.end - piece.start))
         course = geometry.points_at(np.linspace(piece.start, piece.end, count))
         reach = pen.width / 2.0 + _BESIDE
         low, high = course.min(0) - reach, course.max(0) + reach
         near = np.flatnonzero(((pixels >= low) & (pixels <= high)).all(axis=1))
-        expected[near] = np.maximum(expected[near], pen.ink(distances_to(own, pixels[near])))
+        expected[near] = np.maximum(expected[near], pen.ink(distances_to(pair, pixels[near])))
     there = np.zeros(sheet.weight.shape, dtype=np.float32)
     there[rows, columns] = expected
     return Leftover(there, np.clip(sheet.weight - there, 0.0, None), pens[Linetype.VISIBLE])

@@ -45,7 +45,7 @@ def grow_lines(tables, limits, fit, most):  # noqa: ANN001, ANN201
     used = 0
     tried = np.zeros(count, dtype=np.bool_)
     scratch = scratch_of(count)
-    own = scratch[1]
+    item = scratch[1]
     for seed in range(count):
         if len(rows) - 1 > most[0] or used > most[1]:
             break
@@ -58,11 +58,11 @@ def grow_lines(tables, limits, fit, most):  # noqa: ANN001, ANN201
         if not good:
             continue
         for k in range(number):
-            tried[own[k]] = True
+            tried[item[k]] = True
         consumed = (limits[0], CONSUMED, CONSUMED_COSINE)
         number = _along_line(tables, line, 1e9, consumed, scratch)
         members = with_room(members, used, number)
-        members[used : used + number] = own[:number]
+        members[used : used + number] = item[:number]
         used += number
         rows.append(line)
         splits.append(used)
@@ -86,31 +86,31 @@ def line_worth(points, splits, members, rows, reach):  # noqa: ANN001, ANN201
 @njit(cache=True)
 def _grow_line(tables, limits, fit, line, scratch):  # noqa: ANN001, ANN202
     """Grow a line in place: whether it is one, and how many points it has."""
-    points, own = tables[0], scratch[1]
+    points, item = tables[0], scratch[1]
     reach = 7.0
     number, before, extent = 0, -1, 0.0
     for _ in range(24):
         number = _along_line(tables, line, reach, limits, scratch)
         if number < 3:
             return False, number
-        extent = _fit_line(points, own, number, line)
+        extent = _fit_line(points, item, number, line)
         if number == before and extent < 0.75 * reach:
             break
         before = number
         reach = max(1.6 * extent, reach)
     if number < fit[0]:
         return False, number
-    sagitta, rms = _line_quality(points, own, number, line)
+    sagitta, rms = _line_quality(points, item, number, line)
     flattest = max(fit[1], min(fit[3], 2.0 * extent / _FLATTER))
     if sagitta > flattest and rms <= fit[2]:
-        sagitta = _steady_sagitta(points, own, number, line)
+        sagitta = _steady_sagitta(points, item, number, line)
     if sagitta <= flattest and rms <= fit[2]:
         return True, number
-    return _straight_part(points, own, number, line, fit)
+    return _straight_part(points, item, number, line, fit)
 
 
 @njit(cache=True)
-def _straight_part(points, own, number, line, fit):  # noqa: ANN001, ANN202
+def _straight_part(points, item, number, line, fit):  # noqa: ANN001, ANN202
     """Keep a straight end of a bent line, or its middle, in place: whether there is one, and its
     points.
 
@@ -119,8 +119,10 @@ def _straight_part(points, own, number, line, fit):  # noqa: ANN001, ANN202
     """
     along = np.empty(number)
     for k in range(number):
-        along[k] = (points[own[k], 0] - line[0]) * line[2] + (points[own[k], 1] - line[1]) * line[3]
-    order = own[:number][np.argsort(along)]
+        along[k] = (points[item[k], 0] - line[0]) * line[2] + (points[item[k], 1] - line[1]) * line[
+            3
+        ]
+    order = item[:number][np.argsort(along)]
     part = np.empty(number, dtype=np.int64)
     for tenth in range(9, 2, -1):
         kept = number * tenth // 10
@@ -131,7 +133,7 @@ def _straight_part(points, own, number, line, fit):  # noqa: ANN001, ANN202
                 continue
             sagitta, rms = _line_quality(points, part, kept, line)
             if sagitta <= _STRAIGHT_PX and rms <= fit[2] / 2.0:
-                own[:kept] = part[:kept]
+                item[:kept] = part[:kept]
                 return True, kept
     return False, number
 
@@ -141,7 +143,7 @@ def _along_line(tables, line, reach, limits, scratch):  # noqa: ANN001, ANN202
     """Collect the points along a line up to ``reach`` or a gap both ways from its point."""
     points, tangents, index = tables
     gap, band, cosine = limits
-    stamp, own, marks = scratch
+    stamp, item, marks = scratch
     marks[0] += 1
     mark = marks[0]
     height, width = index.shape
@@ -168,23 +170,23 @@ def _along_line(tables, line, reach, limits, scratch):  # noqa: ANN001, ANN202
                 last = s
                 if stamp[i] != mark:
                     stamp[i] = mark
-                    own[number] = i
+                    item[number] = i
                     number += 1
             s += step
     return number
 
 
 @njit(cache=True)
-def _fit_line(points, own, number, line):  # noqa: ANN001, ANN202
+def _fit_line(points, item, number, line):  # noqa: ANN001, ANN202
     """Total least squares in place; the farthest point's distance from the middle."""
     mx = my = 0.0
     for k in range(number):
-        mx += points[own[k], 0]
-        my += points[own[k], 1]
+        mx += points[item[k], 0]
+        my += points[item[k], 1]
     mx, my = mx / number, my / number
     xx = xy = yy = 0.0
     for k in range(number):
-        ox, oy = points[own[k], 0] - mx, points[own[k], 1] - my
+        ox, oy = points[item[k], 0] - mx, points[item[k], 1] - my
         xx += ox * ox
         xy += ox * oy
         yy += oy * oy
@@ -192,25 +194,25 @@ def _fit_line(points, own, number, line):  # noqa: ANN001, ANN202
     line[0], line[1], line[2], line[3] = mx, my, np.cos(angle), np.sin(angle)
     farthest = 0.0
     for k in range(number):
-        ox, oy = points[own[k], 0] - mx, points[own[k], 1] - my
+        ox, oy = points[item[k], 0] - mx, points[item[k], 1] - my
         farthest = max(farthest, abs(ox * line[2] + oy * line[3]))
     return farthest
 
 
 @njit(cache=True)
-def _line_quality(points, own, number, line):  # noqa: ANN001, ANN202
+def _line_quality(points, item, number, line):  # noqa: ANN001, ANN202
     """Sagitta of the parabola through the points, and their rms distance, px.
 
     Near the ends the ink of other strokes bends the ridge: what lies there is left out.
     """
     half = 0.0
     for k in range(number):
-        ox, oy = points[own[k], 0] - line[0], points[own[k], 1] - line[1]
+        ox, oy = points[item[k], 0] - line[0], points[item[k], 1] - line[1]
         half = max(half, abs(ox * line[2] + oy * line[3]))
     inner = half - min(_BENT_END, 0.3 * half)
     count = s2 = s4 = a = s2a = square = 0.0
     for k in range(number):
-        ox, oy = points[own[k], 0] - line[0], points[own[k], 1] - line[1]
+        ox, oy = points[item[k], 0] - line[0], points[item[k], 1] - line[1]
         along, across = ox * line[2] + oy * line[3], oy * line[2] - ox * line[3]
         if abs(along) > inner:
             continue
@@ -228,14 +230,14 @@ def _line_quality(points, own, number, line):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _steady_sagitta(points, own, number, line):  # noqa: ANN001, ANN202
+def _steady_sagitta(points, item, number, line):  # noqa: ANN001, ANN202
     """Sagitta of the parabola through most of the points, px: reweighted least squares with
     Cauchy's weights.  All of an arc lies on one parabola; of a line that an arrowhead bends at one
     place the rest is straight."""
     half = 0.0
     along, across = np.empty(number), np.empty(number)
     for k in range(number):
-        ox, oy = points[own[k], 0] - line[0], points[own[k], 1] - line[1]
+        ox, oy = points[item[k], 0] - line[0], points[item[k], 1] - line[1]
         along[k], across[k] = ox * line[2] + oy * line[3], oy * line[2] - ox * line[3]
         half = max(half, abs(along[k]))
     design = np.ones((number, 3))

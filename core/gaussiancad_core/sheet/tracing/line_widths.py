@@ -66,7 +66,7 @@ class Pens:
     visible: float = float("inf")
 
     @property
-    def told(self) -> bool:
+    def distinct(self) -> bool:
         """Whether the sheet's pens differ."""
         return self.hidden > 0.0
 
@@ -86,11 +86,11 @@ def learn_pens(lines: Sequence[Sequence[tuple[Run, float]]], rhythm: Rhythm) -> 
         rhythm: of the sheet.
     """
     runs = [run for line in lines for run in line]
-    solid = _widths([own for own in runs if own[0].length > _SOLID * rhythm.dash])
+    solid = _widths([run for run in runs if run[0].length > _SOLID * rhythm.dash])
     # Short visible edges are as long as dashes, too, but seldom one after the other.
-    alone = _widths([own for own in runs if _is_a_dash(own[0], rhythm)])
-    beside = _widths([run for line in lines for run in _dashes_beside_dashes(line, rhythm)])
-    dashes = beside if len(beside) >= _LEAST_DASHES else alone
+    alone = _widths([run for run in runs if _is_a_dash(run[0], rhythm)])
+    adjacent = _widths([run for line in lines for run in _dashes_beside_dashes(line, rhythm)])
+    dashes = adjacent if len(adjacent) >= _LEAST_DASHES else alone
     if len(solid) < _LEAST_RUNS or len(dashes) < _LEAST_DASHES:
         return Pens()
     wide, narrow = float(np.median(solid)), float(np.median(dashes))
@@ -115,12 +115,12 @@ def _dashes_beside_dashes(
 ) -> Iterator[tuple[Run, float]]:
     """Runs as long as dashes that have another one beside them, a gap away."""
     low, high = (share * rhythm.gap for share in _EVEN_GAP)
-    dashes = [own for own in line if _is_a_dash(own[0], rhythm)]
+    dashes = [pair for pair in line if _is_a_dash(pair[0], rhythm)]
     even = [low <= b.start - a.end <= high for (a, _), (b, _) in pairwise(dashes)]
     even = [False, *even, False]
-    for own, before, after in zip(dashes, even, even[1:], strict=False):
+    for dash, before, after in zip(dashes, even, even[1:], strict=False):
         if before or after:
-            yield own
+            yield dash
 
 
 def run_width(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> float:
@@ -138,14 +138,14 @@ def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = 
     return sides_along(sheet, geometry, run, edges).sum(axis=1)
 
 
-def _with_edges(own: npt.NDArray[np.bool_], profile: Floats) -> npt.NDArray[np.bool_]:
+def _with_edges(values: npt.NDArray[np.bool_], profile: Floats) -> npt.NDArray[np.bool_]:
     """(n, k) places across a stroke that are its own, with the pale ones where it falls off.
 
     A stroke that lies between two rows of pixels has a fourth of its ink in paler ones.
     """
-    wider = own
+    wider = values
     for _ in range(_EDGE):
-        outward = np.zeros_like(own)
+        outward = np.zeros_like(values)
         outward[:, 1:] |= wider[:, :-1] & (profile[:, 1:] < profile[:, :-1])
         outward[:, :-1] |= wider[:, 1:] & (profile[:, :-1] < profile[:, 1:])
         wider = wider | outward
@@ -176,12 +176,12 @@ def sides_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = F
     # The ink that hangs together with the centre: outwards until the first blank.
     after = np.logical_and.accumulate(inked[:, half:], axis=1)
     before = np.logical_and.accumulate(inked[:, half::-1], axis=1)[:, ::-1]
-    own = np.concatenate([before[:, :-1], after], axis=1)
-    merged = own[:, 0] | own[:, -1]
+    values = np.concatenate([before[:, :-1], after], axis=1)
+    merged = values[:, 0] | values[:, -1]
     # Between two lines that touch, the centre is paler than both.
-    highest = np.where(own, profile, 0.0).max(1)
+    highest = np.where(values, profile, 0.0).max(1)
     double = profile[:, half] < _DIP * highest
-    ink = np.where(_with_edges(own, profile) if edges else own, profile, 0.0)
+    ink = np.where(_with_edges(values, profile) if edges else values, profile, 0.0)
     # Where another stroke leaves at a flat angle, the ink is wider on its side alone.
     sides = np.stack([ink[:, :half].sum(1), ink[:, half + 1 :].sum(1)], axis=1) * 0.5
     lopsided = np.abs(sides[:, 0] - sides[:, 1])

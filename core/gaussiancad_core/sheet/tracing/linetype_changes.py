@@ -48,16 +48,16 @@ def with_changes_at_junctions(
     for index, (line, visible) in enumerate(pieces):
         if not isinstance(line, Line) or visible.linetype is not Linetype.VISIBLE:
             continue
-        beside = [
+        ks = [
             k
             for k, (other, piece) in enumerate(pieces)
             if other == line and piece.linetype is Linetype.HIDDEN
         ]
-        if not beside:
+        if not ks:
             continue
-        others = [own for k, own in enumerate(pieces) if k != index and k not in beside]
+        others = [piece for k, piece in enumerate(pieces) if k != index and k not in ks]
         met = _meetings(line, others, 0.5 * stroke_width + _REACH)
-        for k in beside:
+        for k in ks:
             if k in gone or index in gone:
                 continue
             both = _changed(changed[index][1], changed[k][1], met, rhythm, stroke_width)
@@ -69,7 +69,7 @@ def with_changes_at_junctions(
                 gone.add(index)
             else:
                 changed[index] = line, seen
-    return [own for k, own in enumerate(changed) if k not in gone]
+    return [pair for k, pair in enumerate(changed) if k not in gone]
 
 
 def _changed(

@@ -48,7 +48,7 @@ def told_runs(sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: 
         runs: its ink, in order.
         pens: of the sheet.
     """
-    if sheet.hidden_odds is None and not pens.told:
+    if sheet.hidden_odds is None and not pens.distinct:
         return [(run, 0.0) for run in runs]
     found: list[Told] = []
     for run in runs:
@@ -56,13 +56,13 @@ def told_runs(sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: 
         odds = odds_along(sheet, geometry, run, pens)
         for first, last in _stretches(odds):
             step = run.length / (len(odds) - 1)
-            own = odds[first : last + 1]
-            own = own[np.isfinite(own)]
+            values = odds[first : last + 1]
+            values = values[np.isfinite(values)]
             least = max(0.5 * _SHORTEST, _KNOWN * (last - first) * step)
-            told = float(np.median(own)) if len(own) * step >= least else 0.0
+            stated = float(np.median(values)) if len(values) * step >= least else 0.0
             start = run.start if first == 0 else run.start + (first - 0.5) * step
             end = run.end if last == len(odds) - 1 else run.start + (last + 0.5) * step
-            cut.append((Run(start, end), told))
+            cut.append((Run(start, end), stated))
         found += _joined(cut)
     return _shared_in_rows(found)
 
@@ -71,7 +71,7 @@ def odds_along(sheet: CleanSheet, geometry: Geometry, run: Run, pens: Pens) -> F
     """(n,) log-odds of hidden about every px of a run; NaN where its ink is not its own."""
     widths = widths_along(sheet, geometry, run, edges=True)
     odds = np.where(np.isfinite(widths), 0.0, np.nan)
-    if pens.told:
+    if pens.distinct:
         middle, half = 0.5 * (pens.hidden + pens.visible), 0.5 * (pens.visible - pens.hidden)
         odds += np.clip(TOLD * (middle - widths) / half, -_BY_PEN, _BY_PEN)
     if sheet.hidden_odds is not None:
@@ -102,12 +102,12 @@ def _shared_in_rows(runs: list[Told]) -> list[Told]:
     lengths = np.array([run.length for run, _ in runs])
     alike = np.maximum(lengths[1:], lengths[:-1]) <= _ALIKE * np.minimum(lengths[1:], lengths[:-1])
     # Two of equal length may be anything; three are a row.
-    beside = np.pad(alike, 1)
-    follows = np.concatenate([[False], alike & (beside[:-2] | beside[2:])])[: len(runs)]
+    adjacent = np.pad(alike, 1)
+    follows = np.concatenate([[False], alike & (adjacent[:-2] | adjacent[2:])])[: len(runs)]
     found: list[Told] = []
     for row in np.split(np.arange(len(runs)), np.flatnonzero(~follows))[1:]:
         odds = [runs[k][1] for k in row]
-        known = [own for own in odds if own]
+        known = [odd for odd in odds if odd]
         mean = float(np.mean(known)) if known else 0.0
         found += [(runs[k][0], mean) for k in row]
     return found

@@ -63,10 +63,10 @@ def without_offset_ink(
         others: lines of the same view.
     """
     runs = [run for run in runs if not _is_across(sheet, line, run, others)]
-    beside = [other for other in others if other != line and _is_beside(line, other, runs, sheet)]
-    if not beside:
+    lines = [other for other in others if other != line and _is_beside(line, other, runs, sheet)]
+    if not lines:
         return list(runs)
-    return [part for run in runs for part in _parts(sheet, line, run, beside)]
+    return [part for run in runs for part in _parts(sheet, line, run, lines)]
 
 
 def runs_along(sheet: CleanSheet, line: Line, runs: Sequence[Run]) -> list[Run]:
@@ -96,13 +96,13 @@ def parted_slants(sheet: CleanSheet, line: Line, runs: Sequence[Run]) -> list[li
     if len(long) < 2 or min(np.abs(line.direction)) < _SLANTED:
         return [list(runs)]
     leader = max(long, key=lambda run: run.length)
-    own = refit_line(sheet, line, [(leader.start, leader.end)])
+    this_refit_line = refit_line(sheet, line, [(leader.start, leader.end)])
     others = [
         run
         for run in long
         if run is not leader
         and abs(run.start + run.end - leader.start - leader.end) < 2.0 * _FORETOLD * leader.length
-        and (_is_off(sheet, own, run) or _is_beyond(sheet, line, own, run))
+        and (_is_off(sheet, this_refit_line, run) or _is_beyond(sheet, line, this_refit_line, run))
     ]
     return [[run for run in runs if run not in others], others] if others else [list(runs)]
 
@@ -116,11 +116,11 @@ def _is_off(sheet: CleanSheet, line: Line, run: Run) -> bool:
     return abs(middle) > _OFF_COURSE and float(np.abs(off - middle).mean()) < _EVEN
 
 
-def _is_beyond(sheet: CleanSheet, line: Line, own: Line, run: Run) -> bool:
+def _is_beyond(sheet: CleanSheet, line: Line, this_line: Line, run: Run) -> bool:
     """Whether a run is on a line, but as far beside another that its ink is not seen from there."""
     ends = line.points_at(np.array([run.start, run.end]))
     seen = len(cross_profile(sheet, line, [(run.start, run.end)])[1]) > _MOST_OF * run.length
-    return seen and bool((own.distances(ends) > 2.0 * _OFF_COURSE).all())
+    return seen and bool((this_line.distances(ends) > 2.0 * _OFF_COURSE).all())
 
 
 def lines_across(
@@ -188,12 +188,12 @@ def _is_beside(line: Line, other: Line, runs: Sequence[Run], sheet: CleanSheet) 
     return bool(other.distances(ends).min() < sheet.stroke_width + _BESIDE)
 
 
-def _parts(sheet: CleanSheet, line: Line, run: Run, beside: Sequence[Line]) -> Iterator[Run]:
+def _parts(sheet: CleanSheet, line: Line, run: Run, lines: Sequence[Line]) -> Iterator[Run]:
     """What is left of a run."""
     along = np.arange(run.start, run.end + 0.5)
     points = line.points_at(along)
     foreign = np.zeros(len(along), dtype=bool)
-    for other in beside:
+    for other in lines:
         apart = other.distances(points) > _BESIDE
         foreign |= apart & _is_followed(sheet, other, other.positions(points))
     if foreign.any():
@@ -228,9 +228,9 @@ def _stretches(
     places = along[flags]
     if not len(places):
         return
-    for own in np.split(places, np.flatnonzero(np.diff(places) > _LEAST / 2) + 1):
-        first, last = float(own[0]), float(own[-1])
+    for values in np.split(places, np.flatnonzero(np.diff(places) > _LEAST / 2) + 1):
+        first, last = float(values[0]), float(values[-1])
         at_end = first - ends[0] < _AT_END or ends[1] - last < _AT_END
         least = _LEAST_AT_END if at_end else _LEAST
-        if last - first >= least and len(own) > _MOST_OF * (last - first):
+        if last - first >= least and len(values) > _MOST_OF * (last - first):
             yield first, last

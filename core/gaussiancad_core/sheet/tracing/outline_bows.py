@@ -66,14 +66,14 @@ def with_bows(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
         sheet: its ink.
     """
     found = list(pieces)
-    for line in dict.fromkeys(own for own, _ in pieces if isinstance(own, Line)):
-        drawn = [piece for own, piece in pieces if own == line and _may_be_visible(piece)]
-        others = [own for own in pieces if own[0] != line]
+    for line in dict.fromkeys(this_line for this_line, _ in pieces if isinstance(this_line, Line)):
+        drawn = [piece for item, piece in pieces if item == line and _may_be_visible(piece)]
+        others = [piece for piece in pieces if piece[0] != line]
         for start, end in _spans(drawn):
             for first, last, arc in _bows(line, (start, end), sheet, others):
-                found = [own for own in found if not _is_same(own, arc)]
-                found = [part for own in found for part in _without(own, line, (first, last))]
-                found = [own for own in found if not _is_chord(own, line, arc, found)]
+                found = [pair for pair in found if not _is_same(pair, arc)]
+                found = [part for pair in found for part in _without(pair, line, (first, last))]
+                found = [pair for pair in found if not _is_chord(pair, line, arc, found)]
                 found.append(arc)
     return found
 
@@ -83,9 +83,9 @@ def _may_be_visible(piece: Piece) -> bool:
     return piece.linetype is Linetype.VISIBLE or piece.end - piece.start <= _LONGEST
 
 
-def _is_same(own: Placed, arc: Placed) -> bool:
+def _is_same(pair: Placed, arc: Placed) -> bool:
     """Whether a piece is an arc that was grown along another one."""
-    geometry, piece = own
+    geometry, piece = pair
     if not isinstance(geometry, Circle) or piece.linetype is not Linetype.VISIBLE:
         return False
     middle = geometry.points_at(np.array([(piece.start + piece.end) / 2.0]))
@@ -93,9 +93,9 @@ def _is_same(own: Placed, arc: Placed) -> bool:
     return bool(distances_to(arc, middle)[0] < _LEAST) and piece.end - piece.start < longer
 
 
-def _is_chord(own: Placed, line: Line, arc: Placed, pieces: Sequence[Placed]) -> bool:
+def _is_chord(pair: Placed, line: Line, arc: Placed, pieces: Sequence[Placed]) -> bool:
     """Whether a piece is a line that was grown from ink of a bow, and of its line beside that."""
-    geometry, piece = own
+    geometry, piece = pair
     if not isinstance(geometry, Line) or geometry == line:
         return False
     cosine = abs(float(np.dot(geometry.direction, line.direction)))
@@ -131,16 +131,16 @@ def _bows(
     at, off = _centres(sheet, line, span)
     away = np.concatenate([[False], np.abs(off) > _LEAVES, [False]])
     for low, high in np.flatnonzero(np.diff(away.astype(int))).reshape(-1, 2):
-        places, beside = at[low:high], off[low:high]
+        places, adjacent = at[low:high], off[low:high]
         length = float(np.ptp(places))
         if not _SHORTEST <= length <= _LONGEST or len(places) < _SEEN * length:
             continue
-        bend, slope, shift = np.polyfit(places, beside, 2)
-        even = np.abs(np.polyval((bend, slope, shift), places) - beside) <= _EVEN
+        bend, slope, shift = np.polyfit(places, adjacent, 2)
+        even = np.abs(np.polyval((bend, slope, shift), places) - adjacent) <= _EVEN
         if even.sum() >= _FEWEST:
             # The ink of what ends there is in that of the bow's ends.
-            bend, slope, shift = np.polyfit(places[even], beside[even], 2)
-            even = np.abs(np.polyval((bend, slope, shift), places) - beside) <= _EVEN
+            bend, slope, shift = np.polyfit(places[even], adjacent[even], 2)
+            even = np.abs(np.polyval((bend, slope, shift), places) - adjacent) <= _EVEN
         if even.mean() < _SEEN or bend == 0.0:
             continue
         top = -slope / (2.0 * bend)
@@ -194,7 +194,7 @@ def _foot(line: Line, at: float, others: Sequence[Placed]) -> float:
         position = float(geometry.positions(np.array([line.at(crossing)]))[0])
         if piece.start - _NEAR <= position <= piece.end + _NEAR:
             found.append(float(crossing))
-    nearest = min(found, key=lambda own: abs(own - at), default=at)
+    nearest = min(found, key=lambda value: abs(value - at), default=at)
     return nearest if abs(nearest - at) <= _NEAR else at
 
 
@@ -213,11 +213,11 @@ def _arc(line: Line, ends: tuple[float, float], height: float) -> Placed:
     return circle, Piece(float(first), float(end), Linetype.VISIBLE, _CONFIDENCE)
 
 
-def _without(own: Placed, line: Line, stretch: tuple[float, float]) -> Iterator[Placed]:
+def _without(pair: Placed, line: Line, stretch: tuple[float, float]) -> Iterator[Placed]:
     """A piece without a stretch of its line."""
-    geometry, piece = own
+    geometry, piece = pair
     if geometry != line or piece.end <= stretch[0] or piece.start >= stretch[1]:
-        yield own
+        yield pair
         return
     if stretch[0] - piece.start > 1.0:
         yield geometry, replace(piece, end=stretch[0])

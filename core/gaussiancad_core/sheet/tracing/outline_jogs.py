@@ -99,7 +99,9 @@ def _free_ends(pieces: Sequence[Placed], width: float) -> Iterator[_End]:
     ]
     if not tips:
         return
-    away = np.array([distances_to(own, np.array([tip for _, tip, _ in tips])) for own in pieces])
+    away = np.array(
+        [distances_to(piece, np.array([tip for _, tip, _ in tips])) for piece in pieces]
+    )
     away[[index for index, _, _ in tips], np.arange(len(tips))] = np.inf
     for (index, tip, outward), nearest in zip(tips, away.min(axis=0), strict=True):
         if nearest > _FREE * width:

@@ -71,14 +71,14 @@ class OvalRules:
 
 
 def grow_ovals(
-    ridges: RidgePoints, seeds: Iterable[tuple[Circle, Rows]], beside: Floats, rules: OvalRules
+    ridges: RidgePoints, seeds: Iterable[tuple[Circle, Rows]], adjacent: Floats, rules: OvalRules
 ) -> list[tuple[WholeEllipse, Rows]]:
     """Ellipses that explain ridge points, with the rows of those points.
 
     Args:
         ridges: the points.
         seeds: arcs with the rows of their points, those with most first.
-        beside: (n,) px from each point to the line that has it, infinite where none has.
+        adjacent: (n,) px from each point to the line that has it, infinite where none has.
         rules: when points belong.
     """
     found: list[tuple[WholeEllipse, Rows]] = []
@@ -89,14 +89,14 @@ def grow_ovals(
         if _is_whole_circle(circle, ridges.points[members]):
             explained[members] = True
             continue
-        grown = _grown(ridges, circle, members, beside, rules)
+        grown = _grown(ridges, circle, members, adjacent, rules)
         if grown is None:
             continue
         ellipse, seed = grown
         wide = OvalRules(rules.gap, _CONSUMED, _CONSUMED_TURN)
-        own = _followed(ridges, ellipse, seed, np.full(len(explained), np.inf), wide)[0]
-        explained[own] = True
-        found.append((ellipse, own))
+        values = _followed(ridges, ellipse, seed, np.full(len(explained), np.inf), wide)[0]
+        explained[values] = True
+        found.append((ellipse, values))
     return found
 
 
@@ -108,30 +108,30 @@ def _is_whole_circle(circle: Circle, points: Floats) -> bool:
 
 
 def _grown(
-    ridges: RidgePoints, circle: Circle, members: Rows, beside: Floats, rules: OvalRules
+    ridges: RidgePoints, circle: Circle, members: Rows, adjacent: Floats, rules: OvalRules
 ) -> tuple[WholeEllipse, int] | None:
     """The ellipse that an arc is a piece of, and one of its points."""
     points = ridges.points
     ellipse = _start(points[members], circle)
     seed = int(members[np.argmin(ellipse.distances(points[members]))])
     before = 0
-    own, turned = members, 0.0
+    values, turned = members, 0.0
     for turn in range(_TURNS):
         band = max(rules.band, _BANDS[min(turn, len(_BANDS) - 1)])
         looser = OvalRules(rules.gap, band, rules.cosine)
-        own, turned, length = _followed(ridges, ellipse, seed, beside, looser)
-        if len(own) < 8:
+        values, turned, length = _followed(ridges, ellipse, seed, adjacent, looser)
+        if len(values) < 8:
             return None
         for _ in range(2):
-            ellipse = refined(ellipse, points[own])
+            ellipse = refined(ellipse, points[values])
         if not _LEAST_AXIS <= ellipse.semi_minor <= ellipse.semi_major <= _LARGEST:
             return None
-        if turn >= len(_BANDS) and len(own) == before:
+        if turn >= len(_BANDS) and len(values) == before:
             break
-        before = len(own)
-    filled = len(own) >= max(_FEWEST, _FILLED * length)
-    told = filled and turned >= _LEAST_TURN and _fits(points[own], ellipse)
-    return (ellipse, seed) if told else None
+        before = len(values)
+    filled = len(values) >= max(_FEWEST, _FILLED * length)
+    stated = filled and turned >= _LEAST_TURN and _fits(points[values], ellipse)
+    return (ellipse, seed) if stated else None
 
 
 def _start(points: Floats, circle: Circle) -> WholeEllipse:
@@ -145,7 +145,7 @@ def _start(points: Floats, circle: Circle) -> WholeEllipse:
 
 
 def _followed(
-    ridges: RidgePoints, ellipse: WholeEllipse, seed: int, beside: Floats, rules: OvalRules
+    ridges: RidgePoints, ellipse: WholeEllipse, seed: int, adjacent: Floats, rules: OvalRules
 ) -> tuple[Rows, float, float]:
     """The points along an ellipse from a seed to a gap both ways, the angle that its tangent turns
     by from the first to the last, and the length between them."""
@@ -156,7 +156,7 @@ def _followed(
     across, parameters = ellipse.away(ridges.points[rows])
     tangents = ellipse.tangents(parameters)
     alike = np.abs((tangents * ridges.tangents[rows]).sum(1))
-    near = np.abs(across) <= np.minimum(rules.band, beside[rows] + _NEARER)
+    near = np.abs(across) <= np.minimum(rules.band, adjacent[rows] + _NEARER)
     bend = _radii(ellipse, parameters)
     slack = np.cos(np.minimum(np.arccos(rules.cosine) + 1.2 / bend, 1.2))
     kept = (near & (alike >= slack)) | (rows == seed)
@@ -202,5 +202,5 @@ def _fits(points: Floats, ellipse: WholeEllipse) -> bool:
     system = np.column_stack([2.0 * local, np.ones(len(local))])
     solution = np.linalg.lstsq(system, (local**2).sum(1), rcond=None)[0]
     radius = np.sqrt(max(float(solution[2] + solution[:2] @ solution[:2]), 0.0))
-    beside = np.hypot(*(local - solution[:2]).T) - radius
-    return float(np.sqrt((beside**2).mean())) > _ROUND
+    neighbour = np.hypot(*(local - solution[:2]).T) - radius
+    return float(np.sqrt((neighbour**2).mean())) > _ROUND

@@ -76,9 +76,9 @@ def fit_pen(
     """
     from scipy.optimize import least_squares
 
-    longest = sorted(lines, key=lambda own: own[1] - own[2])[:_LINES]
+    longest = sorted(lines, key=lambda line: line[1] - line[2])[:_LINES]
     reach = stroke_width / 2 + 2.5
-    parts = [_pixels(weight, *own, reach) for own in longest]
+    parts = [_pixels(weight, *pair, reach) for pair in longest]
     start = Pen(stroke_width, 0.5, 1.0)
     if sum(len(part) for part in parts) < _FEWEST:
         return start

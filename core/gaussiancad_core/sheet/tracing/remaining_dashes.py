@@ -86,7 +86,7 @@ def find_remaining_dashes(
         if len(steady) >= _FEWEST:
             line, piece = _fitted(steady)
             found.append((_centred(line, steady, sheet), piece))
-            left = [dash for dash in left if all(dash is not own for own in steady)]
+            left = [dash for dash in left if all(dash is not this_dash for this_dash in steady)]
     return found
 
 
@@ -125,12 +125,12 @@ def _is_in_line(one: _Dash, other: _Dash) -> bool:
     between = other.middle - one.middle
     distance = max(float(np.hypot(*between)), 1.0)
     off = [
-        abs(float(own.along[0] * between[1] - own.along[1] * between[0])) / distance
-        for own in (one, other)
+        abs(float(dash.along[0] * between[1] - dash.along[1] * between[0])) / distance
+        for dash in (one, other)
     ]
     # A dash tells its direction to about a pixel over its length.
     return all(
-        sine * own.length / 2.0 <= _BESIDE_PX for sine, own in zip(off, (one, other), strict=True)
+        sine * dash.length / 2.0 <= _BESIDE_PX for sine, dash in zip(off, (one, other), strict=True)
     )
 
 
@@ -142,8 +142,8 @@ def _steady(row: Sequence[_Dash], along: Floats, rhythm: Rhythm) -> list[_Dash]:
         period = (one.length + other.length) / 2.0 + rhythm.gap
         apart = float((other.middle - one.middle) @ along)
         count = round(apart / period)
-        beside = abs(apart - count * period) > count * _LIKE_A_GAP * rhythm.gap
-        if beside or not 1 <= count <= 1 + _LACKING or not _is_in_line(one, other):
+        adjacent = abs(apart - count * period) > count * _LIKE_A_GAP * rhythm.gap
+        if adjacent or not 1 <= count <= 1 + _LACKING or not _is_in_line(one, other):
             parts.append([])
         parts[-1].append(other)
     return max(parts, key=len)
@@ -197,8 +197,8 @@ def _uphill(profile: Floats, start: int) -> int:
     """The nearest place from which a profile does not rise."""
     at = start
     while True:
-        beside = [k for k in (at - 1, at + 1) if 0 <= k < len(profile)]
-        best = max(beside, key=lambda k: profile[k])
+        ks = [k for k in (at - 1, at + 1) if 0 <= k < len(profile)]
+        best = max(ks, key=lambda k: profile[k])
         if profile[best] <= profile[at]:
             return at
         at = best

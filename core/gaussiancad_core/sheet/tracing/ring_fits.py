@@ -91,18 +91,18 @@ class InkAbout:
         return Ring(float(radius), bool(pale <= _MISSING_SECTORS), held)
 
 
-def fit_rings(ink: InkAbout, told: Sequence[float], width: float) -> list[Ring]:
+def fit_rings(ink: InkAbout, stated: Sequence[float], width: float) -> list[Ring]:
     """The circles that are drawn: those told that have ink, and those that only the ink tells.
 
     Args:
         ink: about their centre.
-        told: radii at which there may be one, px.
+        stated: radii at which there may be one, px.
         width: of the sheet's lines, px.
     """
     from scipy.signal import find_peaks
 
     peaks = ink.radii[find_peaks(ink.mean, height=_DASHED / 2.0, prominence=_RISING)[0]]
-    known = [ink.ring_at(radius, _HELD_TOLD) for radius in told]
+    known = [ink.ring_at(radius, _HELD_TOLD) for radius in stated]
     rings = _distinct([*known, *(ink.ring_at(radius) for radius in peaks)])
     parts = []
     for low, high in _stretches(ink):
@@ -111,7 +111,7 @@ def fit_rings(ink: InkAbout, told: Sequence[float], width: float) -> list[Ring]:
         parts.append((part, inside))
     pens = _pen(parts, width, solid=True), _pen(parts, width, solid=False)
     found = [ring for part, inside in parts for ring in _told_apart(part, inside, pens)]
-    return [ring for ring, own in zip(found, _shown(ink, found, pens), strict=True) if own]
+    return [ring for ring, flag in zip(found, _shown(ink, found, pens), strict=True) if flag]
 
 
 def _distinct(rings: Sequence[Ring]) -> list[Ring]:
@@ -186,7 +186,7 @@ def _moved(ink: InkAbout, rings: list[Ring], pens: tuple[float, float]) -> list[
 
 def _profiles(radii: Floats, rings: Sequence[Ring], pens: tuple[float, float]) -> Floats:
     """(n, k) ink at some radii of circles drawn with their pens."""
-    columns = [_profile(radii - own.radius, pens[0 if own.solid else 1]) for own in rings]
+    columns = [_profile(radii - ring.radius, pens[0 if ring.solid else 1]) for ring in rings]
     return np.array(columns).reshape(len(columns), len(radii)).T
 
 

@@ -60,13 +60,13 @@ class End:
     at: float
     way: float
 
-    def points(self, beyond: Floats, beside: Floats) -> Floats:
+    def points(self, beyond: Floats, adjacent: Floats) -> Floats:
         """(..., 2) px of places beyond the end and to the left of the line."""
         direction = np.array(self.line.direction)
         normal = np.array([-direction[1], direction[0]])
         origin = np.array(self.line.at(self.at))
         along = self.way * np.asarray(beyond)[..., None] * direction
-        return origin + along + np.asarray(beside)[..., None] * normal
+        return origin + along + np.asarray(adjacent)[..., None] * normal
 
 
 @dataclass(frozen=True)
@@ -110,20 +110,20 @@ def _followed(end: End, sheet: CleanSheet) -> tuple[Floats, Floats]:
     points = end.points(places[:, None], offsets)
     strip = sample(sheet.weight, points[..., 0], points[..., 1])
     span = round(half / STEP)
-    beside, slope, alone = 0.0, 0.0, float(places[0])
+    offset, slope, alone = 0.0, 0.0, float(places[0])
     found: list[tuple[float, float]] = []
     for beyond, across in zip(places.tolist(), strip, strict=True):
-        beside += slope
-        middle = round((beside + reach) / STEP)
+        offset += slope
+        middle = round((offset + reach) / STEP)
         if not span <= middle < len(offsets) - span:
             break
         ink = across[middle - span : middle + span + 1]
         total = float(ink.sum()) * STEP
         single = max(ink[0], ink[-1]) < _WHITE and total < _WIDER * sheet.stroke_width
         if single and total > 0.5 * sheet.stroke_width:
-            own = offsets[middle - span : middle + span + 1]
-            beside = float((ink * own).sum()) * STEP / total
-            found.append((beyond, beside))
+            values = offsets[middle - span : middle + span + 1]
+            offset = float((ink * values).sum()) * STEP / total
+            found.append((beyond, offset))
             near = [other for other in found[-5:] if other[0] >= beyond - 4.0]
             if len(near) > 2:
                 slope = (near[-1][1] - near[0][1]) / (near[-1][0] - near[0][0])

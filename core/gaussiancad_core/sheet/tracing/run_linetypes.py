@@ -41,7 +41,7 @@ def classify(
     rhythm: Rhythm,
     touches: Sequence[tuple[bool, bool]],
     around: float = float("inf"),
-    told: Sequence[float] = (),
+    stated: Sequence[float] = (),
 ) -> list[Piece]:
     """Visible and hidden pieces of a shape.
 
@@ -50,7 +50,7 @@ def classify(
         rhythm: of the sheet.
         touches: for each run whether its start and its end lie on another stroke.
         around: px, of a shape that closes on itself.
-        told: for each run log-odds that its ink is hidden, 0 where it tells nothing; without it
+        stated: for each run log-odds that its ink is hidden, 0 where it tells nothing; without it
             runs longer than dashes are visible.  Dashes beside each other that fill their gaps are
             hidden all along.
     """
@@ -61,12 +61,12 @@ def classify(
 
     def close_group() -> None:
         if group:
-            seen = told[group[0]] if told and len(group) == 1 else 0.0
+            seen = stated[group[0]] if stated and len(group) == 1 else 0.0
             pieces.append(_short_piece(runs, group, rhythm, all(touches[group[0]]), seen))
             group.clear()
 
     for index, run in enumerate(runs):
-        odds = told[index] if told else 0.0
+        odds = stated[index] if stated else 0.0
         visible = odds <= -TOLD
         hidden = odds >= TOLD or (
             not visible and _is_joint(runs, index, rhythm, around, touches[index])

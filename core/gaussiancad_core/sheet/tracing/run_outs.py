@@ -70,9 +70,9 @@ def with_run_outs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
     """
     found = list(pieces)
     for placed in pieces:
-        own = placed
+        pair = placed
         for way in (1.0, -1.0):
-            current = _current(own, found)
+            current = _current(pair, found)
             if current is None:
                 continue
             line, piece = current
@@ -82,7 +82,7 @@ def with_run_outs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
                 end, rise = _on_own_ink(end, rise, sheet, found)
                 found = [(end.line, p) if p is piece else (g, p) for g, p in found]
                 found = _drawn(end, rise, sheet, found)
-                own = end.line, piece
+                pair = end.line, piece
     return with_steps_parted(found, sheet)
 
 
@@ -91,7 +91,7 @@ def with_steps_parted(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Place
     found, todo = list(pieces), list(pieces)
     while todo:
         current = _current(todo.pop(), found)
-        if current is None or min(abs(own) for own in current[0].direction) > _LEVEL:
+        if current is None or min(abs(value) for value in current[0].direction) > _LEVEL:
             continue
         parted = _parted(current, sheet, found)
         if parted is not None:
@@ -106,10 +106,13 @@ def _current(placed: Placed, found: Sequence[Placed]) -> tuple[Line, Piece] | No
     if not isinstance(geometry, Line):
         return None
     middle = 0.5 * (piece.start + piece.end)
-    for other, own in found:
-        if other is geometry and own.start <= middle <= own.end:
-            long = own.end - own.start >= _LONG and own.linetype is Linetype.VISIBLE
-            return (other, own) if long else None
+    for other, this_piece in found:
+        if other is geometry and this_piece.start <= middle <= this_piece.end:
+            long = (
+                this_piece.end - this_piece.start >= _LONG
+                and this_piece.linetype is Linetype.VISIBLE
+            )
+            return (other, this_piece) if long else None
     return None
 
 
@@ -119,8 +122,8 @@ def _is_known(end: End, rise: RunOut, pieces: Sequence[Placed]) -> bool:
         np.array([0.5 * (rise.foot + rise.corner), rise.corner]),
         np.array([0.25 * rise.height, rise.height]),
     )
-    curves = (own for own in pieces if not isinstance(own[0], Line))
-    return any(bool((distances_to(own, middle) < _KNOWN).any()) for own in curves)
+    curves = (piece for piece in pieces if not isinstance(piece[0], Line))
+    return any(bool((distances_to(curve, middle) < _KNOWN).any()) for curve in curves)
 
 
 def _parted(
@@ -136,7 +139,11 @@ def _parted(
                 continue
             end, high = step
             parts: list[Placed] = [(end.line, end.piece), high]
-            rest = [own for own in pieces if own[0] is not line or own[1] is not piece]
+            rest = [
+                this_piece
+                for this_piece in pieces
+                if this_piece[0] is not line or this_piece[1] is not piece
+            ]
             rise = find_run_out(end, sheet, rest)
             if rise is not None and not _is_known(end, rise, rest):
                 return _drawn(end, rise, sheet, [*rest, *parts]), parts
@@ -152,7 +159,7 @@ def _step_at(
     x, y = line.at(corner)
     level = Line((x, y), (float(axis[0]), float(axis[1])))
     hidden = 0.5 * sheet.stroke_width + 0.5 * ROOM
-    room = [way * (own - corner) for own in (piece.start, piece.end)]
+    room = [way * (value - corner) for value in (piece.start, piece.end)]
     before, after = max(0.0, -min(room)), max(0.0, *room)
     if before < _LONG or after < hidden + _FLAT_LONG:
         return None
@@ -167,7 +174,7 @@ def _step_at(
         return None
     back = min(BEFORE, 0.5 * before)
     spans = sorted((-way * before, -way * back)), sorted((0.0, way * after))
-    lines = [replace(level, point=tuple(_beside(level, own))) for own in (base, top)]
+    lines = [replace(level, point=tuple(_beside(level, value))) for value in (base, top)]
     parts = [Piece(*span, piece.linetype, piece.confidence) for span in spans]
     return End(lines[0], parts[0], -way * back, way), (lines[1], parts[1])
 
@@ -205,7 +212,7 @@ def _drawn(end: End, rise: RunOut, sheet: CleanSheet, pieces: Sequence[Placed]) 
             found.append((geometry, replace(piece, **{"end" if end.way > 0.0 else "start": cut})))
         elif not _is_within(course, (geometry, piece)):
             found.append(_met(geometry, piece, corner, end))
-    if beyond is not None and any(_is_within([own], beyond, _ALONG) for own in found):
+    if beyond is not None and any(_is_within([pair], beyond, _ALONG) for pair in found):
         return [*found, arc]
     return [*found, *course]
 
@@ -225,9 +232,9 @@ def _on_own_ink(
     return (end, rise) if again is None else (better, again)
 
 
-def _is_within(course: Sequence[Placed], own: Placed, away: float = _ASTRAY) -> bool:
+def _is_within(course: Sequence[Placed], pair: Placed, away: float = _ASTRAY) -> bool:
     """Whether all of a piece is what the ink of others was taken for."""
-    geometry, piece = own
+    geometry, piece = pair
     length = piece.end - piece.start
     if length > sum(part.end - part.start for _, part in course) + 2.0 * _REACHED:
         return False
@@ -239,7 +246,7 @@ def _met(geometry: Geometry, piece: Piece, corner: Floats, end: End) -> Placed:
     """A stroke that ends at the corner, exactly there."""
     if not isinstance(geometry, Line):
         return geometry, piece
-    at, away = (float(own[0]) for own in geometry.coordinates(corner[None]))
+    at, away = (float(coordinate[0]) for coordinate in geometry.coordinates(corner[None]))
     if abs(away) > _ALONG:
         return geometry, piece
     cosine = end.way * float(np.dot(geometry.direction, end.line.direction))
@@ -258,7 +265,7 @@ def _outline_beyond(
     """The line from the corner on, as high as it, to the next stroke; None where no ink is."""
     half = 0.5 * sheet.stroke_width
     across = crossings(end, pieces, rise.height, LEAST, rise.corner + _FAR)
-    last = next((own for own in across if own > rise.corner + 2.0 * half), None)
+    last = next((value for value in across if value > rise.corner + 2.0 * half), None)
     if last is None:
         return None
     places = np.arange(rise.corner + half + 1.0, last - half - 1.0, 1.0)
@@ -286,7 +293,7 @@ def _arc(end: End, rise: RunOut) -> Placed:
     centre = end.points(np.array(rise.foot), np.array(radius))
     circle = Circle((float(centre[0]), float(centre[1])), abs(float(radius)))
     ends = end.points(np.array([rise.foot, rise.corner]), np.array([0.0, rise.height]))
-    first, last = (float(own) for own in circle.positions(ends))
+    first, last = (float(position) for position in circle.positions(ends))
     if (last - first) % circle.around > circle.around / 2.0:
         first, last = last, first
     stop = first + (last - first) % circle.around

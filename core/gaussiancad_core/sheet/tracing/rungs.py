@@ -81,9 +81,9 @@ def find_rungs(pieces: Sequence[Placed], sheet: CleanSheet, pens: Pens | None) -
         for at, wide in _dark_places(gap, sheet):
             start = gap.origin + at * gap.along
             middle = start + gap.width / 2.0 * gap.across
-            others = (distances_to(own, middle[None])[0] for own in (*pieces, *found))
+            others = (distances_to(piece, middle[None])[0] for piece in (*pieces, *found))
             if min(others) > _KNOWN * sheet.stroke_width:
-                kind = pens.kind(wide) if pens is not None and pens.told else None
+                kind = pens.kind(wide) if pens is not None and pens.distinct else None
                 found.append(_rung(start, gap, kind or Linetype.VISIBLE))
     return found
 
@@ -92,15 +92,15 @@ def gaps_between(pieces: Sequence[Placed], stroke_width: float, least: float) ->
     """The gaps of so many px at least between visible lines that run beside each other, with
     nothing between them."""
     lines = [
-        (own, piece)
-        for own, piece in pieces
-        if isinstance(own, Line) and piece.linetype is Linetype.VISIBLE
+        (this_line, piece)
+        for this_line, piece in pieces
+        if isinstance(this_line, Line) and piece.linetype is Linetype.VISIBLE
     ]
     if not lines:
         return
-    starts = np.array([own.at(piece.start) for own, piece in lines])
-    ends = np.array([own.at(piece.end) for own, piece in lines])
-    ways = np.array([own.direction for own, _ in lines])
+    starts = np.array([this_line.at(piece.start) for this_line, piece in lines])
+    ends = np.array([this_line.at(piece.end) for this_line, piece in lines])
+    ways = np.array([this_line.direction for this_line, _ in lines])
     for number, (line, piece) in enumerate(lines):
         along = np.array(line.direction)
         across = np.array([-along[1], along[0]])
@@ -108,10 +108,10 @@ def gaps_between(pieces: Sequence[Placed], stroke_width: float, least: float) ->
         low = np.maximum(np.minimum(firsts, lasts), piece.start)
         high = np.minimum(np.maximum(firsts, lasts), piece.end)
         # The ink of a stroke ends half its width beyond the corner.
-        beside = (np.abs(ways @ across) < _PARALLEL) & (low - stroke_width < high)
+        neighbour = (np.abs(ways @ across) < _PARALLEL) & (low - stroke_width < high)
         for way in (across, -across):
             away = ((starts + ends) / 2.0 - starts[number]) @ way
-            near = beside & (away >= least) & (away <= _LONGEST)
+            near = neighbour & (away >= least) & (away <= _LONGEST)
             for other in np.flatnonzero(near[:number]):
                 between = near & (away < away[other] - least / 2.0)
                 between &= (low <= low[other] + stroke_width) & (high >= high[other] - stroke_width)
@@ -122,8 +122,8 @@ def gaps_between(pieces: Sequence[Placed], stroke_width: float, least: float) ->
 
 def _dark_places(gap: Gap, sheet: CleanSheet) -> Iterator[tuple[float, float]]:
     """Where along a gap it is dark from one line to the other, and px over which it is."""
-    beside = sheet.stroke_width / 2.0 + _CLEAR
-    tracks = np.arange(beside, gap.width - beside + 1e-9, 2.0 * _STEP)
+    offset = sheet.stroke_width / 2.0 + _CLEAR
+    tracks = np.arange(offset, gap.width - offset + 1e-9, 2.0 * _STEP)
     along = np.arange(gap.span[0], gap.span[1] + _STEP, _STEP)
     points = gap.origin + along[:, None, None] * gap.along + tracks[None, :, None] * gap.across
     ink = sample(sheet.weight, points[..., 0], points[..., 1])
@@ -135,12 +135,12 @@ def _dark_places(gap: Gap, sheet: CleanSheet) -> Iterator[tuple[float, float]]:
         # All its ink, down to the paper on both sides.
         reach = int(np.ceil(sheet.stroke_width / _STEP))
         part = slice(max(0, first - reach), last + reach)
-        own = ink[part]
-        if own[0].max() > _DARK or own[-1].max() > _DARK:
+        values = ink[part]
+        if values[0].max() > _DARK or values[-1].max() > _DARK:
             continue
-        centres = (along[part, None] * own).sum(axis=0) / own.sum(axis=0)
+        centres = (along[part, None] * values).sum(axis=0) / values.sum(axis=0)
         if np.ptp(centres) <= _ASKEW:
-            yield float(np.median(centres)), float(np.median(own.sum(axis=0))) * _STEP
+            yield float(np.median(centres)), float(np.median(values.sum(axis=0))) * _STEP
 
 
 def _rung(start: Floats, gap: Gap, kind: Linetype) -> Placed:

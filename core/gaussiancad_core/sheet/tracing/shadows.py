@@ -47,30 +47,33 @@ def without_shadows(
         stroke_width: px.
         dash: px of a dash, if there are any.
     """
-    straight = [own for own in pieces if _is_visible_line(own)]
+    straight = [piece for piece in pieces if _is_visible_line(piece)]
     round_ = [
-        own for own in pieces if isinstance(own[0], Circle) and own[1].linetype is Linetype.VISIBLE
+        piece
+        for piece in pieces
+        if isinstance(piece[0], Circle) and piece[1].linetype is Linetype.VISIBLE
     ]
     dashed = [
-        own
-        for own in pieces
-        if isinstance(own[0], Circle)
-        and own[1].linetype is Linetype.HIDDEN
-        and is_full_circle(*own)
+        piece
+        for piece in pieces
+        if isinstance(piece[0], Circle)
+        and piece[1].linetype is Linetype.HIDDEN
+        and is_full_circle(*piece)
     ]
     return [
-        own
-        for own in pieces
+        piece
+        for piece in pieces
         if not (
-            _is_visible_line(own)
-            and own[1].end - own[1].start <= _LONGEST
+            _is_visible_line(piece)
+            and piece[1].end - piece[1].start <= _LONGEST
             and (
-                any(_throws(other, own, stroke_width) for other in straight)
-                or any(_touches(other, own, stroke_width) for other in round_)
+                any(_throws(other, piece, stroke_width) for other in straight)
+                or any(_touches(other, piece, stroke_width) for other in round_)
             )
         )
         and not (
-            _is_one_dash(own, dash) and any(_touches(other, own, stroke_width) for other in dashed)
+            _is_one_dash(piece, dash)
+            and any(_touches(other, piece, stroke_width) for other in dashed)
         )
     ]
 
@@ -87,14 +90,14 @@ def _is_one_dash(placed: Placed, dash: float) -> bool:
 
 def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
     line, piece = stroke
-    course, own = shadow
-    length = own.end - own.start
+    course, this_piece = shadow
+    length = this_piece.end - this_piece.start
     if piece.end - piece.start < _LONGER * length:
         return False
     (ax, ay), (bx, by) = line.direction, course.direction
     if not _LEAST_TURN < abs(ax * by - ay * bx) < _MOST_TURN:
         return False
-    points = path_points(course, own.start, own.end)
+    points = path_points(course, this_piece.start, this_piece.end)
     along, across = line.coordinates(points)
     inside = (along > piece.start - 1.0) & (along < piece.end + 1.0)
     covered = inside & (np.abs(across) <= stroke_width / 2.0 + 1.0)
@@ -104,14 +107,14 @@ def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
 def _touches(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
     """Whether a circle touches a line in the middle of a piece, and goes on beside all of it."""
     circle, piece = stroke
-    course, own = shadow
+    course, this_piece = shadow
     if not isinstance(circle, Circle):
         return False
-    length = own.end - own.start
+    length = this_piece.end - this_piece.start
     foot = float(course.positions(np.array([circle.centre]))[0])
-    if abs(foot - (own.start + own.end) / 2.0) > _MIDDLE * length:
+    if abs(foot - (this_piece.start + this_piece.end) / 2.0) > _MIDDLE * length:
         return False
-    points = path_points(course, own.start, own.end)
+    points = path_points(course, this_piece.start, this_piece.end)
     if (circle.distances(points) <= stroke_width / 2.0 + 1.0).mean() < _COVERED:
         return False
     ends = circle.positions(points[[0, -1]])

@@ -133,13 +133,13 @@ def grow_all(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Gr
     Raises:
         NoModelError: as there.
     """
-    lines, arcs, beside = _lines_and_arcs(ridges, rules)
+    lines, arcs, adjacent = _lines_and_arcs(ridges, rules)
     seeds = sorted(arcs, key=lambda grown: -len(grown.members))
     cosine = float(np.cos(np.radians(rules.turn_degrees)))
     ovals = grow_ovals(
         ridges,
         [(grown.geometry, grown.members) for grown in seeds],
-        beside,
+        adjacent,
         OvalRules(rules.gap, rules.band, cosine),
     )
     shapes = lines + arcs + [Grown(ellipse, members) for ellipse, members in ovals]
@@ -151,16 +151,16 @@ def _lines_and_arcs(
 ) -> tuple[list[Grown], list[Grown], Floats]:
     """All lines, all arcs, and (n,) px from each point to the long line that has it."""
     lines = _all_lines(ridges, rules)
-    beside = np.full(len(ridges.points), np.inf)
+    adjacent = np.full(len(ridges.points), np.inf)
     for grown in _chosen(lines, ridges, rules.shortest):
         certain = len(grown.members) >= _LONG
         if certain and not _bows(grown.geometry, ridges.points[grown.members], rules):
             away = grown.geometry.distances(ridges.points[grown.members])
-            beside[grown.members] = np.minimum(beside[grown.members], away)
-    found = _unpacked(grow_arcs(*_inputs(ridges, rules), beside))
-    arcs = [Grown(_circle(row), own) for row, own in found]
+            adjacent[grown.members] = np.minimum(adjacent[grown.members], away)
+    found = _unpacked(grow_arcs(*_inputs(ridges, rules), adjacent))
+    arcs = [Grown(_circle(row), values) for row, values in found]
     arcs = [grown for grown in arcs if not is_corner(grown.geometry, ridges.points[grown.members])]
-    return lines, arcs, beside
+    return lines, arcs, adjacent
 
 
 def _bows(line: Line, points: Floats, rules: GrowthRules) -> bool:
@@ -196,7 +196,7 @@ def _all_lines(ridges: RidgePoints, rules: GrowthRules) -> list[Grown]:
             "draw less in one sheet, or cut the views out of the picture",
             case="picture",
         )
-    return [Grown(_line(row), own) for row, own in _unpacked(found)]
+    return [Grown(_line(row), values) for row, values in _unpacked(found)]
 
 
 def _inputs(ridges: RidgePoints, rules: GrowthRules) -> tuple[tuple, tuple, tuple]:
@@ -240,7 +240,7 @@ def _unpacked(
 def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Grown]:
     """Greedily the shape that follows the most points that no other has taken."""
     worth = _worth(shapes, ridges.points)
-    queue = [(-float(own.sum()), k) for k, own in enumerate(worth)]
+    queue = [(-float(values.sum()), k) for k, values in enumerate(worth)]
     heapq.heapify(queue)
     free = np.ones(len(ridges.points), dtype=bool)
     in_circle = np.zeros(len(ridges.points), dtype=bool)
@@ -268,8 +268,8 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
             continue
         is_arc = isinstance(shapes[k].geometry, Circle)
         in_circle[members[left]] = is_arc
-        own = shapes[k].geometry.distances(ridges.points[members]) <= _FIRM
-        loosely = is_arc & ~own & (free | (loose >= 0))[members]
+        row = shapes[k].geometry.distances(ridges.points[members]) <= _FIRM
+        loosely = is_arc & ~row & (free | (loose >= 0))[members]
         loose[members] = np.where(loosely, k, -1)
         free[members] = False
         chosen.append(shapes[k])
@@ -279,15 +279,15 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
 def _worth(shapes: Sequence[Grown], points: Floats) -> list[Floats]:
     """For each shape (k,) what each of its members counts for."""
     worth = [np.empty(0)] * len(shapes)
-    lines = [k for k, own in enumerate(shapes) if isinstance(own.geometry, Line)]
+    lines = [k for k, shape in enumerate(shapes) if isinstance(shape.geometry, Line)]
     if lines:
         # All at once: there are thousands.
         splits = np.cumsum([0, *(len(shapes[k].members) for k in lines)])
         members = np.concatenate([shapes[k].members for k in lines])
         rows = np.array([(*shapes[k].geometry.point, *shapes[k].geometry.direction) for k in lines])
         all_worth = _BONUS[Line] * line_worth(points, splits, members, rows, _BESIDE)
-        own = np.split(all_worth, splits[1:-1])
-        for k, each in zip(lines, own, strict=True):
+        items = np.split(all_worth, splits[1:-1])
+        for k, each in zip(lines, items, strict=True):
             worth[k] = each
     for k, grown in enumerate(shapes):
         if not isinstance(grown.geometry, Line):

@@ -55,11 +55,16 @@ def _middle(sheet: CleanSheet, places: npt.NDArray[np.float64], fixed: int) -> f
     reach = sheet.stroke_width / 2.0 + _REACH
     at = places[:, fixed].mean()
     across = np.arange(np.floor(at - reach), np.ceil(at + reach) + 1.0).astype(int)
-    own = np.unique(np.rint(places[:, 1 - fixed]).astype(int))
+    values = np.unique(np.rint(places[:, 1 - fixed]).astype(int))
     weight = sheet.weight if fixed else sheet.weight.T
-    if across[0] < 0 or across[-1] >= weight.shape[0] or own[0] < 0 or own[-1] >= weight.shape[1]:
+    if (
+        across[0] < 0
+        or across[-1] >= weight.shape[0]
+        or values[0] < 0
+        or values[-1] >= weight.shape[1]
+    ):
         return None
-    rows = weight[np.ix_(across, own)].T.astype(np.float64)
+    rows = weight[np.ix_(across, values)].T.astype(np.float64)
     profile = np.median(rows, axis=0)
     alike = (np.abs(rows - profile) <= _ALIKE).all(axis=1)
     inked = np.flatnonzero(profile > _WHITE)

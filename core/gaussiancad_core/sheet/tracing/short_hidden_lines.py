@@ -43,7 +43,8 @@ def with_corners_reached(pieces: Sequence[Placed], rhythm: Rhythm) -> list[Place
         for at in (piece.start, piece.end):
             place = np.array([line.at(at)])
             if any(
-                k != number and distances_to(own, place)[0] <= _MET for k, own in enumerate(pieces)
+                k != number and distances_to(this_piece, place)[0] <= _MET
+                for k, this_piece in enumerate(pieces)
             ):
                 continue
             found = [
@@ -54,10 +55,10 @@ def with_corners_reached(pieces: Sequence[Placed], rhythm: Rhythm) -> list[Place
                 if 0.0 < abs(beyond) <= rhythm.dash + rhythm.gap
             ]
             if found:
-                beyond, other = min(found, key=lambda own: abs(own[0]))
-                course, own = led[other]
+                beyond, other = min(found, key=lambda pair: abs(pair[0]))
+                course, item = led[other]
                 low, high = min(beyond, 0.0), max(beyond, 0.0)
-                led[other] = course, replace(own, start=own.start + low, end=own.end + high)
+                led[other] = course, replace(item, start=item.start + low, end=item.end + high)
     return led
 
 
@@ -69,7 +70,7 @@ def _sine(one: Line, other: Line) -> float:
 def _beyond(line: Line, piece: Piece, place: npt.NDArray[np.float64]) -> float:
     """px by which a place lies beyond a piece's end, negative before its start; 0 if it is not on
     the line or not beyond."""
-    along, across = (float(own[0]) for own in line.coordinates(place))
+    along, across = (float(coordinate[0]) for coordinate in line.coordinates(place))
     if abs(across) > _LEADS:
         return 0.0
     return along - min(max(along, piece.start), piece.end)

@@ -79,7 +79,9 @@ def with_short_legs(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm)
         rhythm: of its dashes.
     """
     hidden = [
-        own for own in pieces if isinstance(own[0], Line) and own[1].linetype is Linetype.HIDDEN
+        this_piece
+        for this_piece in pieces
+        if isinstance(this_piece[0], Line) and this_piece[1].linetype is Linetype.HIDDEN
     ]
     if not hidden or 2 * len(hidden) > _MOST_CORNERS:
         return list(pieces)
@@ -121,7 +123,7 @@ def _legs(line: Line, ends: Floats, view: _View) -> Iterator[list[tuple[Floats, 
                     continue
                 if others is None:
                     others = _around(corner, view)
-                distance = np.min([distances_to(own, points) for own in others], 0, initial=1e3)
+                distance = np.min([distances_to(other, points) for other in others], 0, initial=1e3)
                 met = np.flatnonzero(
                     (distance < _ON) & (places >= _SHORTEST * view.sheet.stroke_width)
                 )
@@ -134,7 +136,7 @@ def _around(corner: Floats, view: _View) -> list[Placed]:
     low, high = view.boxes[:, 0] - view.longest, view.boxes[:, 1] + view.longest
     near = ((low <= corner) & (corner <= high)).all(axis=1)
     around = [view.pieces[k] for k in np.flatnonzero(near)]
-    return [own for own in around if distances_to(own, corner[None])[0] > _ON]
+    return [item for item in around if distances_to(item, corner[None])[0] > _ON]
 
 
 def _nearest(distance: Floats, first: int) -> int:
@@ -149,14 +151,14 @@ def _is_drawn(start: Floats, end: Floats, view: _View) -> bool:
     dark = _at(view.sheet.weight, points) > _DARK
     # Beside edges pale dashes stay as pale as they were plotted.
     dark |= _at(view.left.ink, points) > _LEFT
-    own = _at(view.left.expected, points) < _LEFT
-    inked = np.flatnonzero(dark & own)
-    if len(inked) * _STEP < _LEAST or dark[own].mean() < _INKED:
+    values = _at(view.left.expected, points) < _LEFT
+    inked = np.flatnonzero(dark & values)
+    if len(inked) * _STEP < _LEAST or dark[values].mean() < _INKED:
         return False
     if longest_blank(dark) * _STEP > widest_gap(view.rhythm):
         return False
     # The last dash ends where the stroke begins.
-    if (np.flatnonzero(own)[-1] - inked[-1]) * _STEP > _LAST_GAP * view.rhythm.gap:
+    if (np.flatnonzero(values)[-1] - inked[-1]) * _STEP > _LAST_GAP * view.rhythm.gap:
         return False
     return view.left.is_mostly_on(start, end, view.sheet.stroke_width)
 

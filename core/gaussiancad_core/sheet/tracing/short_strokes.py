@@ -87,7 +87,7 @@ def find_short_strokes(
             continue
         geometry, ends = best
         kind = Linetype.VISIBLE
-        if ends[1] - ends[0] <= _LONG_DASH * rhythm.dash and pens is not None and pens.told:
+        if ends[1] - ends[0] <= _LONG_DASH * rhythm.dash and pens is not None and pens.distinct:
             kind = pens.kind(run_width(sheet, geometry, Run(*ends), edges=True)) or kind
         found.append((geometry, Piece(*ends, kind, _CONFIDENCE)))
     return found
@@ -121,13 +121,13 @@ def _seen(pixels: Floats, sheet: CleanSheet) -> list[_Shown]:
         return []
     span = float(along.min()), float(along.max())
     line = refit_line(sheet, line, [span])
-    at, beside = cross_profile(sheet, line, [span])
-    if np.abs(beside).max(initial=0.0) > _STRAIGHT:
+    at, adjacent = cross_profile(sheet, line, [span])
+    if np.abs(adjacent).max(initial=0.0) > _STRAIGHT:
         return []
     if len(at) < _SHORTEST:
         # Nearly all of its ink is beside others'.
         return [(line, span)]
-    bend, slope, shift = np.polyfit(at, beside, 2)
+    bend, slope, shift = np.polyfit(at, adjacent, 2)
     # Its ends are in others' ink.
     half = 0.5 * (span[1] - span[0]) + sheet.stroke_width + 2.0
     if abs(bend) * half**2 < _BENT:
@@ -143,7 +143,7 @@ def _likeliest(shown: Sequence[_Shown], left: Leftover, sheet: CleanSheet) -> _S
     """
     from scipy.optimize import minimize
 
-    points = np.concatenate([own.points_at(np.arange(*ends, 1.0)) for own, ends in shown])
+    points = np.concatenate([item.points_at(np.arange(*ends, 1.0)) for item, ends in shown])
     margin = np.ceil(sheet.stroke_width) + 1.0
     low = np.maximum(np.floor(points.min(0) - margin), 0).astype(int)
     high = np.ceil(points.max(0) + margin).astype(int) + 1
@@ -152,17 +152,17 @@ def _likeliest(shown: Sequence[_Shown], left: Leftover, sheet: CleanSheet) -> _S
     rows, columns = np.indices(ink.shape)
     places = np.stack([columns.ravel(), rows.ravel()], axis=1) + low.astype(np.float64)
 
-    def missed(own: _Shown) -> float:
-        piece = Piece(*own[1], Linetype.VISIBLE, _CONFIDENCE)
-        drawn = left.pen.ink(distances_to((own[0], piece), places)).reshape(ink.shape)
+    def missed(pair: _Shown) -> float:
+        piece = Piece(*pair[1], Linetype.VISIBLE, _CONFIDENCE)
+        drawn = left.pen.ink(distances_to((pair[0], piece), places)).reshape(ink.shape)
         return float(((np.maximum(drawn, others) - ink) ** 2).sum())
 
     def moved(off: Floats) -> _Shown:
         return _line_between(shown[0], off)
 
     fit = minimize(lambda off: missed(moved(off)), np.zeros(2), method="Nelder-Mead", options=_FIT)
-    found = [(missed(own), own) for own in (moved(fit.x), *shown[1:])]
-    least, best = min(found, key=lambda own: own[0])
+    found = [(missed(pair), pair) for pair in (moved(fit.x), *shown[1:])]
+    least, best = min(found, key=lambda pair: pair[0])
     return best if least < _EXPLAINED * float(((others - ink) ** 2).sum()) else None
 
 

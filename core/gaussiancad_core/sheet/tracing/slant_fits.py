@@ -60,13 +60,15 @@ def with_fitted_slants(
     """
     courses: dict[Line, Piece] = {}
     for geometry, piece in ended:
-        if isinstance(geometry, Line) and min(abs(own) for own in geometry.direction) > _ASLANT:
+        if isinstance(geometry, Line) and min(abs(value) for value in geometry.direction) > _ASLANT:
             before = courses.get(geometry, piece)
             start, end = min(before.start, piece.start), max(before.end, piece.end)
             kind = piece.linetype if before.linetype is piece.linetype else Linetype.VISIBLE
             courses[geometry] = Piece(start, end, kind, piece.confidence)
     short = [
-        own for own in courses.items() if own[1].end - own[1].start <= _LONGEST[own[1].linetype]
+        this_course
+        for this_course in courses.items()
+        if this_course[1].end - this_course[1].start <= _LONGEST[this_course[1].linetype]
     ]
     if not short:
         return list(pieces)
@@ -76,13 +78,15 @@ def with_fitted_slants(
     }
     fitted: dict[Line, Line] = {}
     for line, piece in short:
-        others = [own for own in ended if own[0] != line]
+        others = [pair for pair in ended if pair[0] != line]
         course = _fitted((line, piece), others, sheet, pens)
         if course is not None:
             fitted[line] = course
     return [
-        (fitted[own], piece) if isinstance(own, Line) and own in fitted else (own, piece)
-        for own, piece in pieces
+        (fitted[this_line], piece)
+        if isinstance(this_line, Line) and this_line in fitted
+        else (this_line, piece)
+        for this_line, piece in pieces
     ]
 
 

@@ -118,11 +118,11 @@ def find_slanted_rungs(
             first = gap.origin + ends[0] * gap.along
             last = gap.origin + ends[1] * gap.along + gap.width * gap.across
             middle = (first + last)[None] / 2.0
-            if min(distances_to(own, middle)[0] for own in (*pieces, *found)) > (
+            if min(distances_to(piece, middle)[0] for piece in (*pieces, *found)) > (
                 _KNOWN * sheet.stroke_width
             ):
                 width = float(np.median(course.wide)) / np.hypot(1.0, course.fitted()[1])
-                kind = pens.kind(width) if pens is not None and pens.told else None
+                kind = pens.kind(width) if pens is not None and pens.distinct else None
                 found.append(_rung(first, last, kind or Linetype.VISIBLE))
     return found
 
@@ -146,8 +146,8 @@ def _corners(gap: Gap, pieces: Sequence[Placed]) -> tuple[Floats, Floats]:
 
 def _courses(gap: Gap, sheet: CleanSheet) -> Iterator[_Course]:
     """Ink as wide as a pen that goes straight across a gap."""
-    beside = sheet.stroke_width / 2.0 + _CLEAR
-    tracks = np.arange(beside, gap.width - beside + 1e-9, _TRACK)
+    offset = sheet.stroke_width / 2.0 + _CLEAR
+    tracks = np.arange(offset, gap.width - offset + 1e-9, _TRACK)
     places = np.arange(gap.span[0], gap.span[1] + _STEP, _STEP)
     points = gap.origin + places[:, None, None] * gap.along + tracks[None, :, None] * gap.across
     ink = sample(sheet.weight, points[..., 0], points[..., 1])
@@ -155,13 +155,13 @@ def _courses(gap: Gap, sheet: CleanSheet) -> Iterator[_Course]:
     for start in dark[0] if len(tracks) >= _FEWEST else ():
         chain = [start]
         for runs in dark[1:]:
-            beside = [run for run in runs if _leads_on(chain[-1], run)]
-            chain += beside if len(beside) == 1 else []
+            offset = [run for run in runs if _leads_on(chain[-1], run)]
+            chain += offset if len(offset) == 1 else []
         if len(chain) < len(tracks) or any(
-            own[0] == 0 or own[1] + 1 == len(places) for own in chain
+            pair[0] == 0 or pair[1] + 1 == len(places) for pair in chain
         ):
             continue
-        seen = [_ink_of(places, *own) for own in zip(ink.T, chain, strict=True)]
+        seen = [_ink_of(places, *pair) for pair in zip(ink.T, chain, strict=True)]
         middles, widths = np.array(seen).T
         course = _Course(tracks, middles, widths)
         shift, pace = course.fitted()
@@ -183,8 +183,8 @@ def _leads_on(run: tuple[int, int], following: tuple[int, int]) -> bool:
 def _ink_of(places: Floats, ink: Floats, run: tuple[int, int]) -> tuple[float, float]:
     """The middle of a run's ink on a track, and px of it."""
     part = slice(max(0, run[0] - 2), run[1] + 3)
-    own = ink[part]
-    return float(np.average(places[part], weights=own)), float(own.sum()) * _STEP
+    values = ink[part]
+    return float(np.average(places[part], weights=values)), float(values.sum()) * _STEP
 
 
 def _settled(
@@ -195,7 +195,7 @@ def _settled(
     start, pace = course.fitted()
     rough = start, start + pace * gap.width
     one, other = (
-        own[np.abs(own - at) < _CORNER_PX] for own, at in zip(corners, rough, strict=True)
+        corner[np.abs(corner - at) < _CORNER_PX] for corner, at in zip(corners, rough, strict=True)
     )
     tried = [((float(a), float(b)), 0.0) for a in one for b in other]
     for a in one.tolist():

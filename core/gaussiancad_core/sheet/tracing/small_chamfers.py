@@ -107,7 +107,7 @@ def with_chamfers(
     pieces = _chamfered(weight, placed, stroke_width, pen)
     for arc in placed:
         if _is_short_arc(arc, stroke_width):
-            others = [own for own in pieces if own is not arc]
+            others = [piece for piece in pieces if piece is not arc]
             without = _chamfered(weight, others, stroke_width, pen, arc)
             if _left(weight, without, arc, pen) < _left(weight, pieces, arc, pen):
                 pieces = without
@@ -181,7 +181,7 @@ def _visible_ends(placed: Sequence[Placed], width: float) -> Iterator[_End]:
         found.append(_End(index, False, places[1], ways[1], isinstance(geometry, Line)))
     if not found:
         return
-    away = np.array([distances_to(own, np.array([e.place for e in found])) for own in placed])
+    away = np.array([distances_to(pair, np.array([e.place for e in found])) for pair in placed])
     away[[end.index for end in found], np.arange(len(found))] = np.inf
     for end, nearest in zip(found, away.min(axis=0), strict=True):
         yield replace(end, free=end.free and bool(nearest > _FREE * width))
@@ -223,7 +223,7 @@ def _best_cut(
     columns, rows = pixels.astype(int).T
     ink = weight[rows, columns].astype(np.float64)
     others = _nearest(
-        [own for k, own in enumerate(pieces) if k not in _turning(first, second)], pixels
+        [piece for k, piece in enumerate(pieces) if k not in _turning(first, second)], pixels
     )
     tips = [
         np.minimum(others, _nearest([pieces[end.index]], pixels)) if end.free else others
@@ -242,7 +242,9 @@ def _best_cut(
 
     shifts = (0.0, 0.0)
     # No piece ends before it starts.
-    most_back = [_FINE + own.start - own.end for _, own in (pieces[end.index] for end in pair)]
+    most_back = [
+        _FINE + piece.start - piece.end for _, piece in (pieces[end.index] for end in pair)
+    ]
     reach = np.arange(-_BACK * pen.width, ahead + _COARSE, _COARSE)
     step = _COARSE
     while step >= _FINE:
@@ -275,24 +277,24 @@ def _pixels_around(
 
 
 def _pixels_beside(
-    shape: tuple[int, ...], corners: Floats, own: Placed, pieces: Sequence[Placed], pen: Pen
+    shape: tuple[int, ...], corners: Floats, pair: Placed, pieces: Sequence[Placed], pen: Pen
 ) -> Floats:
     """(n, 2) px near a piece with (2, 2) px as its ends, away from dashes."""
-    beside = pen.width / 2.0 + _AROUND
-    low = np.maximum(np.floor(corners.min(0) - 2.0 * beside), 0).astype(int)
-    high = np.minimum(np.ceil(corners.max(0) + 2.0 * beside) + 1, shape[::-1]).astype(int)
+    offset = pen.width / 2.0 + _AROUND
+    low = np.maximum(np.floor(corners.min(0) - 2.0 * offset), 0).astype(int)
+    high = np.minimum(np.ceil(corners.max(0) + 2.0 * offset) + 1, shape[::-1]).astype(int)
     ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
-    near = distances_to(own, pixels) <= beside
+    near = distances_to(pair, pixels) <= offset
     dashed = [other for other in pieces if other[1].linetype is Linetype.HIDDEN]
-    return pixels[near & (_nearest(dashed, pixels) > beside)]
+    return pixels[near & (_nearest(dashed, pixels) > offset)]
 
 
 def _nearest(pieces: Sequence[Placed], pixels: Floats) -> Floats:
     """(n,) px to the nearest of some pieces; far where there is none."""
     distance = np.full(len(pixels), 1e3)
-    for own in pieces:
-        distance = np.minimum(distance, distances_to(own, pixels))
+    for piece in pieces:
+        distance = np.minimum(distance, distances_to(piece, pixels))
     return distance
 
 

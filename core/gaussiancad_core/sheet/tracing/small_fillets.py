@@ -136,7 +136,7 @@ def _joins(cut: Placed, corner: Corner) -> bool:
     """Whether a piece runs from the one end at a corner to the other one."""
     tips = cut[0].points_at(np.array([cut[1].start, cut[1].end]))
     ends = np.array([corner.first.place, corner.second.place])
-    away = [np.abs(ends - own).max() for own in (tips, tips[::-1])]
+    away = [np.abs(ends - values).max() for values in (tips, tips[::-1])]
     return bool(min(away) < _SAME)
 
 
@@ -163,9 +163,9 @@ def _lies_beyond(corner: Corner, others: Sequence[Placed]) -> bool:
     return False
 
 
-def is_chord(own: Placed, arc: Placed) -> bool:
+def is_chord(pair: Placed, arc: Placed) -> bool:
     """Whether a piece is no longer than an arc and runs along it."""
-    geometry, piece = own
+    geometry, piece = pair
     length = arc[1].end - arc[1].start
     if piece.end - piece.start > length + 4.0:
         return False
@@ -210,22 +210,22 @@ def _chords_last(corners: list[Corner], placed: Sequence[Placed]) -> list[Corner
     """
     points = {
         end.index: placed[end.index][0].points_at(samples(placed[end.index][1]))
-        for own in corners
-        for end in (own.first, own.second)
+        for corner in corners
+        for end in (corner.first, corner.second)
         if end.length <= 2.0 * _LONGEST_TANGENT
     }
     chords = set()
-    for index, own in points.items():
-        middle = own.mean(axis=0)
+    for index, point in points.items():
+        middle = point.mean(axis=0)
         chords |= {
             index
             for corner in corners
             if index not in (corner.first.index, corner.second.index)
             and np.abs(middle - corner.place).max() <= corner.longest
-            and is_within(own, corner)
+            and is_within(point, corner)
         }
     return sorted(
-        corners, key=lambda own: not chords.isdisjoint((own.first.index, own.second.index))
+        corners, key=lambda corner: not chords.isdisjoint((corner.first.index, corner.second.index))
     )
 
 
@@ -317,10 +317,10 @@ def pixels_around(
     ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
     offsets = pixels - corner.place
-    beside = pen.width / 2 + AROUND
+    offset = pen.width / 2 + AROUND
     near = np.minimum.reduce([from_ray(corner.first, offsets), from_ray(corner.second, offsets)])
     along = [offsets @ end.inward for end in (corner.first, corner.second)]
-    inner = near <= beside
+    inner = near <= offset
     # The triangle in which arcs run.
     a, b = corner.shares(offsets)
     inner |= (a >= 0.0) & (b >= 0.0) & (a + b <= corner.longest)
@@ -334,9 +334,9 @@ def pixels_around(
         if np.isfinite(geometry.around):
             at = piece.start + np.mod(at - piece.start, geometry.around)
         inner &= (
-            (away > beside)
-            | (at < piece.start - beside)
-            | ((at > piece.end + beside) & (at < piece.start + geometry.around - beside))
+            (away > offset)
+            | (at < piece.start - offset)
+            | ((at > piece.end + offset) & (at < piece.start + geometry.around - offset))
         )
     x, y = pixels[inner].astype(int).T
     return offsets[inner], weight[y, x].astype(np.float64)
@@ -345,7 +345,7 @@ def pixels_around(
 def boxes_of(placed: Sequence[Placed]) -> Floats:
     """(n, 2, 2) px, the lower and upper corner of each piece's bounding box."""
     points = [geometry.points_at(samples(piece)) for geometry, piece in placed]
-    return np.array([[own.min(0), own.max(0)] for own in points])
+    return np.array([[point.min(0), point.max(0)] for point in points])
 
 
 def others_near(

@@ -71,9 +71,9 @@ def ended_where_lines_touch(pieces: Sequence[Placed], stroke_width: float) -> li
     ended = []
     for geometry, piece in pieces:
         lines = [
-            (other, (Run(own.start, own.end),))
-            for other, own in pieces
-            if isinstance(other, Line) and own.linetype is piece.linetype
+            (other, (Run(this_piece.start, this_piece.end),))
+            for other, this_piece in pieces
+            if isinstance(other, Line) and this_piece.linetype is piece.linetype
         ]
         ended.append((geometry, up_to_tangents(geometry, piece, lines, stroke_width)))
     return ended

@@ -102,7 +102,9 @@ def dash_pen(views: Sequence[ViewShapes], rhythm: Rhythm) -> DashPen | None:
 
 
 def _pen(measured: Sequence[Sequence[Floats]]) -> DashPen | None:
-    known = np.concatenate([own for of_view in measured for own in of_view] or [np.empty((0, 3))])
+    known = np.concatenate(
+        [values for of_view in measured for values in of_view] or [np.empty((0, 3))]
+    )
     known = known[np.isfinite(known[:, 0])]
     if len(known) < _FEWEST_DASHES:
         return None
@@ -125,7 +127,7 @@ def _parted(
     for index, found in enumerate(twins):
         if index not in gone:
             gone.update(found.others)
-    for even in (own for k, found in enumerate(twins) if k not in gone for own in found.shapes):
+    for even in (shape for k, found in enumerate(twins) if k not in gone for shape in found.shapes):
         pair = uneven_twins(even, view.sheet, pen.ink, rhythm)
         # Ink that goes to and fro gives several lines, one of which is enough.
         if pair is None or not any(_is_same(pair, other) for other in pairs):
@@ -140,12 +142,12 @@ def _is_same(pair: tuple[Shape, Shape], other: tuple[Shape, Shape]) -> bool:
     return all(
         any(
             theirs.geometry.distances(
-                own.geometry.points_at(np.array([own.runs[0].start, own.runs[-1].end]))
+                shape.geometry.points_at(np.array([shape.runs[0].start, shape.runs[-1].end]))
             ).max()
             < _SAME
             for theirs in other
         )
-        for own in pair
+        for shape in pair
     )
 
 
@@ -229,13 +231,13 @@ def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewSh
     if not _NEAREST <= apart <= _FARTHEST * pen.ink:
         return _Found((shape,))
     # Lines may have been grown along both, but not where they lie: each has the other's ink, too.
-    beside = list(_beside(shape, view))
+    neighbours = list(_beside(shape, view))
     others = [
         k
-        for k, across in beside
+        for k, across in neighbours
         if abs(across - 2.0 * band.middle) <= _MIRRORED and _keeps_pace(view.shapes[k], shape)
     ]
-    if len(others) < len(beside) or (others and abs(band.middle) < 0.25 * apart):
+    if len(others) < len(neighbours) or (others and abs(band.middle) < 0.25 * apart):
         return _Found((shape,))
     line = shape.geometry
     normal = np.array([-line.direction[1], line.direction[0]])
@@ -249,7 +251,9 @@ def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewSh
 
 def _keeps_pace(other: Shape, shape: Shape) -> bool:
     """Whether a line has as many runs as another, as far as it goes: beside an edge it has not."""
-    length, its = (own.runs[-1].end - own.runs[0].start for own in (shape, other))
+    length, its = (
+        this_shape.runs[-1].end - this_shape.runs[0].start for this_shape in (shape, other)
+    )
     alike = len(other.runs) >= _AS_MANY * len(shape.runs)
     return alike and its <= length / _AS_FAR
 
@@ -258,7 +262,7 @@ def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
     """The numbers of lines that run so near beside a line that their ink was measured with that of
     most of its dashes, and px from the one to the other, as the ink's middle is counted."""
     line, near = shape.geometry, (_REACH + 1.0) * view.sheet.stroke_width + 1.0
-    own = shape.runs[0].start, shape.runs[-1].end
+    pair = shape.runs[0].start, shape.runs[-1].end
     for index, other in enumerate(view.shapes):
         if other is shape or not isinstance(other.geometry, Line) or not other.runs:
             continue
@@ -266,7 +270,7 @@ def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
             continue
         ends = np.array([other.runs[0].start, other.runs[-1].end])
         along, across = line.coordinates(other.geometry.points_at(ends))
-        shared = min(along.max(), own[1]) - max(along.min(), own[0])
+        shared = min(along.max(), pair[1]) - max(along.min(), pair[0])
         # What is beside a few of the dashes makes these wider than the others.
-        if shared > _BESIDE * (own[1] - own[0]) and np.abs(across).min() < near:
+        if shared > _BESIDE * (pair[1] - pair[0]) and np.abs(across).min() < near:
             yield index, float(across.mean())

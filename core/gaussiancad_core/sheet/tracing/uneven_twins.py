@@ -107,10 +107,10 @@ def uneven_twins(
     half = profile.ink / 2.0 - pen / 2.0
     for present, side in zip(seen, (-1.0, 1.0), strict=True):
         across = profile.middle + side * half
-        own = _fitted(line, profile.along[present], across[present])
-        runs = _runs(own, profile.along, sheet, side * (pen / 2.0 - _EDGE), rhythm)
-        found.append(replace(shape, geometry=own, runs=runs, close=True, twin=True))
-    return (found[0], found[1]) if all(own.runs for own in found) else None
+        fitted = _fitted(line, profile.along[present], across[present])
+        runs = _runs(fitted, profile.along, sheet, side * (pen / 2.0 - _EDGE), rhythm)
+        found.append(replace(shape, geometry=fitted, runs=runs, close=True, twin=True))
+    return (found[0], found[1]) if all(this_shape.runs for this_shape in found) else None
 
 
 def _told_apart(profile: _Profile, pen: float, rhythm: Rhythm) -> tuple[Flags, Flags] | None:
@@ -153,8 +153,8 @@ def _one_alone(
         return None
     seen = np.zeros(len(single), dtype=bool)
     wide = seen.copy()
-    for flags, own in ((seen, lone), (wide, stretches)):
-        for a, b in own:
+    for flags, items in ((seen, lone), (wide, stretches)):
+        for a, b in items:
             flags[a : b + 1] = True
     seen, wide = seen & single, wide & both
     shift = _levelled(profile, seen, wide)[1]
@@ -185,10 +185,10 @@ def _profile(line: Line, runs: tuple[Run, ...], sheet: CleanSheet, pen: float) -
 
 def _levelled(profile: _Profile, one: Flags, other: Flags) -> tuple[_Profile, float]:
     """The profile beside a line that is parallel to both, and px between them."""
-    own = one | other
-    along = profile.along[own]
-    design = np.stack([np.ones(len(along)), along, other[own].astype(np.float64)], axis=1)
-    (_, slope, apart), *_ = np.linalg.lstsq(design, profile.middle[own], rcond=None)
+    values = one | other
+    along = profile.along[values]
+    design = np.stack([np.ones(len(along)), along, other[values].astype(np.float64)], axis=1)
+    (_, slope, apart), *_ = np.linalg.lstsq(design, profile.middle[values], rcond=None)
     return replace(profile, middle=profile.middle - slope * profile.along), float(apart)
 
 
@@ -203,11 +203,11 @@ def _parted(profile: _Profile, single: Flags, gap: float) -> tuple[Flags, Flags]
     limit = 0.5 * (low + high)
     one = single & (profile.middle < limit)
     other = single & (profile.middle >= limit)
-    for own in (one, other):
-        gaps = [last - first for first, last in runs_of_ink(own) if (last - first) * _STEP <= gap]
-        if own.sum() * _STEP < _LEAST or len(gaps) < _PIECES:
+    for item in (one, other):
+        gaps = [last - first for first, last in runs_of_ink(item) if (last - first) * _STEP <= gap]
+        if item.sum() * _STEP < _LEAST or len(gaps) < _PIECES:
             return None
-        if np.median(np.abs(profile.middle[own] - np.median(profile.middle[own]))) > _TIGHT:
+        if np.median(np.abs(profile.middle[item] - np.median(profile.middle[item]))) > _TIGHT:
             return None
     return one, other
 

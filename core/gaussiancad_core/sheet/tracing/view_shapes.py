@@ -91,7 +91,7 @@ class Shape:
         support: px of its ink whose centre line it follows, in doubt less than its length.
         close: whether another line is known to run right beside it.
         twin: whether it is one of two, one after the other, that share their ink.
-        told: the linetype that all of a closed curve is known to have.
+        given_linetype: the linetype that all of a closed curve is known to have.
     """
 
     geometry: Geometry
@@ -99,7 +99,7 @@ class Shape:
     support: float
     close: bool = False
     twin: bool = False
-    told: Linetype | None = None
+    given_linetype: Linetype | None = None
 
 
 @dataclass(frozen=True)
@@ -139,22 +139,22 @@ def find_shapes(
         along, _ = line.coordinates(corners)
         reach = float(along.min()), float(along.max())
         runs = line_runs(field, line, *reach)
-        for own in parted_slants(crop, line, runs) if runs else ():
-            spans = runs_spans(runs_along(crop, line, own))
+        for this_runs in parted_slants(crop, line, runs) if runs else ():
+            spans = runs_spans(runs_along(crop, line, this_runs))
             refitted = refit_line(crop, line, without_arc_ends(line, spans, circles))
             found.append((refitted, line_runs(field, refitted, *reach), line in close))
     for line, runs, _ in list(found):
-        for other in lines_across(crop, line, runs, [own for own, _, _ in found]):
+        for other in lines_across(crop, line, runs, [this_line for this_line, _, _ in found]):
             along, _ = other.coordinates(corners)
             found.append((other, line_runs(field, other, along.min(), along.max()), False))
     curves = [curve for curve in candidates if not isinstance(curve, Line)]
     drawn = [(line, runs) for line, runs, _ in found]
     shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve, drawn))]
     lines = [line for line, _, _ in found]
-    for line, runs, beside in found:
-        own = without_offset_ink(crop, line, runs, lines)
-        support = line_support(crop, line, runs_spans(own))
-        shapes.append(Shape(line, tuple(own), support, beside))
+    for line, runs, adjacent in found:
+        items = without_offset_ink(crop, line, runs, lines)
+        support = line_support(crop, line, runs_spans(items))
+        shapes.append(Shape(line, tuple(items), support, adjacent))
     return ViewShapes(crop, field, tuple(shapes), offset)
 
 
@@ -197,13 +197,13 @@ def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
     """The rhythm of dashes of a sheet, learnt from all its views; from the runs that labels tell to
     be hidden, where these are enough."""
     labelled = [
-        list(own) for view in views for shape in view.shapes for own in _hidden(view, shape)
+        list(runs) for view in views for shape in view.shapes for runs in _hidden(view, shape)
     ]
-    if told := told_rhythm(labelled, SHORTEST_DOT * stroke_width):
-        return told
+    if rhythm := told_rhythm(labelled, SHORTEST_DOT * stroke_width):
+        return rhythm
     series = [list(shape.runs) for view in views for shape in view.shapes]
-    if told := told_rhythm(series, SHORTEST_DASH * stroke_width):
-        return told
+    if rhythm := told_rhythm(series, SHORTEST_DASH * stroke_width):
+        return rhythm
     drawn = [(view.field, shape.geometry, shape.runs) for view in views for shape in view.shapes]
     return paired_rhythm(drawn, stroke_width) or learn_rhythm(series, stroke_width)
 
@@ -211,11 +211,11 @@ def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
 def _hidden(view: ViewShapes, shape: Shape) -> list[list[Run]]:
     """The runs of a shape, one after the other, that labels tell to be hidden."""
 
-    def told(run: Run) -> bool:
+    def is_hidden(run: Run) -> bool:
         points = shape.geometry.points_at(np.arange(run.start, run.end, STEP))
         return float(np.median(label_odds(view.sheet, points))) >= TOLD
 
-    return [list(own) for hidden, own in groupby(shape.runs, told) if hidden]
+    return [list(runs) for hidden, runs in groupby(shape.runs, is_hidden) if hidden]
 
 
 def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
@@ -234,9 +234,9 @@ def _crop(
     margin = int(np.ceil(sheet.stroke_width)) + 6
     x0, y0 = max(0, int(box[0]) - margin), max(0, int(box[1]) - margin)
     x1, y1 = int(np.ceil(box[2])) + margin, int(np.ceil(box[3])) + margin
-    own = np.s_[y0:y1, x0:x1]
-    odds = None if sheet.hidden_odds is None else sheet.hidden_odds[own].copy()
-    ink, weight = sheet.ink[own], sheet.weight[own].copy()
+    pair = np.s_[y0:y1, x0:x1]
+    odds = None if sheet.hidden_odds is None else sheet.hidden_odds[pair].copy()
+    ink, weight = sheet.ink[pair], sheet.weight[pair].copy()
     part = replace(sheet, ink=ink, weight=weight, hidden_odds=odds)
     return part, (x0, y0)
 
@@ -258,8 +258,8 @@ def _curve_shape(
     seen = circle_runs(field, curve)
     # By then a line that touches the curve has left it by half of its ink.
     touch = float(np.sqrt(radius_of(curve) * sheet.stroke_width))
-    own = [without_tangent_ends(curve, run, lines, touch) for run in seen]
-    shares = [_share_followed(followed, run, curve.around, touch) for run in own]
+    this_runs = [without_tangent_ends(curve, run, lines, touch) for run in seen]
+    shares = [_share_followed(followed, run, curve.around, touch) for run in this_runs]
     runs = without_tangents(curve, _followed_runs(seen, shares, curve.around), lines)
     rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
     longest = _longest_stretch(runs, rules.gap, curve.around)
@@ -279,11 +279,11 @@ def _followed_runs(runs: list[Run], shares: Sequence[float], around: float) -> l
     carries on the rhythm of dashes that do follow it.
     """
     follows = [share > _FOLLOWING for share in shares]
-    whole = [run.length for run, own in zip(runs, follows, strict=True) if own]
+    whole = [run.length for run, follow in zip(runs, follows, strict=True) if follow]
     blanks = [(runs[k].start - runs[k - 1].end) % around for k in range(len(runs))]
     gaps = [blanks[k] for k in range(len(runs)) if follows[k] and follows[k - 1]]
     if len(whole) < _RHYTHMIC:
-        return [run for run, own in zip(runs, follows, strict=True) if own]
+        return [run for run, follow in zip(runs, follows, strict=True) if follow]
     dash, gap = float(np.median(whole)), float(np.median(gaps)) if gaps else 0.0
 
     def carries_on(k: int) -> bool:

@@ -111,9 +111,9 @@ def _through(low: Floats, high: Floats) -> EndlessLine:
 
 def _round_tracks(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
     groups: list[tuple[Geometry, list[VectorStroke]]] = []
-    for stroke in sorted(strokes, key=lambda own: -own.curve.length):
+    for stroke in sorted(strokes, key=lambda vector_stroke: -vector_stroke.curve.length):
         geometry = _closed(stroke.curve)
-        same = next((held for own, held in groups if _same(own, geometry, tolerance)), None)
+        same = next((held for item, held in groups if _same(item, geometry, tolerance)), None)
         if same is None:
             groups.append((geometry, [stroke]))
         else:

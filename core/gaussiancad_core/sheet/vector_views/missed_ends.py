@@ -21,10 +21,10 @@ _OFTEN, _FEWEST = 0.3, 8
 
 def missed_px(curves: Sequence[Curve]) -> float:
     """px by which ends that meet miss each other at the median; 0 where most do not."""
-    open_curves = [own for own in curves if isinstance(own, Line | CircularArc)]
+    open_curves = [curve for curve in curves if isinstance(curve, Line | CircularArc)]
     if len(open_curves) < _FEWEST:
         return 0.0
-    ends = np.concatenate([own.sample(np.inf)[[0, -1]] for own in open_curves])
+    ends = np.concatenate([open_curve.sample(np.inf)[[0, -1]] for open_curve in open_curves])
     # The nearest but one: the nearest is the end itself, or the other end of a circle.
     away = cKDTree(ends).query(ends, k=min(4, len(ends)))[0][:, 1:]
     meeting = away[(away < _COARSEST).any(axis=1)]

@@ -97,8 +97,8 @@ def part_curves(
         named = stroke.kind in _PARTS and stroke.role in _LINES_OF_PARTS
         inked = share_inked(curve, masks.whole) if named else 0.0
         # No annotation is drawn in even dashes: the file is right where the picture was misread.
-        told = stroke.role is StrokeRole.HIDDEN
-        if inked > 0.0 and (told or share_inked(curve, masks.part) >= _LEFT * inked):
+        is_given = stroke.role is StrokeRole.HIDDEN
+        if inked > 0.0 and (is_given or share_inked(curve, masks.part) >= _LEFT * inked):
             found.append(replace(stroke, curve=curve))
         else:
             others.append(curve)
@@ -128,8 +128,8 @@ def _left_of_centre_lines(
         for tip, outward in ((end, way), (start, -way)):
             points = tip + ahead * outward
             away, nearest = dashes.query(points)
-            own = _first((away < _STEP) & (owner[nearest] != index))
-            found[index] |= _first(annotations.query(points)[0] < _STEP) < own
+            first = _first((away < _STEP) & (owner[nearest] != index))
+            found[index] |= _first(annotations.query(points)[0] < _STEP) < first
     return found
 
 

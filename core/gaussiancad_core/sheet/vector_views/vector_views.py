@@ -99,22 +99,31 @@ def _of_strokes(
         role: [stroke for stroke in curves if _lies_in(stroke.curve, box, margin)]
         for role, box in layout.boxes.items()
     }
-    usable = [role for role, own in of_view.items() if 0 < len(own) <= _MOST_CURVES]
-    missed = missed_px([own.curve for own in curves])
+    usable = [
+        role for role, vector_strokes in of_view.items() if 0 < len(vector_strokes) <= _MOST_CURVES
+    ]
+    missed = missed_px([curve.curve for curve in curves])
     tracks, dashes = tracks_and_dashes([of_view[role] for role in usable], stroke_width)
     found = {}
-    for role, own in zip(usable, tracks, strict=True):
-        strokes = strokes_of(own, of_view[role], dashes)
+    for role, this_tracks in zip(usable, tracks, strict=True):
+        strokes = strokes_of(this_tracks, of_view[role], dashes)
         if any(stroke.linetype is Linetype.VISIBLE for stroke in strokes):
-            found[role] = strokes, max(missed, *(own.step for own in of_view[role]))
+            found[role] = strokes, max(missed, *(stroke.step for stroke in of_view[role]))
     return of_view, found
 
 
 def _lies_in(curve: Curve, box: Box, margin: float) -> bool:
-    own = bounds([curve])
-    if own is None:
+    this_bounds = bounds([curve])
+    if this_bounds is None:
         return False
-    within = np.array([own[0] - box[0], own[1] - box[1], box[2] - own[2], box[3] - own[3]])
+    within = np.array(
+        [
+            this_bounds[0] - box[0],
+            this_bounds[1] - box[1],
+            box[2] - this_bounds[2],
+            box[3] - this_bounds[3],
+        ]
+    )
     return bool((within >= -margin).all())
 
 
@@ -130,7 +139,13 @@ def _explains(strokes: tuple[Stroke, ...], known: _Known, box: Box, part: CleanS
     ink = part.ink[y0:y1, x0:x1]
     drawn = np.zeros(ink.shape, np.uint8)
     for curve in known.others:
-        if (own := bounds([curve])) and own[0] < x1 and own[2] > x0 and own[1] < y1 and own[3] > y0:
+        if (
+            (this_bounds := bounds([curve]))
+            and this_bounds[0] < x1
+            and this_bounds[2] > x0
+            and this_bounds[1] < y1
+            and this_bounds[3] > y0
+        ):
             _draw(drawn, curve, (x0, y0), width)
     ink = ink & (drawn == 0)
     drawn[:] = 0

@@ -72,17 +72,17 @@ def tracks_and_dashes(
         views: the part's curves of each.
         stroke_width: px.
     """
-    told = any(stroke.role is StrokeRole.HIDDEN for own in views for stroke in own)
-    if not told:
-        plotted = [tracks_of(own, PLOTTED) for own in views]
-        runs = [_runs(track) for own in plotted for track in own]
+    is_given = any(stroke.role is StrokeRole.HIDDEN for strokes in views for stroke in strokes)
+    if not is_given:
+        plotted = [tracks_of(strokes, PLOTTED) for strokes in views]
+        runs = [_runs(track) for tracks in plotted for track in tracks]
         regular = [series for series in runs if len(series) >= 3]
         rhythm = learn_rhythm(regular, stroke_width)
         short = sum(0.5 < run.length / rhythm.dash < 1.5 for series in regular for run in series)
         if short >= _FEWEST_DASHES:
             return plotted, SheetDashes(rhythm)
-    exact = [tracks_of(own, EXACT) for own in views]
-    return exact, SheetDashes(None, _usual_gap([track for own in exact for track in own]))
+    exact = [tracks_of(strokes, EXACT) for strokes in views]
+    return exact, SheetDashes(None, _usual_gap([track for tracks in exact for track in tracks]))
 
 
 def _usual_gap(tracks: Sequence[Track]) -> float:
@@ -93,7 +93,7 @@ def _usual_gap(tracks: Sequence[Track]) -> float:
             dashes = united(track.hidden, track.geometry.around, _TOUCHING)
             for before, after in pairwise(dashes):
                 gap = after[0] - before[1]
-                longer = max(own[1] - own[0] for own in (before, after))
+                longer = max(pair[1] - pair[0] for pair in (before, after))
                 if gap <= _GAP * longer <= _GAP * _LONGEST * gap:
                     gaps.append(gap)
     if len(gaps) < _FEWEST_GAPS:
@@ -208,12 +208,12 @@ def _reaching(
     return best
 
 
-def _refined(own: Geometry, other: Geometry, near: float) -> float:
+def _refined(geometry: Geometry, other: Geometry, near: float) -> float:
     """The position along a shape where it comes nearest to another, from half a px away."""
     low, high = near - 0.6, near + 0.6
     for _ in range(40):
         a, b = low + (high - low) / 3.0, high - (high - low) / 3.0
-        first, second = other.distances(own.points_at(np.array([a, b])))
+        first, second = other.distances(geometry.points_at(np.array([a, b])))
         low, high = (low, b) if first < second else (a, high)
     return (low + high) / 2.0
 

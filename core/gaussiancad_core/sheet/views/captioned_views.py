@@ -39,14 +39,14 @@ def captioned(captions: Sequence[Caption], figures: Sequence[Box]) -> dict[Role,
     best: dict[Role, Box] = {}
     least = float("inf")
     for above in (True, False):
-        away = [[_away(own, box, above) for box in figures] for own in captions]
+        away = [[_away(caption, box, above) for box in figures] for caption in captions]
         found = _assigned(away)
         if found is None:
             continue
         total = sum(away[k][figure] for k, figure in enumerate(found))
         if total < least:
             least = total
-            best = {own.role: figures[k] for own, k in zip(captions, found, strict=True)}
+            best = {caption.role: figures[k] for caption, k in zip(captions, found, strict=True)}
     return best
 
 
@@ -56,24 +56,24 @@ def told_projection(views: dict[Role, Box]) -> Projection | None:
     front = views.get(Role.FRONT)
     if front is None:
         return None
-    told = set()
+    projections = set()
     for role, box in views.items():
         across = (box[0] + box[2] - front[0] - front[2]) / 2.0
         up = (front[1] + front[3] - box[1] - box[3]) / 2.0
         column, row = role.slot(Projection.THIRD)
         if role in (Role.LEFT, Role.RIGHT, Role.TOP, Role.BOTTOM):
             side = column * across if column else row * up
-            told.add(Projection.THIRD if side > 0.0 else Projection.FIRST)
-    return told.pop() if len(told) == 1 else None
+            projections.add(Projection.THIRD if side > 0.0 else Projection.FIRST)
+    return projections.pop() if len(projections) == 1 else None
 
 
 def _away(caption: Caption, box: Box, above: bool) -> float:
     """Px between a caption and a figure below it, or above; infinite where it is not there."""
     x0, y0, x1, y1 = caption.box
-    beside = max(box[0] - x1, x0 - box[2], 0.0)
+    offset = max(box[0] - x1, x0 - box[2], 0.0)
     gap = box[1] - y1 if above else y0 - box[3]
     height = y1 - y0
-    if gap < -height or beside > 0.0:
+    if gap < -height or offset > 0.0:
         return float("inf")
     middle = abs((x0 + x1) - (box[0] + box[2])) / 2.0
     return max(gap, 0.0) + middle
@@ -83,11 +83,13 @@ def _assigned(away: list[list[float]]) -> tuple[int, ...] | None:
     """The figure of each caption, each another, at the least distance in all."""
     if not away or not away[0]:
         return None
-    near = sorted(range(len(away[0])), key=lambda k: min(own[k] for own in away))[:_MOST_FIGURES]
+    near = sorted(range(len(away[0])), key=lambda k: min(items[k] for items in away))[
+        :_MOST_FIGURES
+    ]
     if len(near) < len(away):
         return None
     ways = (
-        (sum(own[k] for own, k in zip(away, chosen, strict=True)), chosen)
+        (sum(items[k] for items, k in zip(away, chosen, strict=True)), chosen)
         for chosen in permutations(near, len(away))
     )
     total, chosen = min(ways)

@@ -22,9 +22,9 @@ _STEP_PX = 0.5
 def painted(strokes: Iterable[Stroke], clean: CleanSheet) -> CleanSheet:
     """The sheet with the visible ones of some strokes alone, px of the upright sheet."""
     chains = tuple(
-        VectorStroke(Chain(tuple(map(tuple, _run_of(own, _STEP_PX).tolist()))), None)
-        for own in strokes
-        if own.linetype is Linetype.VISIBLE
+        VectorStroke(Chain(tuple(map(tuple, _run_of(stroke, _STEP_PX).tolist()))), None)
+        for stroke in strokes
+        if stroke.linetype is Linetype.VISIBLE
     )
     return painted_sheet(VectorDrawing(chains, ()), clean.ink.shape, clean.turn)
 
@@ -56,12 +56,16 @@ def view_by_strokes(
 def visible_bounds(strokes: Sequence[Stroke]) -> Box:
     """The box around the visible strokes."""
     points = np.concatenate(
-        [_run_of(own, 1.0) for own in strokes if own.linetype is Linetype.VISIBLE]
+        [_run_of(stroke, 1.0) for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
     )
     (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
     return x0, y0, x1, y1
 
 
-def _run_of(own: Stroke, step: float) -> npt.NDArray[np.float64]:
+def _run_of(segment: Stroke, step: float) -> npt.NDArray[np.float64]:
     """(n, 2) points that a stroke runs through: of a straight one its ends tell all."""
-    return np.array([own.start, own.end]) if isinstance(own, Segment) else own.sample(step)
+    return (
+        np.array([segment.start, segment.end])
+        if isinstance(segment, Segment)
+        else segment.sample(step)
+    )

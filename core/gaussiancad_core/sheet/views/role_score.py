@@ -123,16 +123,16 @@ def arrange(drawings: Drawings, given: Mapping[Role, Box], projection: Projectio
         taken = projection or Projection.THIRD
         return Layout(named, taken, _source(projection), (), rest)
     for box in named.values():
-        boxes = [box, *(own for own in boxes if not _overlap(own, box))]
+        boxes = [box, *(this_box for this_box in boxes if not _overlap(this_box, box))]
     tried = Drawings(boxes, drawings.ink, drawings.sections)
     found = [
-        own
+        arrangement
         for taken in (Projection if projection is None else (projection,))
-        for own in _arrangements(tried, named, taken, is_told=projection is not None)
+        for arrangement in _arrangements(tried, named, taken, is_told=projection is not None)
     ]
     if not found:
         raise no_views([box for box in boxes if _side(box) >= _LEAST_SIDE])
-    best = max(found, key=lambda own: own.score)
+    best = max(found, key=lambda arrangement: arrangement.score)
     rest = tuple(box for box in boxes if box not in best.boxes.values())
     alternatives = () if projection is not None else (best.projection.other,)
     return Layout(dict(best.boxes), best.projection, _source(projection), alternatives, rest)
@@ -173,12 +173,12 @@ def _in_line(
     front: Box, boxes: Sequence[Box], drawings: Drawings, projection: Projection
 ) -> dict[Role, Box]:
     """The front view with those of the views around it that are in line."""
-    beside = [[None, *nearest(front, boxes, role, projection)[:_BESIDE]] for role in _AROUND]
+    neighbours = [[None, *nearest(front, boxes, role, projection)[:_BESIDE]] for role in _AROUND]
     tried = (
-        {Role.FRONT: front, **{role: box for role, box in zip(_AROUND, own, strict=True) if box}}
-        for own in product(*beside)
+        {Role.FRONT: front, **{role: box for role, box in zip(_AROUND, items, strict=True) if box}}
+        for items in product(*neighbours)
     )
-    return max(tried, key=lambda own: _score(own, drawings, projection))
+    return max(tried, key=lambda entry: _score(entry, drawings, projection))
 
 
 def _score(found: Mapping[Role, Box], drawings: Drawings, projection: Projection) -> float:
@@ -200,7 +200,7 @@ def _sections_against(found: Mapping[Role, Box], drawings: Drawings) -> float:
     view looks along its axis."""
     cut = [role for role, box in found.items() if box in drawings.sections]
     looks = [role.frame.look_axis[0] for role in found]
-    if any(looks.count(own.frame.look_axis[0]) > 1 for own in cut if own is not Role.FRONT):
+    if any(looks.count(role.frame.look_axis[0]) > 1 for role in cut if role is not Role.FRONT):
         return inf
     return _SECTION * len(cut)
 
@@ -232,7 +232,7 @@ def _with_loose(
         ]
         if not tried:
             return views, total
-        odds, role, box = max(tried, key=lambda own: own[0])
+        odds, role, box = max(tried, key=lambda pair: pair[0])
         views[role] = box
         total += odds
 

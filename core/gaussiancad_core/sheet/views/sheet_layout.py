@@ -153,8 +153,8 @@ def _with_lone_lines(boxes: list[Box], ink: npt.NDArray[np.bool_]) -> list[Box]:
     """The boxes, those of views reaching as far as lines that end short of all others."""
     joined = []
     for box in boxes:
-        own = _view_beside(box, boxes, ink)
-        joined.append(_union([box, own]) if own is not None else box)
+        pair = _view_beside(box, boxes, ink)
+        joined.append(_union([box, pair]) if pair is not None else box)
     return joined
 
 

@@ -43,7 +43,7 @@ def without_stickouts(
     return [_figure_box(box, ink, stroke_width) for box in boxes]
 
 
-def beside(cluster: Box, figure: Box) -> list[Box]:
+def side_strips(cluster: Box, figure: Box) -> list[Box]:
     """The strips of a cluster's box that its figure's box leaves on each side."""
     x0, y0, x1, y1 = cluster
     left, top, right, bottom = figure

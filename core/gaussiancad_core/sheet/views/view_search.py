@@ -48,17 +48,17 @@ def arranged(
     found: tuple[SeparatedSheet, Layout] | None = None
     for figures in (False, True):
         try:
-            own = find_named_layout(sheet, separated, replace(request, figures=figures))
+            pair = find_named_layout(sheet, separated, replace(request, figures=figures))
             if not given:
-                _require_largest(own[1])
+                _require_largest(pair[1])
         except NoModelError as error:
             failed = failed or error
             continue
-        whole = _is_whole(own[1])
-        if given or (whole and not _leaves_views(own[1])):
-            return own
-        if found is None or (whole and _has_more(own[1], found[1])):
-            found = own
+        whole = _is_whole(pair[1])
+        if given or (whole and not _leaves_views(pair[1])):
+            return pair
+        if found is None or (whole and _has_more(pair[1], found[1])):
+            found = pair
     if found is None:
         raise failed
     return found
@@ -69,10 +69,10 @@ def lone_view(
 ) -> tuple[SeparatedSheet, Layout] | None:
     """The only view of a sheet; None where it has more, or none."""
     try:
-        own = find_named_layout(sheet, separated, replace(request, lone=True))
+        pair = find_named_layout(sheet, separated, replace(request, lone=True))
     except NoModelError:
         return None
-    return own if len(own[1].boxes) == 1 else None
+    return pair if len(pair[1].boxes) == 1 else None
 
 
 def _has_more(whole: Layout, other: Layout) -> bool:

@@ -58,10 +58,10 @@ def test_hatching_is_taken_off(part: str, look: str) -> None:
     strokes = tuple(stroke for view in drawn.views for stroke in view.strokes)
     part_ink = rasterise(strokes, style) > 0.5
     others = tuple(m for m in drawn.annotations if m.kind is not AnnotationKind.HATCHING)
-    beside = _near(part_ink, 4)
+    neighbour = _near(part_ink, 4)
     if others:
-        beside |= _near(ink_annotations(others, style) > 0.1, 4)
-    lines = (ink_annotations(hatching, style) > 0.5) & ~beside
+        neighbour |= _near(ink_annotations(others, style) > 0.1, 4)
+    lines = (ink_annotations(hatching, style) > 0.5) & ~neighbour
     assert lines.sum() > 200
     assert (lines & separated.part.ink).sum() <= 0.015 * lines.sum()
     kept = _near(separated.part.ink, 1)
@@ -156,11 +156,11 @@ def _plain_directions(angles: np.ndarray, lengths: np.ndarray) -> list[float]:
         offsets = (angles - angles[:, None] + np.pi / 2) % np.pi - np.pi / 2
         near = (np.abs(offsets) < _PARALLEL) & left
         best = int(np.argmax(np.where(left, (near * lengths).sum(axis=1), -1.0)))
-        own = near[best]
-        if own.sum() < _LEAST_LINES:
+        item = near[best]
+        if item.sum() < _LEAST_LINES:
             break
-        found.append(float(angles[best] + np.average(offsets[best][own], weights=lengths[own])))
-        left &= ~own
+        found.append(float(angles[best] + np.average(offsets[best][item], weights=lengths[item])))
+        left &= ~item
     return found
 
 

@@ -27,7 +27,7 @@ def _inked(drawn: Sketch) -> tuple[CleanSheet, list[InkedShape]]:
     ridges = ridge_points(sheet.weight, sheet.stroke_width)
     grown = grow_shapes(ridges, GrowthRules.of_width(sheet.stroke_width))
     field = ink_field(sheet)
-    return sheet, [inked_shape(sheet, field, ridges, own) for own in grown]
+    return sheet, [inked_shape(sheet, field, ridges, item) for item in grown]
 
 
 def _only(drawn: Sketch) -> tuple[CleanSheet, InkedShape]:
@@ -89,10 +89,10 @@ def test_the_width_of_a_circle(sketch: Sketch) -> None:
 def test_every_dash_is_a_run(sketch: Sketch) -> None:
     _, shape = _only(sketch().broken((20, 60), (180, 60), (12, 6), 2.0))
     assert len(shape.runs) == 9
-    starts = [points_along(shape.geometry, own.run, 1e9)[0][0] for own in shape.runs]
+    starts = [points_along(shape.geometry, run.run, 1e9)[0][0] for run in shape.runs]
     assert starts == pytest.approx([20 + 18 * k for k in range(9)], abs=0.75)
-    assert [own.run.length for own in shape.runs] == pytest.approx([12.0] * 9, abs=1.0)
-    assert [own.width for own in shape.runs] == pytest.approx([2.0] * 9, abs=0.25)
+    assert [run.run.length for run in shape.runs] == pytest.approx([12.0] * 9, abs=1.0)
+    assert [run.width for run in shape.runs] == pytest.approx([2.0] * 9, abs=0.25)
 
 
 def test_crossings_do_not_widen(sketch: Sketch) -> None:
@@ -100,12 +100,12 @@ def test_crossings_do_not_widen(sketch: Sketch) -> None:
     for x in range(35, 180, 15):
         drawn.line((x, 20), (x, 140), 3.0)
     _, shapes = _inked(drawn)
-    assert [own.width for own in _level(shapes, 60.0).runs] == pytest.approx([2.0], abs=0.2)
+    assert [run.width for run in _level(shapes, 60.0).runs] == pytest.approx([2.0], abs=0.2)
 
 
 @pytest.mark.parametrize("gap", [6.0, 8.0, 12.0])
 def test_a_line_beside_does_not_widen(sketch: Sketch, gap: float) -> None:
     drawn = sketch().line((20, 60), (180, 60), 2.0).line((20, 60 + gap), (180, 60 + gap), 3.0)
     _, shapes = _inked(drawn)
-    assert [own.width for own in _level(shapes, 60.0).runs] == pytest.approx([2.0], abs=0.2)
-    assert [own.width for own in _level(shapes, 60.0 + gap).runs] == pytest.approx([3.0], abs=0.2)
+    assert [run.width for run in _level(shapes, 60.0).runs] == pytest.approx([2.0], abs=0.2)
+    assert [run.width for run in _level(shapes, 60.0 + gap).runs] == pytest.approx([3.0], abs=0.2)

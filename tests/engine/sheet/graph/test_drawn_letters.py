@@ -50,10 +50,10 @@ def _segments(chains: Iterable[Chain]) -> list[tuple[Point, Point]]:
 
 
 def _lines_of_writing(chains: list[Chain], edges: list[Chain]) -> list[tuple[float, ...]]:
-    own = _segments(chains)
-    every = own + _segments(edges)
+    segments = _segments(chains)
+    every = segments + _segments(edges)
     strokes = [VectorStroke(Line(*ends), 2.0) for ends in every]
-    annotations = np.arange(len(every)) < len(own)
+    annotations = np.arange(len(every)) < len(segments)
     touches = touching([stroke.curve for stroke in strokes], 0.6)
     return drawn_lines_of_writing(touches, annotations, (1000, 700))
 
@@ -126,7 +126,10 @@ def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
     views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
     assert views is not None and len(views.layout.boxes) == 3
     found = find_scale(sheet, views.separated.marks, ())
-    assert sorted(own.text for own in found.dimensions if own.used) == ["100.0", "140.0"]
+    assert sorted(dimension.text for dimension in found.dimensions if dimension.used) == [
+        "100.0",
+        "140.0",
+    ]
     assert found.source is ScaleSource.DIMENSION
     assert image.pixels_per_inch is not None
     assert found.mm_per_pixel == pytest.approx(2.0 * 25.4 / image.pixels_per_inch, rel=1e-3)
@@ -139,14 +142,14 @@ def test_drawn_numbers_are_read_unless_the_file_has_as_many_as_texts(
 ) -> None:
     words = ["STEEL", *(["7", "8", "9", "11", "12", "13"] if numbers else [])]
     notes = [
-        f'<text x="{20 + 25 * index}" y="140" font-size="5">{own}</text>'
-        for index, own in enumerate(words)
+        f'<text x="{20 + 25 * index}" y="140" font-size="5">{word}</text>'
+        for index, word in enumerate(words)
     ]
     image = read_sheet(_sheet(tmp_path / "noted.svg", "".join(notes)))
     sheet = OpenedSheet(image)
     assert image.vectors is not None and image.vectors.texts
     views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
     assert views is not None
-    read = {own.text for own in read_texts(sheet, views.separated.marks).texts}
+    read = {text.text for text in read_texts(sheet, views.separated.marks).texts}
     assert set(words) <= read
     assert ("100.0" in read) is not numbers

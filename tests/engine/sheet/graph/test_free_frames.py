@@ -124,7 +124,7 @@ def test_two_pockets_with_a_hole_beside_them_are_no_views() -> None:
 
 def test_dimensions_of_a_pocket_divide_nothing() -> None:
     ends = ((200, 250), (200, 450)), ((500, 250), (500, 450)), ((200, 350), (500, 350))
-    measures = [VectorStroke(Line(*own), 1.0, kind=StrokeKind.DIMENSION) for own in ends]
+    measures = [VectorStroke(Line(*end), 1.0, kind=StrokeKind.DIMENSION) for end in ends]
     strokes = [*_box(*_AROUND), *_box(200, 200, 300, 50), *_HOLES[1], *measures]
     assert _labels(strokes)[:4] == [Label.VISIBLE] * 4
 
@@ -156,7 +156,7 @@ def test_the_margins_of_a_sheet_tell_its_edge_and_frame(left: float, guessed: bo
 
 def test_only_a_few_lines_around_each_other_are_frames() -> None:
     around = [
-        own for k in range(10) for own in _box(50 + 6 * k, 50 + 6 * k, 900 - 12 * k, 590 - 12 * k)
+        item for k in range(10) for item in _box(50 + 6 * k, 50 + 6 * k, 900 - 12 * k, 590 - 12 * k)
     ]
     labels = _labels([*around, *_VIEW])
     assert labels[:24] == [Label.FRAME] * 24

@@ -12,28 +12,28 @@ _PLACES = st.tuples(st.integers(0, 6), st.integers(0, 6))
 
 
 @given(
-    st.lists(st.tuples(_PLACES, _PLACES, st.booleans()).filter(lambda own: own[0] != own[1])),
+    st.lists(st.tuples(_PLACES, _PLACES, st.booleans()).filter(lambda item: item[0] != item[1])),
     st.integers(0, 2**32 - 1),
 )
 def test_what_holds_of_a_group_is_that_of_its_strokes(
     lines: list[tuple[tuple[int, int], tuple[int, int], bool]], seed: int
 ) -> None:
     touches = touching([Line(a, b) for a, b, _ in lines], 0.1)
-    chosen = np.array([own for _, _, own in lines], dtype=bool)
+    chosen = np.array([item for _, _, item in lines], dtype=bool)
     values = np.random.default_rng(seed).uniform(size=(len(lines), 2))
     groups = grouped(touches, chosen)
     labels = touches.groups(chosen)
     numbers = np.unique(labels[chosen])
     assert len(groups.counts) == len(numbers)
     for place, number in enumerate(numbers):
-        own = labels == number
-        boxes = touches.boxes[own]
-        assert groups.members(place).tolist() == np.flatnonzero(own).tolist()
-        assert groups.counts[place] == own.sum()
+        entry = labels == number
+        boxes = touches.boxes[entry]
+        assert groups.members(place).tolist() == np.flatnonzero(entry).tolist()
+        assert groups.counts[place] == entry.sum()
         around = [*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0)]
         assert groups.boxes[place].tolist() == around
-        assert np.isclose(groups.means(values[:, 0])[place], values[own, 0].mean())
-        assert groups.most(values)[place].tolist() == values[own].max(axis=0).tolist()
+        assert np.isclose(groups.means(values[:, 0])[place], values[entry, 0].mean())
+        assert groups.most(values)[place].tolist() == values[entry].max(axis=0).tolist()
 
 
 def test_a_wide_line_may_reach_over_the_box_that_it_lies_within() -> None:

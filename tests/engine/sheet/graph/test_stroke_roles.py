@@ -139,7 +139,7 @@ def test_short_lines_of_a_hatching_are_parallel_as_far_as_the_files_numbers_tell
 
 def test_slanted_parallels_are_no_hatching_where_each_view_has_but_one() -> None:
     places = [(60.0 + 220.0 * k, 100.0 + 130.0 * k) for k in range(4)]
-    views = [own for x, y in places for own in _box(x, y, 120, 90)]
+    views = [item for x, y in places for item in _box(x, y, 120, 90)]
     slanted = [(x, y + 90.0, x + 90.0, y) for x, y in places]
     assert Label.HATCH not in _labels(views + _lines(*slanted, width=_THIN))
 
@@ -155,8 +155,8 @@ def test_what_the_file_calls_hatching_is_hatching_within_the_part_however_few_it
 
 def test_what_the_file_calls_a_dimension_is_none_of_the_part() -> None:
     dimension = [
-        VectorStroke(own.curve, _WIDE, kind=StrokeKind.DIMENSION)
-        for own in _box(600, 300, 200, 100)
+        VectorStroke(item.curve, _WIDE, kind=StrokeKind.DIMENSION)
+        for item in _box(600, 300, 200, 100)
     ]
     labels = _labels(_box(300, 300, 200, 100) + dimension)
     assert labels[4:] == [Label.DIMENSION] * 4
@@ -259,8 +259,8 @@ def test_a_hexagon_in_line_with_a_view_is_no_pictorial() -> None:
     corners = [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
     hexagon = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
     half = radius * math.cos(math.pi / 6.0)
-    beside = _box(x - half, 500, 2.0 * half, 100)
-    found = labelled(VectorDrawing((*hexagon, *beside), ()), _SIZE)
+    neighbour = _box(x - half, 500, 2.0 * half, 100)
+    found = labelled(VectorDrawing((*hexagon, *neighbour), ()), _SIZE)
     assert found is not None
     assert found.pictorials == ()
     assert set(found.labels) == {Label.VISIBLE}

@@ -86,7 +86,7 @@ def test_lines_across_a_chamfer_from_one_rounding_to_the_next_are_none() -> None
     ridge = _line(50.0, 100.0, 54.0, 104.0)
     views = _views([*outer, *inner, *across, ridge], _box(50.0, 300.0, 200.0, 40.0), 200.0)
     (_, above), gone = without_tangent_edges(views)
-    assert sorted(own.start for own in gone) == sorted(own.start for own in across)
+    assert sorted(item.start for item in gone) == sorted(item.start for item in across)
     assert ridge in above.strokes
 
 

@@ -71,4 +71,4 @@ def test_thin_lines_of_long_dashes_are_one_stroke(sketch: Sketch, dash: int, gap
     front = read_views(clean, layout)[0]
     hidden = [stroke for stroke in front.strokes if stroke.linetype is Linetype.HIDDEN]
     assert len(hidden) == 2
-    assert all(own.length > 10 * dash + 9 * gap - 2.0 for own in hidden)
+    assert all(item.length > 10 * dash + 9 * gap - 2.0 for item in hidden)

@@ -70,10 +70,10 @@ def test_the_turn_of_a_drawing(sketch: Sketch, degrees: float) -> None:
 def test_the_strokes_of_a_file_tell_its_turn(degrees: float) -> None:
     turn = Turn(np.radians(degrees), MIDDLE)
     box = np.array([(60.0, 50.0), (420.0, 50.0), (420.0, 310.0), (60.0, 310.0), (60.0, 50.0)])
-    corners = [tuple(own) for own in turn.to_stored(box).tolist()]
+    corners = [tuple(item) for item in turn.to_stored(box).tolist()]
     lines = [StraightLine(*ends) for ends in pairwise(corners)]
     lines.append(StraightLine((0.0, 0.0), (300.0, 120.0)))
-    drawing = VectorDrawing(tuple(VectorStroke(own, None) for own in lines), ())
+    drawing = VectorDrawing(tuple(VectorStroke(line, None) for line in lines), ())
     found = find_turn(*file_directions(drawing), (HEIGHT, WIDTH))
     assert np.degrees(found.angle) == pytest.approx(degrees, abs=1e-6)
 
@@ -100,8 +100,8 @@ def test_a_sheet_turned_back_is_the_upright_one(sketch: Sketch, degrees: float) 
     # Centres of pixels are at integers for shapes.
     for ends in (((90, 80), (300, 80)), ((380, 160), (380, 280)), ((90, 200), (380, 200))):
         points = np.array(ends) - 0.5
-        own = [line.distances(points).max() for line in lines if isinstance(line, Line)]
-        assert min(own) < 0.1
+        items = [line.distances(points).max() for line in lines if isinstance(line, Line)]
+        assert min(items) < 0.1
 
 
 @given(

@@ -26,9 +26,9 @@ def test_why_there_is_no_ink_is_found_once(monkeypatch: pytest.MonkeyPatch) -> N
     blank = OpenedSheet(SheetImage(Path("sheet.png"), np.full((300, 400), 255, np.uint8), ""))
     errors = []
     for _ in range(3):
-        with pytest.raises(NoModelError) as told:
+        with pytest.raises(NoModelError) as stated:
             _ = blank.clean
-        errors.append(told.value)
+        errors.append(stated.value)
     assert [error.code for error in errors] == ["blank-sheet"] * 3
     assert len(asked) == 1 and len(set(map(id, errors))) == 3
 
@@ -48,5 +48,5 @@ def test_lines_longer_than_what_pictures_show_tell_how_a_sheet_lies(
     )
     paper = np.full((300, 400), 255, np.uint8)
     turn = OpenedSheet(SheetImage(Path("sheet.pdf"), paper, "", vectors=drawing)).turn
-    told = bool(pictures) and pictures[0][2] < 100.0
-    assert turn.angle == pytest.approx(angle if told else seen.angle)
+    stated = bool(pictures) and pictures[0][2] < 100.0
+    assert turn.angle == pytest.approx(angle if stated else seen.angle)

@@ -48,7 +48,7 @@ def plan(sheet: npt.NDArray[np.uint8]) -> tuple[int, int, int, int]:
     ink = (sheet < 128).astype(np.uint8)
     _, _, stats, _ = cv2.connectedComponentsWithStats(ink, connectivity=8)
     areas = stats[1:, cv2.CC_STAT_WIDTH] * stats[1:, cv2.CC_STAT_HEIGHT]
-    return tuple(int(own) for own in stats[1 + int(np.argmax(areas)), :4])
+    return tuple(int(item) for item in stats[1 + int(np.argmax(areas)), :4])
 
 
 @pytest.mark.parametrize(("tilt", "way"), [(6, 30), (15, 100), (24, 250)])

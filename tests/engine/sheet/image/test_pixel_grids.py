@@ -79,9 +79,9 @@ def test_what_is_read_badly_is_never_free() -> None:
 
 
 def test_lines_anywhere_are_not_rounded() -> None:
-    told = [_told(_views(_places(k, 9), _places(k + 50, 9))) for k in range(40)]
-    assert Rounding.TOLD not in told
-    assert told.count(Rounding.NONE) >= 30
+    stated = [_told(_views(_places(k, 9), _places(k + 50, 9))) for k in range(40)]
+    assert Rounding.TOLD not in stated
+    assert stated.count(Rounding.NONE) >= 30
 
 
 @pytest.mark.parametrize("seed", range(10))

@@ -38,7 +38,7 @@ def test_the_width_is_that_of_the_wide_pen(width: float) -> None:
 @pytest.mark.parametrize("factor", [0.5, 2.0, 3.0])
 def test_a_picture_of_more_pixels_is_read_at_as_many(factor: float) -> None:
     # What is read has one size, however large the picture is.
-    small, large = (working_factor(drawing(2.5, factor=own)) * own for own in (1.0, factor))
+    small, large = (working_factor(drawing(2.5, factor=item)) * item for item in (1.0, factor))
     assert large == pytest.approx(small, rel=0.08)
 
 

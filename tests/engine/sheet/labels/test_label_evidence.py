@@ -70,8 +70,8 @@ def test_the_shipped_network_says_the_temperature_of_its_card() -> None:
     card = json.loads(
         Path(labels_network.__file__).with_name("labels.json").read_text(encoding="utf-8")
     )
-    told = card["calibration"]["temperature"] if card["calibration"] else 1.0
-    assert labels_network.log_odds_factor() == pytest.approx(told)
+    stated = card["calibration"]["temperature"] if card["calibration"] else 1.0
+    assert labels_network.log_odds_factor() == pytest.approx(stated)
 
 
 def test_what_turned_a_line_makes_it_no_surer_than_its_ink_allows() -> None:
@@ -99,12 +99,12 @@ def test_a_stroke_is_as_sure_as_the_least_sure_line_that_tells() -> None:
     sure = labelled((0.0, 0.0), (100.0, 0.0), 4.0)
     doubtful = labelled((100.0, 0.0), (140.0, 0.0), 0.2)
     crossing = labelled((50.0, -80.0), (50.0, 80.0), 0.1)
-    beside = labelled((0.0, 1.0), (140.0, 1.0), -0.1)
-    labels = SheetLabels((sure, doubtful, crossing, beside), WIDTH)
+    neighbour = labelled((0.0, 1.0), (140.0, 1.0), -0.1)
+    labels = SheetLabels((sure, doubtful, crossing, neighbour), WIDTH)
     points = Segment((0.5, 0.5), (140.5, 0.5), Linetype.VISIBLE).sample(2.0)
     assert labels.along(points, part=True) is doubtful
     assert labels.along(points[:40], part=True) is sure
-    assert labels.along(points, part=False) is beside
+    assert labels.along(points, part=False) is neighbour
     assert labels.along(points + np.array([0.0, 30.0]), part=True) is None
     assert NO_LABELS.along(points, part=True) is None
 
@@ -122,10 +122,10 @@ def test_doubtful_strokes_are_given_up_first_but_are_of_their_linetype() -> None
     ]
     strokes = [Segment((0.0, y), (60.0, y), Linetype.VISIBLE) for y in (0.0, 20.0)]
     found = SheetLabels(tuple(lines), WIDTH).weighed(strokes)
-    assert [own.confidence for own in found] == pytest.approx([1.0, 0.7311], abs=1e-3)
+    assert [item.confidence for item in found] == pytest.approx([1.0, 0.7311], abs=1e-3)
     # From 0.4 down, readers say that a stroke may be visible or hidden.
     assert solver_weight(0.1) == 0.5
-    assert [solver_weight(own) for own in (0.95, 0.7)] == [1.0, 0.7]
+    assert [solver_weight(item) for item in (0.95, 0.7)] == [1.0, 0.7]
 
 
 def test_a_curve_is_all_of_one_kind() -> None:

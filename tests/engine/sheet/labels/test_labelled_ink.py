@@ -145,12 +145,12 @@ def test_nothing_is_drawn_anew(part: str) -> None:
 def test_every_text_of_the_drawing_is_marked(part: str) -> None:
     """Each dimension's text lies in a mark, those of the title block in its fields."""
     case = _case(part, "dimensioned")
-    told = [m.box for m in case.separated.marks if m.kind in (Kind.TEXT, Kind.TITLE_BLOCK)]
+    stated = [m.box for m in case.separated.marks if m.kind in (Kind.TEXT, Kind.TITLE_BLOCK)]
     texts = [mark.label for mark in case.drawn.annotations if mark.group and mark.label is not None]
     assert texts
     for text in texts:
         x, y = text.centre
-        assert any(x0 <= x <= x1 and y0 <= y <= y1 for x0, y0, x1, y1 in told), text.text
+        assert any(x0 <= x <= x1 and y0 <= y <= y1 for x0, y0, x1, y1 in stated), text.text
 
 
 @pytest.mark.parametrize("part", PARTS)

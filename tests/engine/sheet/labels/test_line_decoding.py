@@ -70,9 +70,9 @@ def test_dashes_of_one_line_are_of_one_kind_where_they_are_in_doubt() -> None:
         (100, InkClass.HIDDEN, 4.0), (115, InkClass.CENTRE, 0.7), (300, InkClass.HIDDEN, 4.0)
     )
     found = labelled_runs(line((80.0, 92.0), (101.0, 113.0), (122.0, 134.0)), labels, NOT_SHARED)
-    assert all(own.is_part for own in found)
+    assert all(item.is_part for item in found)
     assert found[1].margin < 0.0
-    assert [own.why for own in found] == [Evidence.NETWORK, Evidence.LINE, Evidence.NETWORK]
+    assert [item.why for item in found] == [Evidence.NETWORK, Evidence.LINE, Evidence.NETWORK]
     # Turned alone, it would differ from both of its neighbours.
     assert found[1].support == pytest.approx(2 * 8.0 - 13 * 0.25 * 0.7**2 / 4.0, abs=0.1)
 
@@ -97,17 +97,17 @@ def test_a_shape_without_ink_has_no_pieces() -> None:
 def test_the_cheapest_assignment_is_the_best_of_all() -> None:
     random = np.random.default_rng(4)
     for _ in range(40):
-        told = random.normal(0.0, 2.0, 9)
+        stated = random.normal(0.0, 2.0, 9)
         change = random.uniform(0.2, 3.0, 9)
 
-        best = min(_cost(states, told, change) for states in product((0, 1), repeat=9))
-        found = line_decoding._cheapest(told, change).astype(int)
-        assert _cost(found, told, change) == pytest.approx(best)
+        best = min(_cost(states, stated, change) for states in product((0, 1), repeat=9))
+        found = line_decoding._cheapest(stated, change).astype(int)
+        assert _cost(found, stated, change) == pytest.approx(best)
 
 
-def _cost(states: Sequence[int], told: np.ndarray, change: np.ndarray) -> float:
+def _cost(states: Sequence[int], stated: np.ndarray, change: np.ndarray) -> float:
     turns = [change[k] for k in range(1, len(states)) if states[k] != states[k - 1]]
-    return sum(turns) - sum(t * (s - 0.5) for t, s in zip(told, states, strict=True))
+    return sum(turns) - sum(t * (s - 0.5) for t, s in zip(stated, states, strict=True))
 
 
 def test_a_dash_is_what_the_others_of_its_row_are() -> None:
@@ -117,6 +117,6 @@ def test_a_dash_is_what_the_others_of_its_row_are() -> None:
     labels = labels_of((100, InkClass.HIDDEN, 4.0), (300, InkClass.VISIBLE, 0.5))
     dashes = (62.0, 74.0), (82.0, 94.0), (102.0, 114.0)
     found = labelled_runs(line(*dashes), labels, NOT_SHARED)
-    assert [own.ink for own in found] == [InkClass.HIDDEN] * 3
+    assert [item.ink for item in found] == [InkClass.HIDDEN] * 3
     alone = labelled_runs(line(dashes[-1]), labels, NOT_SHARED)
-    assert [own.ink for own in alone] == [InkClass.VISIBLE]
+    assert [item.ink for item in alone] == [InkClass.VISIBLE]

@@ -31,11 +31,11 @@ def piece(
 
 def found(*pieces: tuple[InkedShape, list[LabelledRun]]) -> list[LabelledRun]:
     shapes, labelled = zip(*pieces, strict=True)
-    return [own for each in related(shapes, list(labelled), WIDTH) for own in each]
+    return [item for each in related(shapes, list(labelled), WIDTH) for item in each]
 
 
 def inks(*pieces: tuple[InkedShape, list[LabelledRun]]) -> list[InkClass]:
-    return [own.ink for own in found(*pieces)]
+    return [item.ink for item in found(*pieces)]
 
 
 CORNERS = [(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (0.0, 80.0)]
@@ -56,7 +56,7 @@ def test_a_doubtful_line_that_closes_an_outline_is_an_edge() -> None:
 
 def test_who_turned_a_line_is_known_and_how_surely() -> None:
     *sides, last = found(*square(InkClass.DIMENSION, 1.0))
-    assert {own.why for own in sides} == {Evidence.NETWORK}
+    assert {side.why for side in sides} == {Evidence.NETWORK}
     assert last.why is Evidence.LOOSE_END
     # Two loose ends less, against what its ink says.
     assert last.support == 2 * 6.0 - abs(last.evidence)

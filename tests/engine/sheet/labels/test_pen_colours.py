@@ -37,8 +37,8 @@ def _labelled(row: int, margin: float) -> LabelledRun:
 
 def _learnt(tints: dict[int, tuple[int, float]]) -> ColourPens | None:
     tint = np.zeros((120, 300), np.uint8)
-    for row, (own, _) in tints.items():
-        tint[row - 2 : row + 3] = own
+    for row, (item, _) in tints.items():
+        tint[row - 2 : row + 3] = item
     shapes = [_shape(row) for row in tints]
     labelled = [[_labelled(row, margin)] for row, (_, margin) in tints.items()]
     return learnt_colours(tint, shapes, labelled, 3.0)

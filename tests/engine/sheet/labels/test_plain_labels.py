@@ -35,8 +35,8 @@ def test_a_sheet_of_one_pen_is_read_in_doubt_and_the_missing_network_is_told(
     words = ["reconstruct", str(SAMPLES / f"{name}.png"), "--output", str(tmp_path)]
     assert main([*words, "--result", "solid", "--length", "x=80"]) == 0
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
-    assert "labels-missing" in [own["code"] for own in report["warnings"]]
-    assert "labels-doubtful" in [own["code"] for own in report["reasons"]]
+    assert "labels-missing" in [item["code"] for item in report["warnings"]]
+    assert "labels-doubtful" in [item["code"] for item in report["reasons"]]
     assert report["status"] == "approximate"
     assert set(report["views"]) == {"front", "top", "right"}
     assert np.isfinite(report["solid"]["volume_mm3"])

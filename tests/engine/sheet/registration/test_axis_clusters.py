@@ -31,14 +31,14 @@ def seen(rows: list[tuple[float, float, int]]) -> SeenCoordinates:
 def test_clusters_are_runs_of_the_sorted_values_and_stay(
     rows: list[tuple[float, float, int]],
 ) -> None:
-    own = seen(rows)
-    found = clustered(own, LIMITS)
-    order = np.argsort(own.at, kind="stable")
+    this_seen = seen(rows)
+    found = clustered(this_seen, LIMITS)
+    order = np.argsort(this_seen.at, kind="stable")
     assert set(np.diff(found[order])) <= {0, 1}
     assert found[order][0] == 0
-    middle = averages(own.at, own.weight, found)
+    middle = averages(this_seen.at, this_seen.weight, found)
     assert (np.diff(middle) > 0.0).all()
-    again = SeenCoordinates(middle[found], own.weight, own.view)
+    again = SeenCoordinates(middle[found], this_seen.weight, this_seen.view)
     assert (clustered(again, LIMITS) == found).all()
 
 
@@ -46,8 +46,8 @@ def test_near_ones_of_two_views_are_one_far_ones_are_not() -> None:
     rows = [(10.0, 1.0, 0), (10.9, 3.0, 1), (20.0, 1.0, 0), (21.1, 1.0, 1)]
     found = clustered(seen(rows), LIMITS)
     assert found.tolist() == [0, 0, 1, 2]
-    own = seen(rows)
-    assert averages(own.at, own.weight, found)[0] == pytest.approx(10.675)
+    this_seen = seen(rows)
+    assert averages(this_seen.at, this_seen.weight, found)[0] == pytest.approx(10.675)
 
 
 def test_what_one_view_shows_apart_stays_two() -> None:
@@ -68,11 +68,11 @@ def test_views_are_shifted_by_what_they_share() -> None:
     lines = [10.0, 35.0, 52.0, 71.0, 90.0]
     rows = [(0.0, 1e-3, 0), (100.0, 1e-3, 0), (0.0, 1e-3, 1), (101.2, 1e-3, 1)]
     rows += [(at, 100.0, 0) for at in lines] + [(at + 1.2, 100.0, 1) for at in lines]
-    own = seen(rows)
-    fit = fit_axis(own, np.array([100.0, 101.2]), LIMITS)
+    this_seen = seen(rows)
+    fit = fit_axis(this_seen, np.array([100.0, 101.2]), LIMITS)
     assert fit.gain.tolist() == [1.0, 1.0]
     assert fit.shift[0] - fit.shift[1] == pytest.approx(1.2, abs=1e-6)
-    common = fit.common(own)
+    common = fit.common(this_seen)
     assert common[4:9] == pytest.approx(common[9:], abs=1e-6)
     assert (fit.cluster[4:9] == fit.cluster[9:]).all()
 
@@ -90,7 +90,7 @@ def test_a_wrong_match_does_not_pull() -> None:
 def test_views_of_two_scales_are_stretched_to_their_mean() -> None:
     lines = np.array([0.0, 20.0, 45.0, 80.0, 100.0])
     rows = [(at, 10.0, 0) for at in lines] + [(1.04 * at, 10.0, 1) for at in lines]
-    own = seen(rows)
-    fit = fit_axis(own, np.array([100.0, 104.0]), LIMITS)
+    this_seen = seen(rows)
+    fit = fit_axis(this_seen, np.array([100.0, 104.0]), LIMITS)
     assert fit.gain == pytest.approx([1.02, 1.02 / 1.04], abs=1e-9)
-    assert fit.common(own)[:5] == pytest.approx(fit.common(own)[5:], abs=1e-9)
+    assert fit.common(this_seen)[:5] == pytest.approx(fit.common(this_seen)[5:], abs=1e-9)

@@ -23,8 +23,8 @@ def test_ties_hold_and_the_values_are_the_most_likely(
     a: float, b: float, c: float, d: float, weights: list[float]
 ) -> None:
     start = np.array([10.0 + a, 30.0 + b, 50.0 + c, 20.0 + d])
-    own = known(start.tolist(), weights)
-    found = tied(own, np.array(weights) * start, TIES)
+    item = known(start.tolist(), weights)
+    found = tied(item, np.array(weights) * start, TIES)
     assert found[LEFT] == pytest.approx(found[CENTRE] - found[RADIUS], abs=1e-10)
     assert found[RIGHT] == pytest.approx(found[CENTRE] + found[RADIUS], abs=1e-10)
 
@@ -39,8 +39,8 @@ def test_ties_hold_and_the_values_are_the_most_likely(
 def test_a_side_that_is_none_of_the_circle_s_is_let_go() -> None:
     # The right side lies 5 px from where it would have to.
     start = np.array([10.0, 30.0, 55.0, 20.0])
-    own = known(start.tolist(), [1.0] * 4)
-    found = tied(own, start, TIES)
+    item = known(start.tolist(), [1.0] * 4)
+    found = tied(item, start, TIES)
     assert found[RIGHT] == 55.0
     assert found[LEFT] == pytest.approx(found[CENTRE] - found[RADIUS], abs=1e-10)
 
@@ -50,8 +50,8 @@ def test_order_is_kept_rather_than_a_tie() -> None:
     start = np.array([10.0, 30.0, 50.0, 19.0, 10.5])
     weights = np.array([0.01, 100.0, 1.0, 100.0, 100.0])
     chain = np.array([0, 4, 1, 2])
-    own = Estimates(np.diag(weights), start, np.full(5, 2.0), (chain,))
-    found = tied(own, weights * start, (TIES[0],))
+    estimates = Estimates(np.diag(weights), start, np.full(5, 2.0), (chain,))
+    found = tied(estimates, weights * start, (TIES[0],))
     assert found.tolist() == start.tolist()
 
 

@@ -41,8 +41,8 @@ class Jitter:
 
     def upright(self, right: float, *ends: float, kind: Linetype = Linetype.VISIBLE) -> Segment:
         """A stroke along up."""
-        own = self.level(right, *ends, kind=kind)
-        return Segment(own.start[::-1], own.end[::-1], kind)
+        level = self.level(right, *ends, kind=kind)
+        return Segment(level.start[::-1], level.end[::-1], kind)
 
     def moved(self, *values: float) -> tuple[float, ...]:
         """Each a little beside."""
@@ -51,32 +51,33 @@ class Jitter:
 
 def part_views(seed: int, size: float, precision=FROM_PIXELS) -> list[PlaneView]:  # noqa: ANN001
     """Front, top and right of a plate with a hole, a rounded corner and a sloping one."""
-    own = Jitter(seed, size)
+    jitter = Jitter(seed, size)
     hidden = Linetype.HIDDEN
     x, y, z = SIZE
     bend = (x - FILLET, z - FILLET)
     low, high = HOLE[1] - HOLE_RADIUS, HOLE[1] + HOLE_RADIUS
     front: list[Stroke] = [
-        own.level(0.0, 0.0, x),
-        own.level(z, SLOPE[1][0], bend[0]),
-        own.upright(0.0, 0.0, SLOPE[0][1]),
-        own.upright(x, 0.0, bend[1]),
-        Arc(own.moved(*bend), FILLET + own.by(), 0.0, np.pi / 2, Linetype.VISIBLE),
-        Arc(own.moved(*HOLE), HOLE_RADIUS + own.by(), 0.0, WHOLE, Linetype.VISIBLE),
-        Segment(own.moved(*SLOPE[0]), own.moved(*SLOPE[1]), Linetype.VISIBLE),
+        jitter.level(0.0, 0.0, x),
+        jitter.level(z, SLOPE[1][0], bend[0]),
+        jitter.upright(0.0, 0.0, SLOPE[0][1]),
+        jitter.upright(x, 0.0, bend[1]),
+        Arc(jitter.moved(*bend), FILLET + jitter.by(), 0.0, np.pi / 2, Linetype.VISIBLE),
+        Arc(jitter.moved(*HOLE), HOLE_RADIUS + jitter.by(), 0.0, WHOLE, Linetype.VISIBLE),
+        Segment(jitter.moved(*SLOPE[0]), jitter.moved(*SLOPE[1]), Linetype.VISIBLE),
     ]
     sides = HOLE[0] - HOLE_RADIUS, HOLE[0] + HOLE_RADIUS
-    top = [own.level(at, 0.0, x) for at in (0.0, y)]
-    top += [own.upright(at, 0.0, y) for at in (0.0, x, SLOPE[1][0])]
-    top += [own.upright(at, 0.0, y, kind=hidden) for at in sides]
-    right = [own.upright(at, 0.0, z) for at in (0.0, y)]
-    right += [own.level(at, 0.0, y) for at in (0.0, z, SLOPE[0][1], bend[1])]
-    right += [own.level(at, 0.0, y, kind=hidden) for at in (low, high)]
+    top = [jitter.level(at, 0.0, x) for at in (0.0, y)]
+    top += [jitter.upright(at, 0.0, y) for at in (0.0, x, SLOPE[1][0])]
+    top += [jitter.upright(at, 0.0, y, kind=hidden) for at in sides]
+    right = [jitter.upright(at, 0.0, z) for at in (0.0, y)]
+    right += [jitter.level(at, 0.0, y) for at in (0.0, z, SLOPE[0][1], bend[1])]
+    right += [jitter.level(at, 0.0, y, kind=hidden) for at in (low, high)]
     strokes = {Role.FRONT: front, Role.TOP: top, Role.RIGHT: right}
     views = []
     for role, drawn in strokes.items():
         extents = [
-            SIZE[axis.value] + own.by() for axis, _ in (role.frame.right_axis, role.frame.up_axis)
+            SIZE[axis.value] + jitter.by()
+            for axis, _ in (role.frame.right_axis, role.frame.up_axis)
         ]
         views.append(PlaneView(role, tuple(drawn), (extents[0], extents[1]), precision))
     return views
@@ -118,11 +119,11 @@ def test_averages_are_better_by_the_root_of_the_number_of_views() -> None:
     roles = (Role.FRONT, Role.TOP, Role.BOTTOM, Role.REAR)
     errors = []
     for seed in range(80):
-        own = Jitter(seed, 0.1)
+        jitter = Jitter(seed, 0.1)
         views = []
         for role in roles:
             sign = role.frame.right_axis[1]
-            line = own.upright(150.0, 0.0, 90.0)
+            line = jitter.upright(150.0, 0.0, 90.0)
             lines = [Segment((at, 0.0), (at, 90.0), Linetype.VISIBLE) for at in (0.0, 400.0)]
             mirrored = tuple(
                 Segment((sign * s.start[0], 0.0), (sign * s.end[0], 90.0), s.linetype)
@@ -185,11 +186,11 @@ def test_a_plane_is_one_number_and_strokes_share_their_ends(seed: int) -> None:
 def test_the_order_never_changes_and_what_one_view_shows_apart_stays_two(
     front_at: list[int], top_at: list[int], pitch: float, seed: int
 ) -> None:
-    own = Jitter(seed, 0.1)
+    jitter = Jitter(seed, 0.1)
     width = 97 * pitch
 
     def view(role: Role, places: list[int], height: float) -> PlaneView:
-        strokes = [own.upright(at * pitch, 0.0, height) for at in (0, *sorted(places), 97)]
+        strokes = [jitter.upright(at * pitch, 0.0, height) for at in (0, *sorted(places), 97)]
         return PlaneView(role, tuple(strokes), (width, height), FROM_PIXELS)
 
     views = [view(Role.FRONT, front_at, 40.0), view(Role.TOP, top_at, 30.0)]
@@ -213,7 +214,7 @@ def test_exact_views_stay_exact_to_the_last_digits() -> None:
 
 
 def test_a_belt_around_two_circles_touches_them() -> None:
-    own = Jitter(5, 0.08)
+    jitter = Jitter(5, 0.08)
     a, ra, b, rb = (100.0, 100.0), 80.0, (300.0, 100.0), 40.0
     # Along its outer tangents; the normals of both lean by the difference of the radii.
     lean = np.arcsin((ra - rb) / 200.0)
@@ -221,13 +222,13 @@ def test_a_belt_around_two_circles_touches_them() -> None:
     for sign in (1.0, -1.0):
         normal = np.array([np.sin(lean), sign * np.cos(lean)])
         first, last = (np.array(c) + r * normal for c, r in ((a, ra), (b, rb)))
-        strokes.append(Segment(own.moved(*first), own.moved(*last), Linetype.VISIBLE))
+        strokes.append(Segment(jitter.moved(*first), jitter.moved(*last), Linetype.VISIBLE))
     up = np.pi / 2 - lean
-    large = Arc(own.moved(*a), ra + own.by(), up, WHOLE - 2 * up, Linetype.VISIBLE)
-    small = Arc(own.moved(*b), rb + own.by(), -up % WHOLE, 2 * up, Linetype.VISIBLE)
+    large = Arc(jitter.moved(*a), ra + jitter.by(), up, WHOLE - 2 * up, Linetype.VISIBLE)
+    small = Arc(jitter.moved(*b), rb + jitter.by(), -up % WHOLE, 2 * up, Linetype.VISIBLE)
     front = PlaneView(Role.FRONT, (*strokes, large, small), (340.0, 200.0), FROM_PIXELS)
-    box = [own.level(at, 20.0, 340.0) for at in (0.0, 50.0)]
-    box += [own.upright(at, 0.0, 50.0) for at in (20.0, 340.0)]
+    box = [jitter.level(at, 20.0, 340.0) for at in (0.0, 50.0)]
+    box += [jitter.upright(at, 0.0, 50.0) for at in (20.0, 340.0)]
     top = PlaneView(Role.TOP, tuple(box), (340.0, 50.0), FROM_PIXELS)
     (upper, lower, large, small), _ = share_axes([front, top]).strokes
     for line, sign in ((upper, 1.0), (lower, -1.0)):
@@ -255,6 +256,6 @@ def test_views_of_another_length_are_stretched_to_the_mean() -> None:
     shared = share_axes([views[0], longer, views[2]])
     # Circles stay round, so that a stretched one does not quite fit between its sides.
     assert shared.extents[Axis.X] == pytest.approx(1.01 * SIZE[0], abs=0.01)
-    gains = [own.gain[0] for own in shared.maps[:2]]
+    gains = [this_map.gain[0] for this_map in shared.maps[:2]]
     assert gains == pytest.approx([1.01, 1.01 / 1.02], abs=1e-4)
     assert shared.strokes[0][6].end[0] == shared.strokes[1][4].start[0]

@@ -24,22 +24,22 @@ def test_exact_files_are_known_exactly_and_pictures_to_pixels() -> None:
 
 @given(step=st.floats(0.0, 0.7), finer=st.floats(0.0, 1.0))
 def test_a_coarser_grid_is_known_no_better(step: float, finer: float) -> None:
-    own, better = precision_of(VECTOR, step), precision_of(VECTOR, finer * step)
+    item, better = precision_of(VECTOR, step), precision_of(VECTOR, finer * step)
     for name in ("noise", "level", "ends"):
-        assert getattr(own, name) >= getattr(better, name)
+        assert getattr(item, name) >= getattr(better, name)
     for name in ("apart", "reach", "finest"):
-        assert getattr(own.limits, name) >= getattr(better.limits, name)
+        assert getattr(item.limits, name) >= getattr(better.limits, name)
     assert tolerance_px(VECTOR, step) >= tolerance_px(VECTOR, finer * step)
-    assert own.limits.reach <= FROM_PIXELS.limits.reach
+    assert item.limits.reach <= FROM_PIXELS.limits.reach
 
 
 @given(step=st.floats(0.02, 0.7))
 def test_what_was_rounded_twice_may_be_one_and_two_steps_are_two(step: float) -> None:
-    own = precision_of(VECTOR, step)
+    precision = precision_of(VECTOR, step)
     # Two ends of a level line, and one coordinate in two views, lie up to a step apart.
-    assert step <= own.level < 2.0 * step
-    assert step <= own.limits.apart < 2.0 * step
-    assert step <= own.limits.reach
+    assert step <= precision.level < 2.0 * step
+    assert step <= precision.limits.apart < 2.0 * step
+    assert step <= precision.limits.reach
     assert tolerance_px(VECTOR, step) >= step
 
 

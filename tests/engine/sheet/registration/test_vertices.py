@@ -20,16 +20,16 @@ def line(*ends: float, kind: Linetype = Linetype.VISIBLE) -> Segment:
 
 def settled(*strokes: Stroke) -> tuple[Stroke, ...]:
     """Strokes whose lines along the axes lie at the grid's coordinates."""
-    own = supports_of(strokes, FROM_PIXELS)
+    this_supports = supports_of(strokes, FROM_PIXELS)
     supports = tuple(
         replace(s, at=GRID.snapped(s.fixed, s.at)) if isinstance(s, AxisLine) else s
-        for s in own.supports
+        for s in this_supports.supports
     )
-    return settled_strokes(replace(own, supports=supports), GRID)
+    return settled_strokes(replace(this_supports, supports=supports), GRID)
 
 
 def test_strokes_are_told_by_what_they_lie_on() -> None:
-    own = supports_of(
+    supports = supports_of(
         (
             line(0, 0, 100, 0.3),
             line(0.1, 0, 0, 50),
@@ -43,12 +43,12 @@ def test_strokes_are_told_by_what_they_lie_on() -> None:
         ),
         FROM_PIXELS,
     )
-    assert own.of == (0, 1, 2, 2, 3, 4, 4, 5, None)
-    kinds = [type(support) for support in own.supports]
+    assert supports.of == (0, 1, 2, 2, 3, 4, 4, 5, None)
+    kinds = [type(support) for support in supports.supports]
     assert kinds == [AxisLine, AxisLine, Slant, Slant, Round, Round]
-    assert (own.supports[0].fixed, own.supports[1].fixed) == (1, 0)
+    assert (supports.supports[0].fixed, supports.supports[1].fixed) == (1, 0)
     # A line that leans is known less well than its length says.
-    assert own.supports[0].weight < own.supports[1].weight
+    assert supports.supports[0].weight < supports.supports[1].weight
 
 
 def test_corners_are_shared_to_the_last_digit() -> None:

@@ -22,17 +22,17 @@ ANGLE = st.floats(-4.0, 4.0)
 def test_a_stroke_in_the_plane_is_where_its_points_are(
     rotation: float, start: float, sweep: float, kind: type
 ) -> None:
-    own = {
+    item = {
         Arc: Arc((250.0, 300.0), 40.0, start, sweep, Linetype.HIDDEN, 0.7),
         Ellipse: Ellipse((250.0, 300.0), 40.0, 15.0, rotation, start, sweep, Linetype.HIDDEN, 0.7),
         Segment: Segment((120.0, 210.0), (480.0, 330.0 + 10 * rotation), Linetype.HIDDEN, 0.7),
     }[kind]
-    (placed,) = strokes_in_plane((own,), PLACE)
+    (placed,) = strokes_in_plane((item,), PLACE)
     assert isinstance(placed, kind)
     assert (placed.linetype, placed.confidence) == (Linetype.HIDDEN, 0.7)
-    assert placed.length == pytest.approx(own.length / 5.0)
+    assert placed.length == pytest.approx(item.length / 5.0)
     # The sheet's y runs down: what goes around goes around the other way.
-    expected = PLACE.to_plane(own.sample(own.length / 7.5))
+    expected = PLACE.to_plane(item.sample(item.length / 7.5))
     found = placed.sample(placed.length / 7.5)
     assert found == pytest.approx(expected if kind is Segment else expected[::-1], abs=1e-6)
 

@@ -53,15 +53,15 @@ def test_whole_views_with_centre_lines_are_none(find, part: str, style: str) -> 
 def test_a_side_along_which_an_edge_runs_is_not_open(find) -> None:  # noqa: ANN001
     """The same view, its side closed by a line where the centre line is."""
     found = find("bored-plate", "clean,half=front")
-    part, told = found.separated.part, found.separated.told
+    part, stated = found.separated.part, found.separated.strokes_known
     box = next(view.box for view in found.layout.special if view.kind is SpecialKind.HALF)
     ink = part.ink.copy()
     at = round(box[2] - 2.0)
     # What the reader added goes first.
     ink[int(box[1]) : int(box[3]) + 1, at + 2 :] = False
-    assert [type(half) for half in find_halves(ink, told, [box], part.stroke_width)] == [Half]
+    assert [type(half) for half in find_halves(ink, stated, [box], part.stroke_width)] == [Half]
     ink[int(box[1]) : int(box[3]) + 1, at - 1 : at + 2] = True
-    assert find_halves(ink, told, [box], part.stroke_width) == []
+    assert find_halves(ink, stated, [box], part.stroke_width) == []
 
 
 def test_the_whole_is_twice_the_half() -> None:
@@ -84,6 +84,6 @@ def test_labels_are_mirrored_with_their_ink(upright: bool) -> None:
     whole = completed(sheet, Half(box, upright, 80.0, True, (25.0, 95.0)), [])
     assert whole is not None
     # On the centre line itself each half keeps its own.
-    ink, own = (each if upright else each.T for each in (whole.ink, whole.hidden_odds))
+    ink, item = (each if upright else each.T for each in (whole.ink, whole.hidden_odds))
     assert ink[:, 82:].sum() > 200
-    assert (own[:, 82:][ink[:, 82:]] == 5.0).all()
+    assert (item[:, 82:][ink[:, 82:]] == 5.0).all()

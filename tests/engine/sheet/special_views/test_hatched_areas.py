@@ -25,7 +25,7 @@ def test_a_view_that_the_sheet_names_as_a_section_is_one_however_little_is_hatch
     views, found = with_named_sections(drawn, layout, [named], hatched)
     assert views[0] == drawn[0]
     assert bool(views[1].hatched) is is_hatched
-    assert [(own.kind, own.box, own.used) for own in found.special] == (
+    assert [(item.kind, item.box, item.used) for item in found.special] == (
         [(SpecialKind.SECTION, _RIGHT, True)] if is_hatched else []
     )
     again, same = with_named_sections(views, found, [named], hatched)

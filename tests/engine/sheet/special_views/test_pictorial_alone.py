@@ -26,12 +26,12 @@ def _refusal(grey: np.ndarray) -> NoModelError:
 def _pictured(part: str) -> np.ndarray:
     """The isometric picture of a part, px, in the middle of a sheet."""
     lines = part_lines(sample(part).build(), (Role.FRONT, Role.TOP), picture=True)
-    points = [own.sample(0.25) for own in lines.picture if own.linetype is Linetype.VISIBLE]
+    points = [item.sample(0.25) for item in lines.picture if item.linetype is Linetype.VISIBLE]
     low, high = np.concatenate(points).min(axis=0), np.concatenate(points).max(axis=0)
     scale = 600.0 / float((high - low).max())
     grey = np.full((1100, 1500), 255, np.uint8)
-    for own in points:
-        places = (own - (low + high) / 2.0) * scale * (1.0, -1.0) + (750.0, 550.0)
+    for point in points:
+        places = (point - (low + high) / 2.0) * scale * (1.0, -1.0) + (750.0, 550.0)
         cv2.polylines(grey, [np.rint(places * 8.0).astype(np.int32)], False, 0, 3, cv2.LINE_AA, 3)
     return grey
 

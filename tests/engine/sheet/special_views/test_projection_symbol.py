@@ -41,10 +41,10 @@ def _symbol(sheet: CleanSheet) -> ProjectionSymbol | None:
     return pixel_symbol(sheet, largest_symbol(sheet.ink.shape, None))
 
 
-def _views(projection: Projection, told: Projection | None) -> SheetViews:
+def _views(projection: Projection, stated_projection: Projection | None) -> SheetViews:
     grey = _grey(projection, "dimensioned")
     image = SheetImage(Path("sheet.png"), grey, "")
-    return sheet_views(OpenedSheet(image), {}, told)
+    return sheet_views(OpenedSheet(image), {}, stated_projection)
 
 
 @pytest.mark.parametrize("projection", Projection)
@@ -151,8 +151,8 @@ def test_no_symbol_is_looked_for_among_more_pieces_than_a_sheet_has() -> None:
     grey = _grey(Projection.THIRD, "dimensioned")
     width = max(grey.shape[1], crowd.shape[1])
     wide = [
-        np.pad(own, ((0, 0), (0, width - own.shape[1])), constant_values=255)
-        for own in (grey, crowd)
+        np.pad(item, ((0, 0), (0, width - item.shape[1])), constant_values=255)
+        for item in (grey, crowd)
     ]
     few, many = (clean_sheet(np.vstack([wide[0], part])) for part in (wide[1][:1], wide[1]))
     largest = largest_symbol(grey.shape, None)

@@ -15,13 +15,13 @@ ILLUSTRATIONS = (SpecialKind.PICTORIAL, SpecialKind.THREAD)
 
 @pytest.mark.parametrize("kind", SpecialKind)
 def test_what_shows_the_part_and_is_not_used_is_a_reason_for_doubt(kind: SpecialKind) -> None:
-    (told,) = tellings([SpecialView(kind, BOX)])
+    (stated,) = tellings([SpecialView(kind, BOX)])
     illustrates = kind in ILLUSTRATIONS
-    assert told.doubt == (not illustrates)
-    assert told.code == (f"{kind.value}-left-out" if illustrates else "unused-view")
-    assert "(10, 20)-(110, 221) px" in told.message
-    assert told.message.endswith(why_unused(kind))
-    assert "\n" not in told.message
+    assert stated.doubt == (not illustrates)
+    assert stated.code == (f"{kind.value}-left-out" if illustrates else "unused-view")
+    assert "(10, 20)-(110, 221) px" in stated.message
+    assert stated.message.endswith(why_unused(kind))
+    assert "\n" not in stated.message
 
 
 @pytest.mark.parametrize(
@@ -35,14 +35,14 @@ def test_what_shows_the_part_and_is_not_used_is_a_reason_for_doubt(kind: Special
     ],
 )
 def test_what_stands_for_a_view_is_a_reason_for_doubt(kind: SpecialKind, code: str) -> None:
-    (told,) = tellings([SpecialView(kind, BOX, used=True)])
-    assert (told.code, told.doubt) == (code, True)
-    assert "(10, 20)-(110, 221) px" in told.message
+    (stated,) = tellings([SpecialView(kind, BOX, used=True)])
+    assert (stated.code, stated.doubt) == (code, True)
+    assert "(10, 20)-(110, 221) px" in stated.message
 
 
 def test_one_message_names_all_of_a_kind() -> None:
     views = [SpecialView(SpecialKind.DETAIL, (k, 0.0, k + 5.0, 5.0)) for k in range(7)]
     views.append(SpecialView(SpecialKind.PICTORIAL, BOX))
-    told = tellings(views)
-    assert [t.code for t in told] == ["pictorial-left-out", "unused-view"]
-    assert len(re.findall(r"\(\d+, \d+\)-\(\d+, \d+\)", told[1].message)) == 5
+    stated = tellings(views)
+    assert [t.code for t in stated] == ["pictorial-left-out", "unused-view"]
+    assert len(re.findall(r"\(\d+, \d+\)-\(\d+, \d+\)", stated[1].message)) == 5

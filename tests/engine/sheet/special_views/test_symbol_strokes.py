@@ -47,7 +47,7 @@ def _symbol(
     near, far = (0.5, 1.0) if projection is Projection.THIRD else (1.0, 0.5)
 
     def line(*ends: tuple[float, float]) -> Line:
-        start, end = (turned @ (_RADIUS * np.array(own)) + _CENTRE for own in ends)
+        start, end = (turned @ (_RADIUS * np.array(this_end)) + _CENTRE for this_end in ends)
         return Line((float(start[0]), float(start[1])), (float(end[0]), float(end[1])))
 
     cone = [
@@ -61,7 +61,7 @@ def _symbol(
 
 
 def _drawing(curves: list[Curve], **look: object) -> VectorDrawing:
-    return VectorDrawing(tuple(VectorStroke(own, 2.0, **look) for own in curves), ())
+    return VectorDrawing(tuple(VectorStroke(curve, 2.0, **look) for curve in curves), ())
 
 
 @pytest.mark.parametrize("projection", Projection)

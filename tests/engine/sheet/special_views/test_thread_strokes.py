@@ -39,16 +39,16 @@ def _sides(low: float, high: float) -> list[Segment]:
 
 
 @pytest.mark.parametrize("beside", [True, False])
-def test_the_thin_circle_and_its_lines_go_and_the_bore_stays(beside: bool) -> None:
+def test_the_thin_circle_and_its_lines_go_and_the_bore_stays(adjacent: bool) -> None:
     arc = _arc(_THIN, 0.75)
-    front = _view(Role.FRONT, _FRONT, _arc(_RIM, 1.0), *([] if beside else [arc]))
+    front = _view(Role.FRONT, _FRONT, _arc(_RIM, 1.0), *([] if adjacent else [arc]))
     top = _view(Role.TOP, _TOP, *_sides(100.0, 200.0))
-    (own, above), special = without_threads([front, top], [arc] if beside else [])
-    assert [s.radius for s in own.strokes if isinstance(s, Arc)] == [_RIM]
+    (item, above), special = without_threads([front, top], [arc] if adjacent else [])
+    assert [s.radius for s in item.strokes if isinstance(s, Arc)] == [_RIM]
     left = sorted(s.start[0] for s in above.strokes if s.linetype is HIDDEN)
     assert left == [_CENTRE[0] - _RIM, _CENTRE[0] + _RIM]
-    (told,) = special
-    assert told.kind is SpecialKind.THREAD and told.box[0] == _CENTRE[0] - _THIN
+    (stated,) = special
+    assert stated.kind is SpecialKind.THREAD and stated.box[0] == _CENTRE[0] - _THIN
 
 
 def test_an_edge_where_a_threads_line_would_be_stays_where_no_bore_runs_beside_it() -> None:

@@ -12,7 +12,7 @@ from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 def _views(found) -> tuple[tuple[ReadView, ...], tuple[SpecialView, ...]]:  # noqa: ANN001
     """The views without their threads, and these."""
     drawn = read_views(found.separated.part, found.layout)
-    return without_threads(drawn, arcs_of(found.separated.told))
+    return without_threads(drawn, arcs_of(found.separated.strokes_known))
 
 
 def _threads(found) -> tuple[SpecialView, ...]:  # noqa: ANN001
@@ -37,11 +37,11 @@ def test_each_symbol_is_told_where_it_stands(find, part: str, style: str, px: fl
         if note.kind is AnnotationKind.THREAD
     ]
     threads = _threads(found)
-    told = [found.stored(view.box) for view in threads]
-    assert len(told) == len(drawn) > 0
+    storeds = [found.stored(view.box) for view in threads]
+    assert len(storeds) == len(drawn) > 0
     assert not any(view.used for view in threads)
     for (x, y), radius in drawn:
-        boxes = np.array([x - radius, y - radius, x + radius, y + radius]) - np.array(told)
+        boxes = np.array([x - radius, y - radius, x + radius, y + radius]) - np.array(storeds)
         assert np.abs(boxes).max(axis=1).min() < px
 
 
@@ -49,11 +49,11 @@ def test_each_symbol_is_told_where_it_stands(find, part: str, style: str, px: fl
 def test_what_is_left_are_the_lines_of_the_part(find, part: str, style: str) -> None:  # noqa: ANN001
     found = find(part, f"{style},threads=on")
     plain = find(part, style)
-    views, bare = ({view.role: view for view in _views(own)[0]} for own in (found, plain))
+    views, bare = ({view.role: view for view in _views(item)[0]} for item in (found, plain))
     for role, view in views.items():
         kinds = [
-            sorted((type(stroke).__name__, stroke.linetype.value) for stroke in own.strokes)
-            for own in (view, bare[role])
+            sorted((type(stroke).__name__, stroke.linetype.value) for stroke in item.strokes)
+            for item in (view, bare[role])
         ]
         assert kinds[0] == kinds[1], role
 

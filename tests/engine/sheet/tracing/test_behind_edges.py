@@ -75,8 +75,8 @@ def test_the_ink_of_another_hidden_line_is_its_own() -> None:
 
 def test_where_another_stroke_lies_along_most_of_it_nothing_is_told() -> None:
     sheet = _sheet((82, 49, 90, 51))
-    beside: Placed = (Line((84.0, 52.0), (1.0, 0.0)), Piece(0.0, 40.0, Linetype.VISIBLE, 1.0))
-    assert _ended(sheet, beside, kind=Linetype.HIDDEN) == 80.0
+    placed: Placed = (Line((84.0, 52.0), (1.0, 0.0)), Piece(0.0, 40.0, Linetype.VISIBLE, 1.0))
+    assert _ended(sheet, placed, kind=Linetype.HIDDEN) == 80.0
 
 
 def test_an_edge_between_two_others_is_no_dash() -> None:
@@ -131,7 +131,7 @@ def test_the_bore_of_a_chamfered_ring_is_read_through(first: int) -> None:
     view = find_shapes(CleanSheet(weight > 0.5, weight, STROKE, 0.0), (0.0, 0.0, 240.0, 160.0))
     rhythm = view_rhythm([view], STROKE)
     strokes = classify_strokes(view, rhythm, view_pens([view], rhythm))
-    hidden = [own for own in strokes if own.linetype is Linetype.HIDDEN]
-    ends = sorted((*own.start, *own.end) for own in hidden)
+    hidden = [stroke for stroke in strokes if stroke.linetype is Linetype.HIDDEN]
+    ends = sorted((*item.start, *item.end) for item in hidden)
     expected = [(20.5, 51.0, 162.5, 51.0), (20.5, 91.0, 162.5, 91.0)]
     assert np.array(ends) == pytest.approx(np.array(expected), abs=0.3)

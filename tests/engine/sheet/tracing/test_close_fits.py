@@ -11,9 +11,9 @@ from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
 def _upright(strokes: tuple[Stroke, ...]) -> list[float]:
     """x of upright lines in px whose centres are at integers."""
     return sorted(
-        0.5 * (own.start[0] + own.end[0]) - 0.5
-        for own in strokes
-        if isinstance(own, Segment) and abs(own.start[0] - own.end[0]) < 2.0
+        0.5 * (stroke.start[0] + stroke.end[0]) - 0.5
+        for stroke in strokes
+        if isinstance(stroke, Segment) and abs(stroke.start[0] - stroke.end[0]) < 2.0
     )
 
 
@@ -49,9 +49,9 @@ def test_two_circles_with_little_paper_between(sketch) -> None:  # noqa: ANN001
     box = [(20.0, 20.0), (220.0, 20.0), (220.0, 220.0), (20.0, 220.0), (20.0, 20.0)]
     drawing = sketch(240, 240).lines(*box)
     drawing.arc((120.3, 118.8), 60.2).arc((120.3, 118.8), 64.1)
-    found = [own for own in drawing.strokes() if isinstance(own, Arc)]
-    assert sorted(own.radius for own in found) == pytest.approx([60.2, 64.1], abs=0.08)
-    centres = np.array([own.centre for own in found]) - 0.5
+    found = [stroke for stroke in drawing.strokes() if isinstance(stroke, Arc)]
+    assert sorted(item.radius for item in found) == pytest.approx([60.2, 64.1], abs=0.08)
+    centres = np.array([item.centre for item in found]) - 0.5
     assert centres == pytest.approx(np.array([(120.3, 118.8)] * 2), abs=0.08)
 
 
@@ -71,4 +71,4 @@ def test_a_hidden_line_beside_a_visible_one(
             drawing.line((x, y), (x, min(y + 12.0, 200.0)), hidden)
     strokes = drawing.strokes()
     assert _upright(strokes) == pytest.approx([begin, begin + apart, 160.0], abs=0.1)
-    assert [own.linetype for own in strokes].count(Linetype.HIDDEN) == 2
+    assert [stroke.linetype for stroke in strokes].count(Linetype.HIDDEN) == 2

@@ -14,9 +14,9 @@ _NOISE = 0.05
 def _fitted(points: np.ndarray) -> Circle:
     """The circle through points, by least squares of the algebraic distance."""
     middle = points.mean(0)
-    own = points - middle
-    left = np.column_stack([2.0 * own, np.ones(len(own))])
-    x, y, rest = np.linalg.lstsq(left, (own**2).sum(1), rcond=None)[0]
+    item = points - middle
+    left = np.column_stack([2.0 * item, np.ones(len(item))])
+    x, y, rest = np.linalg.lstsq(left, (item**2).sum(1), rcond=None)[0]
     return Circle((x + middle[0], y + middle[1]), float(np.sqrt(rest + x * x + y * y)))
 
 

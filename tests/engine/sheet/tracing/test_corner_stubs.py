@@ -60,7 +60,7 @@ def test_ends_at_junctions_are_such_corners() -> None:
     """The ink of both seems to reach the wall's middle."""
     seen = [WALL, *_wedge(3.0, 0.6)]
     found = ended_at_junctions(seen, Rhythm(12.0, 6.0), WIDTH)
-    slanted = [own for own in found if own[0] != WALL[0]]
+    slanted = [item for item in found if item[0] != WALL[0]]
     assert _ends(slanted) == pytest.approx(np.array([[3.0, 0.0]] * 2), abs=1e-6)
 
 

@@ -106,8 +106,8 @@ def _line(start: tuple[float, float], end: tuple[float, float]) -> tuple[Line, P
 def test_a_shadow_needs_a_longer_stroke_that_crosses_it() -> None:
     stroke, shadow = _line((0.0, 0.0), (80.0, 16.0)), _line((30.0, 8.0), (50.0, 8.0))
     assert without_shadows([stroke, shadow], 2.5) == [stroke]
-    beside = _line((30.0, 12.0), (50.0, 12.0))
-    assert without_shadows([stroke, beside], 2.5) == [stroke, beside]
+    neighbour = _line((30.0, 12.0), (50.0, 12.0))
+    assert without_shadows([stroke, neighbour], 2.5) == [stroke, neighbour]
     parallel = _line((30.0, 7.0), (50.0, 11.0))
     assert without_shadows([stroke, parallel], 2.5) == [stroke, parallel]
     short = _line((25.0, 5.0), (50.0, 10.0))

@@ -44,7 +44,7 @@ def test_two_lines_are_laid_through_a_row_of_blocks(
     rhythm = view_rhythm([view], sheet.stroke_width)
     (view,) = with_twins(with_dash_blocks([view], rhythm), rhythm)
     strokes = classify_strokes(view, rhythm)
-    ends = [own.sample(1e9)[[0, -1]] for own in strokes if own.linetype is Linetype.HIDDEN]
+    ends = [stroke.sample(1e9)[[0, -1]] for stroke in strokes if stroke.linetype is Linetype.HIDDEN]
     assert len(ends) == 4
     across = 0 if upright else 1
     levels = sorted(float(points[:, across].mean()) - 0.5 for points in ends)

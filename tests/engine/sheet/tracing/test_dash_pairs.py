@@ -54,8 +54,8 @@ def test_pairs_of_dashes_tell_the_rhythm(sketch: Sketch) -> None:
             ((left, 92.5), (left + 44.0, 92.5)),
             ((left + 44.0, 40.5), (left + 44.0, 92.5)),
         ):
-            near = [own for own in ends if own[0] == pytest.approx(start, abs=1.0)]
-            assert any(own[1] == pytest.approx(end, abs=1.0) for own in near)
+            near = [this_end for this_end in ends if this_end[0] == pytest.approx(start, abs=1.0)]
+            assert any(item[1] == pytest.approx(end, abs=1.0) for item in near)
 
 
 def test_two_pairs_tell_nothing(sketch: Sketch) -> None:

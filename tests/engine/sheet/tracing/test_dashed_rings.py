@@ -47,10 +47,10 @@ def _views(drawn: Sketch, *roles: Role) -> dict[Role, ViewShapes]:
 def _radii(view: ViewShapes, linetype: Linetype) -> list[float]:
     strokes = classify_strokes(view, view_rhythm([view], view.sheet.stroke_width))
     centre = np.array(CENTRE) + 0.5
-    arcs = [own for own in strokes if isinstance(own, Arc) and own.linetype is linetype]
-    assert all(np.hypot(*np.subtract(own.centre, centre)) < 0.15 for own in arcs)
-    assert all(own.sweep == pytest.approx(2.0 * np.pi) for own in arcs)
-    return sorted(own.radius for own in arcs)
+    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc) and stroke.linetype is linetype]
+    assert all(np.hypot(*np.subtract(arc.centre, centre)) < 0.15 for arc in arcs)
+    assert all(arc.sweep == pytest.approx(2.0 * np.pi) for arc in arcs)
+    return sorted(arc.radius for arc in arcs)
 
 
 @pytest.mark.parametrize("phase", [0.0, 0.17])
@@ -91,5 +91,5 @@ def test_circles_that_stand_apart_are_left_alone(sketch: Sketch) -> None:
     drawn = _end_view(sketch, [30.0, 45.0, 60.0])
     plain = find_shapes(clean_sheet(drawn.grey), END)
     view = _views(drawn, Role.TOP)[Role.TOP]
-    assert [own.geometry for own in view.shapes] == [own.geometry for own in plain.shapes]
-    assert sum(isinstance(own.geometry, Circle) for own in view.shapes) >= 4
+    assert [shape.geometry for shape in view.shapes] == [shape.geometry for shape in plain.shapes]
+    assert sum(isinstance(shape.geometry, Circle) for shape in view.shapes) >= 4

@@ -63,11 +63,11 @@ def test_the_tip_and_the_bottom_are_where_their_ink_is(
     pieces = [*_sides(wide, BOTTOM + off), arc, leg]
     found = with_drill_tips(pieces, _bore(sketch, wide, height))
     assert len(found) == 5
-    assert all(isinstance(own[0], Line) and own[1].linetype is HIDDEN for own in found)
-    assert [_ends(own)[0] for own in found[:2]] == [
+    assert all(isinstance(item[0], Line) and item[1].linetype is HIDDEN for item in found)
+    assert [_ends(item)[0] for item in found[:2]] == [
         pytest.approx([x, BOTTOM], abs=0.3) for x in (LEFT, LEFT + wide)
     ]
-    ends = np.array([_ends(own) for own in found[2:]])
+    ends = np.array([_ends(item) for item in found[2:]])
     point = LEFT + radius, BOTTOM - height * radius
     corners = (LEFT, BOTTOM), (LEFT + wide, BOTTOM)
     for wanted in ((corners[0], point), (corners[1], point), corners):
@@ -89,7 +89,7 @@ def test_a_bottom_that_melts_with_its_tip_is_found(sketch: Sketch) -> None:
     sheet = _bore(sketch, wide, height)
     found = with_drill_tips([*_sides(wide, BOTTOM - 0.8), *flanks], sheet)
     assert len(found) == 5
-    ends = np.array([_ends(own) for own in found])
+    ends = np.array([_ends(item) for item in found])
     for wanted in ((corners[0], point), (corners[1], point), corners):
         assert np.abs(ends - np.array(wanted)).max(axis=(1, 2)).min() < 0.6
     assert ends[:2, 0] == pytest.approx(corners, abs=0.3)

@@ -38,10 +38,10 @@ def _levels(drawn: Sketch) -> Levels:
     views = with_edge_dashes(with_twins([view], rhythm), rhythm)
     strokes = classify_strokes(views[0], rhythm, view_pens(views, rhythm))
     found: Levels = {Linetype.VISIBLE: [], Linetype.HIDDEN: []}
-    for own in strokes:
-        ends = own.sample(1e9)[[0, -1]]
+    for stroke in strokes:
+        ends = stroke.sample(1e9)[[0, -1]]
         if abs(ends[0, 0] - ends[1, 0]) > 150.0:
-            found[own.linetype].append(float(ends[:, 1].mean()) - 0.5)
+            found[stroke.linetype].append(float(ends[:, 1].mean()) - 0.5)
     return {kind: sorted(levels) for kind, levels in found.items()}
 
 

@@ -50,11 +50,11 @@ def test_lines_that_meet_at_a_flat_angle_end_at_their_corner(degrees: float) -> 
 @pytest.mark.parametrize("beside", [1.5, 2.6])
 @pytest.mark.parametrize("seen", [3.0, 8.0])
 def test_a_hidden_slant_ends_at_the_outline_and_at_no_corner_beyond(
-    beside: float, seen: float
+    offset: float, seen: float
 ) -> None:
     """A bore's chamfer ends a little beside an edge that ends at the outline, too, and is seen to
     end in the gap before it."""
-    slant = Line((beside, 0.0), (float(np.sqrt(0.5)), float(np.sqrt(0.5))))
+    slant = Line((offset, 0.0), (float(np.sqrt(0.5)), float(np.sqrt(0.5))))
     pieces = [
         (LEVEL, _visible(-100.0, 200.0)),
         (_upright(0.0), _visible(0.0, 150.0)),

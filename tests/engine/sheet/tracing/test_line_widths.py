@@ -30,7 +30,7 @@ def _runs(length: float, width: float, count: int) -> list[tuple[Run, float]]:
 
 def test_two_pens_are_learnt() -> None:
     pens = learn_pens([[run] for run in _runs(100.0, 3.0, 5) + _runs(12.0, 2.0, 9)], RHYTHM)
-    assert pens.told
+    assert pens.distinct
     kinds = [pens.kind(width) for width in (1.9, 2.2, 2.5, 2.8, 3.2)]
     assert kinds == [HIDDEN, HIDDEN, None, VISIBLE, VISIBLE]
 
@@ -38,7 +38,7 @@ def test_two_pens_are_learnt() -> None:
 def test_short_edges_as_long_as_dashes_are_none() -> None:
     edges = [[run] for run in _runs(100.0, 3.0, 5) + _runs(12.0, 3.0, 9)]
     dashed = [(Run(18.0 * k, 18.0 * k + 12.0), 2.0) for k in range(6)]
-    assert not learn_pens(edges, RHYTHM).told
+    assert not learn_pens(edges, RHYTHM).distinct
     pens = learn_pens([*edges, dashed], RHYTHM)
     assert pens.kind(2.0) is HIDDEN
     assert pens.kind(3.0) is VISIBLE
@@ -55,7 +55,7 @@ def test_short_edges_as_long_as_dashes_are_none() -> None:
 )
 def test_nothing_is_learnt_where_nothing_tells(runs: list[tuple[Run, float]]) -> None:
     pens = learn_pens([[run] for run in runs], RHYTHM)
-    assert not pens.told
+    assert not pens.distinct
     assert {pens.kind(width) for width in (0.5, 2.0, 3.0, 9.0)} == {None}
 
 

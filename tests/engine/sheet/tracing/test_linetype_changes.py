@@ -27,8 +27,8 @@ def _changed(*pieces: Placed) -> list[tuple[float, float, str]]:
     found = with_changes_at_junctions(pieces, RHYTHM, PEN)
     assert len(found) >= len(pieces) - 1
     return sorted(
-        (round(own.start, 3), round(own.end, 3), own.linetype.value)
-        for line, own in found
+        (round(item.start, 3), round(item.end, 3), item.linetype.value)
+        for line, item in found
         if line == LEVEL
     )
 

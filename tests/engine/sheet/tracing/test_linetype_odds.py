@@ -34,10 +34,11 @@ def _labelled(sheet: CleanSheet, hidden: list[tuple[slice, slice]]) -> CleanShee
     return replace(sheet, hidden_odds=odds)
 
 
-def _kinds(told: list[Told]) -> list[tuple[Run, Linetype | None]]:
+def _kinds(stated: list[Told]) -> list[tuple[Run, Linetype | None]]:
     """What is told of each run."""
     return [
-        (run, HIDDEN if odds >= TOLD else VISIBLE if odds <= -TOLD else None) for run, odds in told
+        (run, HIDDEN if odds >= TOLD else VISIBLE if odds <= -TOLD else None)
+        for run, odds in stated
     ]
 
 
@@ -45,9 +46,9 @@ def _kinds(told: list[Told]) -> list[tuple[Run, Linetype | None]]:
 def test_a_run_is_cut_where_the_pen_changes(sketch: Sketch, place: float) -> None:
     drawn = sketch().line((20, 60), (place, 60), 3.0)
     sheet = clean_sheet(drawn.line((place, 60), (150, 60), 2.0).grey)
-    told = _kinds(told_runs(sheet, LEVEL, [Run(20.0, 150.0)], PENS))
-    assert [kind for _, kind in told] == [VISIBLE, HIDDEN]
-    first, second = (run for run, _ in told)
+    stated = _kinds(told_runs(sheet, LEVEL, [Run(20.0, 150.0)], PENS))
+    assert [kind for _, kind in stated] == [VISIBLE, HIDDEN]
+    first, second = (run for run, _ in stated)
     assert (first.start, second.end) == (20.0, 150.0)
     assert first.end == second.start == pytest.approx(place, abs=2.0)
 
@@ -84,15 +85,15 @@ def test_the_pen_tells_what_dashes_do_not() -> None:
     """A dash long, between two other strokes: a hidden edge, or a short visible one."""
     touches = [(True, True)]
     for kind, odds in ((HIDDEN, 2.0), (VISIBLE, -2.0)):
-        found = classify([Run(0.0, 12.0)], RHYTHM, touches, told=[odds])
+        found = classify([Run(0.0, 12.0)], RHYTHM, touches, stated=[odds])
         assert [(piece.linetype, piece.confidence) for piece in found] == [(kind, 0.8)]
     # Wide dashes in a row are two hidden lines side by side.
     row = [Run(18.0 * k, 18.0 * k + 12.0) for k in range(4)]
-    found = classify(row, RHYTHM, [(False, False)] * 4, told=[-2.5] * 4)
+    found = classify(row, RHYTHM, [(False, False)] * 4, stated=[-2.5] * 4)
     assert [piece.linetype for piece in found] == [HIDDEN]
     # Wide ink that goes on narrow is visible up to there.
     row = [Run(0.0, 9.0), Run(9.0, 21.0), Run(27.0, 39.0)]
-    found = classify(row, RHYTHM, [(True, False)] * 3, told=[-2.5, 2.5, 2.5])
+    found = classify(row, RHYTHM, [(True, False)] * 3, stated=[-2.5, 2.5, 2.5])
     assert [piece.linetype for piece in found] == [VISIBLE, HIDDEN]
     assert (found[0].end, found[1].start) == (9.0, 9.0)
 
@@ -112,9 +113,9 @@ def test_labels_tell_where_no_pen_does(sketch: Sketch) -> None:
 
 def test_a_run_is_cut_where_its_label_changes(sketch: Sketch) -> None:
     sheet = clean_sheet(sketch().line((20, 60), (150, 60), 2.5).grey)
-    told = told_runs(_labelled(sheet, [np.s_[:, 90:]]), LEVEL, [Run(20.0, 150.0)], Pens())
-    assert [kind for _, kind in _kinds(told)] == [VISIBLE, HIDDEN]
-    assert told[0][0].end == told[1][0].start == pytest.approx(90.0, abs=1.0)
+    stated = told_runs(_labelled(sheet, [np.s_[:, 90:]]), LEVEL, [Run(20.0, 150.0)], Pens())
+    assert [kind for _, kind in _kinds(stated)] == [VISIBLE, HIDDEN]
+    assert stated[0][0].end == stated[1][0].start == pytest.approx(90.0, abs=1.0)
 
 
 def test_a_run_of_which_nothing_is_visible_is_not_cut(sketch: Sketch) -> None:
@@ -124,9 +125,9 @@ def test_a_run_of_which_nothing_is_visible_is_not_cut(sketch: Sketch) -> None:
     odds = np.full(sheet.ink.shape, -0.5, np.float16)
     odds[:, :45] = odds[:, 130:] = 4.0
     run = Run(20.0, 150.0)
-    told = told_runs(replace(sheet, hidden_odds=odds), LEVEL, [run], Pens())
-    assert _kinds(told) == [(run, None)]
-    found = classify([run], RHYTHM, [(False, False)], told=[odds for _, odds in told])
+    stated = told_runs(replace(sheet, hidden_odds=odds), LEVEL, [run], Pens())
+    assert _kinds(stated) == [(run, None)]
+    found = classify([run], RHYTHM, [(False, False)], stated=[odds for _, odds in stated])
     assert [piece.linetype for piece in found] == [VISIBLE]
 
 
@@ -138,8 +139,8 @@ def test_pen_and_label_add_up(sketch: Sketch) -> None:
         replace(sheet, hidden_odds=np.full(sheet.ink.shape, odds, np.float16))
         for odds in (-0.3, -6.0)
     )
-    (told,) = told_runs(doubtful, LEVEL, [run], PENS)
-    assert TOLD < told[1] < told_runs(sheet, LEVEL, [run], PENS)[0][1]
+    (stated,) = told_runs(doubtful, LEVEL, [run], PENS)
+    assert TOLD < stated[1] < told_runs(sheet, LEVEL, [run], PENS)[0][1]
     assert told_runs(sure, LEVEL, [run], PENS)[0][1] < 0.0
 
 
@@ -150,9 +151,9 @@ def test_a_row_shares_what_its_dashes_tell(sketch: Sketch) -> None:
     for run in row:
         drawn.line((run.start, 60), (run.end, 60), 2.5)
     sheet = _labelled(clean_sheet(drawn.grey), [np.s_[:, :54], np.s_[:, 70:]])
-    told = told_runs(sheet, LEVEL, row, Pens())
-    assert len({odds for _, odds in told}) == 1
-    found = classify(row, RHYTHM, [(True, True)] * 5, told=[odds for _, odds in told])
+    stated = told_runs(sheet, LEVEL, row, Pens())
+    assert len({odds for _, odds in stated}) == 1
+    found = classify(row, RHYTHM, [(True, True)] * 5, stated=[odds for _, odds in stated])
     assert [piece.linetype for piece in found] == [HIDDEN]
     ((_, alone),) = told_runs(sheet, LEVEL, row[2:3], Pens())
     assert alone < -TOLD
@@ -161,7 +162,7 @@ def test_a_row_shares_what_its_dashes_tell(sketch: Sketch) -> None:
 def test_edges_in_a_row_whose_labels_are_sure_are_visible() -> None:
     """Teeth of a comb are as long as dashes and as far apart."""
     row = [Run(18.0 * k, 18.0 * k + 12.0) for k in range(4)]
-    found = classify(row, RHYTHM, [(True, True)] * 4, told=[-4.0] * 4)
+    found = classify(row, RHYTHM, [(True, True)] * 4, stated=[-4.0] * 4)
     assert [(piece.start, piece.end) for piece in found] == [(run.start, run.end) for run in row]
     assert {piece.linetype for piece in found} == {VISIBLE}
 
@@ -185,7 +186,7 @@ def test_a_bore_is_found_though_the_width_is_off(
     view = find_shapes(sheet, (30.0, 30.0, 290.0, 170.0))
     rhythm = view_rhythm([view], sheet.stroke_width)
     strokes = classify_strokes(view, rhythm, view_pens([view], rhythm))
-    hidden = [own for own in strokes if own.linetype is HIDDEN]
-    assert sorted(own.start[1] - 0.5 for own in hidden) == pytest.approx([80.0, 120.0], abs=0.2)
-    assert all(own.length == pytest.approx(240.0, abs=1.0) for own in hidden)
+    hidden = [stroke for stroke in strokes if stroke.linetype is HIDDEN]
+    assert sorted(item.start[1] - 0.5 for item in hidden) == pytest.approx([80.0, 120.0], abs=0.2)
+    assert all(item.length == pytest.approx(240.0, abs=1.0) for item in hidden)
     assert len(strokes) == 6

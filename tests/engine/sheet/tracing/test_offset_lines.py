@@ -27,7 +27,7 @@ def _upright(drawn: Sketch) -> list[tuple[float, float, float]]:
         points = stroke.sample(1.0)[[0, -1]] - 0.5
         if isinstance(stroke, Segment) and np.ptp(points[:, 0]) < 1.0 and points[0, 0] > 290.0:
             found.append((float(points[:, 0].mean()), *sorted(points[:, 1].tolist())))
-    return sorted(found, key=lambda own: own[1])
+    return sorted(found, key=lambda item: item[1])
 
 
 @pytest.mark.parametrize("step", [2.2, 2.6, 3.0])
@@ -40,9 +40,9 @@ def test_a_small_step_parts_an_edge(sketch: Sketch, step: float, inwards: bool) 
     drawn.line((middle, 90), (middle, 190), 4.0)
     found = _upright(drawn)
     expected = [(outer, 20.0, 90.0), (middle, 90.0, 190.0), (outer, 190.0, 260.0)]
-    assert [own[0] for own in found] == pytest.approx([x for x, _, _ in expected], abs=0.35)
-    ends = [end for own in found for end in own[1:]]
-    assert ends == pytest.approx([end for own in expected for end in own[1:]], abs=2.5)
+    assert [item[0] for item in found] == pytest.approx([x for x, _, _ in expected], abs=0.35)
+    ends = [end for item in found for end in item[1:]]
+    assert ends == pytest.approx([end for item in expected for end in item[1:]], abs=2.5)
 
 
 @pytest.mark.parametrize("turn", [10.0, 13.0])
@@ -75,7 +75,7 @@ def test_an_edge_on_the_course_of_a_slant_is_upright(sketch: Sketch, rightwards:
     strokes = classify_strokes(view, view_rhythm([view], sheet.stroke_width))
     edges = [
         points
-        for points in (own.sample(1.0)[[0, -1]] - 0.5 for own in strokes)
+        for points in (stroke.sample(1.0)[[0, -1]] - 0.5 for stroke in strokes)
         if np.ptp(points[:, 1]) > 15.0 and np.abs(points[:, 0] - x(303.0)).max() < 2.0
     ]
     assert len(edges) == 1
@@ -98,7 +98,7 @@ def test_two_slants_a_px_off_one_course_are_both_where_they_are(
         first, last = (origin + at * way + off * normal for at in (start, end))
         drawn.line(tuple(first), tuple(last), 2.6)
     view = find_shapes(clean_sheet(drawn.grey), (20.0, 20.0, 400.0, 400.0))
-    lines = [own.geometry for own in view.shapes if isinstance(own.geometry, Line)]
+    lines = [shape.geometry for shape in view.shapes if isinstance(shape.geometry, Line)]
     for start, end, off in spans:
         middle = origin + (start + end) / 2.0 * way + off * normal - np.array(view.offset)
         assert min(float(line.distances(middle[None])[0]) for line in lines) < 0.1

@@ -36,13 +36,15 @@ def test_the_mouth_of_a_cross_bore_bows_the_outline(sketch, height: float, wide:
     shapes = find_shapes(sheet, (28.0, 38.0, 172.0, 132.0))
     strokes = classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
     assert len(strokes) == 6
-    (arc,) = [own for own in strokes if isinstance(own, Arc)]
+    (arc,) = [stroke for stroke in strokes if isinstance(stroke, Arc)]
     assert arc.linetype is Linetype.VISIBLE
     points = arc.sample(arc.length / 20.0) - 0.5
     assert points[:, 1].max() == pytest.approx(_TOP + height, abs=0.25)
     assert sorted(points[[0, -1], 0]) == pytest.approx([first, last], abs=3.0)
-    ends = [np.array([own.start, own.end]) for own in strokes if isinstance(own, Segment)]
-    level = [own for own in ends if np.abs(own[:, 1] - 0.5 - _TOP).max() < 0.5]
+    ends = [
+        np.array([stroke.start, stroke.end]) for stroke in strokes if isinstance(stroke, Segment)
+    ]
+    level = [end for end in ends if np.abs(end[:, 1] - 0.5 - _TOP).max() < 0.5]
     assert len(level) == 2
 
 
@@ -59,11 +61,11 @@ def test_a_bow_ends_at_the_strokes_beside_it(sketch) -> None:  # noqa: ANN001
     sheet = clean_sheet(drawn.grey)
     pieces = [_line((30.0, _TOP), (170.0, _TOP)), _line((70.0, _TOP), (70.0, 90.0))]
     found = with_bows(pieces, sheet)
-    ((circle, arc),) = [own for own in found if isinstance(own[0], Circle)]
+    ((circle, arc),) = [item for item in found if isinstance(item[0], Circle)]
     ends = circle.points_at(np.array([arc.start, arc.end]))
     assert sorted(ends[:, 0]) == pytest.approx([70.0, 106.0], abs=1.0)
     assert min(abs(ends[:, 0] - 70.0)) < 1e-6
-    spans = sorted((piece.start, piece.end) for own, piece in found if own == pieces[0][0])
+    spans = sorted((piece.start, piece.end) for item, piece in found if item == pieces[0][0])
     assert [spans[0][0], spans[0][1], spans[1][1]] == pytest.approx([0.0, 40.0, 140.0])
 
 
@@ -95,7 +97,7 @@ def test_a_line_along_the_middle_of_a_bow_is_none(sketch) -> None:  # noqa: ANN0
     whole = pieces[0][0]
     pieces[1] = whole, Piece(106.0, 140.0, Linetype.VISIBLE, 1.0)
     found = with_bows(pieces, clean_sheet(drawn.grey))
-    assert sum(isinstance(own[0], Circle) for own in found) == 1
+    assert sum(isinstance(item[0], Circle) for item in found) == 1
     assert pieces[2] not in found
     assert pieces[3] in found
     slanted = _line((52.0, _TOP), (118.0, _TOP + 2.4))

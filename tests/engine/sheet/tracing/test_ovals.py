@@ -146,8 +146,8 @@ def test_lines_four_px_apart_are_two(
     assert len(found) == 2
     for true in drawn:
         near = [
-            np.abs((np.array([own.start, own.end]) - true.start) @ normal).max()
-            for own in found
-            if own.linetype is true.linetype
+            np.abs((np.array([item.start, item.end]) - true.start) @ normal).max()
+            for item in found
+            if item.linetype is true.linetype
         ]
         assert min(near) < 0.2

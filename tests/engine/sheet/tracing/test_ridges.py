@@ -64,11 +64,11 @@ def test_the_index_finds_the_points(sketch: Sketch) -> None:
     drawn = sketch().line((20, 30), (180, 90)).arc((100, 90), 40)
     ridges = ridge_points(drawn.weight, 3.0)
     rows, columns = np.nonzero(ridges.index >= 0)
-    own = ridges.index[rows, columns]
-    assert np.array_equal(np.sort(own), np.arange(len(ridges.points)))
-    beside = ridges.points[own] - np.stack([columns, rows], axis=1)
+    item = ridges.index[rows, columns]
+    assert np.array_equal(np.sort(item), np.arange(len(ridges.points)))
+    neighbour = ridges.points[item] - np.stack([columns, rows], axis=1)
     # Hardly beyond the pixel, along the more upright of its axes.
-    assert np.abs(beside).max() < 0.7
+    assert np.abs(neighbour).max() < 0.7
     assert np.hypot(*ridges.tangents.T) == pytest.approx(1.0)
 
 

@@ -51,14 +51,14 @@ def test_a_rise_is_an_arc_to_the_corner(sketch: Sketch, rise: float, long: float
     pieces = _pieces(long, LOW - rise - 1.0)
     found = with_run_outs(pieces, _sheet(_keyway(sketch, rise, long)))
     assert len(found) == 5
-    (circle, arc) = next(own for own in found if isinstance(own[0], Circle))
+    (circle, arc) = next(item for item in found if isinstance(item[0], Circle))
     ends = circle.points_at(np.array([arc.start, arc.end]))
     inner, corner = ends[np.argsort(ends[:, 0])]
     assert inner == pytest.approx([FOOT, LOW], abs=1.6)
     assert corner == pytest.approx([FOOT + long, LOW - rise], abs=0.4)
     line, piece = found[0]
     assert line.at(piece.end) == pytest.approx(tuple(inner), abs=1e-3)
-    dashed = next(own for own in found if own[1].linetype is HIDDEN)
+    dashed = next(item for item in found if item[1].linetype is HIDDEN)
     assert dashed[0].at(dashed[1].start) == pytest.approx(tuple(corner), abs=1e-3)
     beyond, rest = found[-1]
     assert beyond.points_at(np.array([rest.start, rest.end])) == pytest.approx(
@@ -71,8 +71,8 @@ def test_what_was_found_of_the_outline_beyond_is_not_drawn_again(sketch: Sketch)
     known = Line((0.0, LOW - rise), (1.0, 0.0)), Piece(FOOT + long + 1.0, WALL, VISIBLE, 1.0)
     found = with_run_outs([*_pieces(long, LOW - rise), known], _sheet(_keyway(sketch, rise, long)))
     assert len(found) == 5
-    lines = [own for own, _ in found if isinstance(own, Line)]
-    level = [own for own in lines if abs(own.at(0.0)[1] - known[0].at(0.0)[1]) < 0.5]
+    lines = [item for item, _ in found if isinstance(item, Line)]
+    level = [line for line in lines if abs(line.at(0.0)[1] - known[0].at(0.0)[1]) < 0.5]
     assert len(level) == 1
 
 
@@ -86,7 +86,7 @@ def test_a_chord_gives_way_to_the_arc(sketch: Sketch) -> None:
     )
     found = with_run_outs([*_pieces(long, LOW - rise), chord], _sheet(_keyway(sketch, rise, long)))
     assert chord not in found
-    assert sum(isinstance(own[0], Circle) for own in found) == 1
+    assert sum(isinstance(item[0], Circle) for item in found) == 1
 
 
 def test_both_ends_of_a_line_rise(sketch: Sketch) -> None:
@@ -106,7 +106,7 @@ def test_both_ends_of_a_line_rise(sketch: Sketch) -> None:
         (Line((FOOT - far - long, 0.0), (0.0, 1.0)), Piece(LOW - rise, 110.0, HIDDEN, 0.9)),
     ]
     found = with_run_outs(pieces, _sheet(drawn))
-    assert sum(isinstance(own[0], Circle) for own in found) == 2
+    assert sum(isinstance(item[0], Circle) for item in found) == 2
     low, piece = found[0]
     ends = low.points_at(np.array([piece.start, piece.end]))
     assert ends == pytest.approx(np.array([[FOOT - far, LOW], [FOOT, LOW]]), abs=1.6)
@@ -129,14 +129,14 @@ def test_the_keyway_of_a_shaft_is_read(sketch: Sketch, rise: float) -> None:
     drawn.line((WALL, 30), (190, 30)).lines((190, 30), (190, 120), (WALL, 120))
     view = find_shapes(_sheet(drawn), (17.0, 27.0, 193.0, 123.0))
     strokes = classify_strokes(view, view_rhythm([view], 3.0))
-    arcs = [own for own in strokes if isinstance(own, Arc)]
+    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
     assert len(arcs) == 1
     level = [
-        own
-        for own in strokes
-        if isinstance(own, Segment)
-        and abs(own.start[1] - own.end[1]) < 0.5
-        and abs(own.start[1] - 0.5 - (LOW - rise)) < 0.5
+        stroke
+        for stroke in strokes
+        if isinstance(stroke, Segment)
+        and abs(stroke.start[1] - stroke.end[1]) < 0.5
+        and abs(stroke.start[1] - 0.5 - (LOW - rise)) < 0.5
     ]
     assert len(level) == 1
     assert sorted(x for x, _ in (level[0].start, level[0].end)) == pytest.approx(

@@ -25,7 +25,10 @@ def test_the_shoulders_of_a_groove_are_read(sketch) -> None:  # noqa: ANN001
     sheet = clean_sheet(drawn.grey)
     shapes = find_shapes(sheet, (36.0, 13.0, 130.0, 147.0))
     strokes = classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
-    ends = np.array([[own.start, own.end] for own in strokes if isinstance(own, Segment)]) - 0.5
+    ends = (
+        np.array([[stroke.start, stroke.end] for stroke in strokes if isinstance(stroke, Segment)])
+        - 0.5
+    )
     for corners in (_GROOVE, mirrored):
         for first in (0, 3):
             wanted = np.array(corners[first : first + 2])
@@ -49,7 +52,7 @@ def _placed(ends: tuple, linetype: Linetype = Linetype.VISIBLE) -> tuple[Line, P
 
 def test_a_rung_joins_both_lines_where_its_ink_is(sketch) -> None:  # noqa: ANN001
     drawn = sketch().line(*_LINES[0]).line(*_LINES[1]).line((60.0, 70.3), (70.0, 70.3))
-    found = find_rungs([_placed(own) for own in _LINES], clean_sheet(drawn.grey), None)
+    found = find_rungs([_placed(item) for item in _LINES], clean_sheet(drawn.grey), None)
     ((line, piece),) = found
     assert piece.linetype is Linetype.VISIBLE
     ends = sorted(line.at(at) for at in (piece.start, piece.end))
@@ -59,7 +62,7 @@ def test_a_rung_joins_both_lines_where_its_ink_is(sketch) -> None:  # noqa: ANN0
 @pytest.mark.parametrize("what", ["a gap", "a blot", "a slanted line", "a line that is known"])
 def test_there_is_no_rung(sketch, what: str) -> None:  # noqa: ANN001
     drawn = sketch().line(*_LINES[0]).line(*_LINES[1])
-    pieces = [_placed(own) for own in _LINES]
+    pieces = [_placed(item) for item in _LINES]
     if what == "a gap":
         drawn.line((60.0, 70.0), (64.0, 70.0))
     elif what == "a blot":

@@ -86,7 +86,7 @@ def test_a_gap_wider_than_the_rules_is_not_crossed(sketch: Sketch) -> None:
         drawn = sketch().line((20, 60), (80, 60)).line((80 + gap, 60), (180, 60))
         ridges = ridge_points(drawn.weight, 3.0)
         grown = grow_shapes(ridges, GrowthRules())
-        long = [own for own in grown if len(own.members) < 110]
+        long = [item for item in grown if len(item.members) < 110]
         assert len(grown) == found
         assert len(long) == (2 if found == 2 else 0)
 
@@ -232,10 +232,10 @@ def test_every_shape_has_points_of_its_own_near_it(sketch: Sketch) -> None:
     drawn = sketch().lines((30, 30), (160, 30), (160, 120), (30, 120), (30, 30)).arc((95, 75), 30)
     ridges, grown = _grown(drawn)
     rules = GrowthRules.of_width(3.0)
-    for own in grown:
-        assert len(np.unique(own.members)) == len(own.members) >= rules.shortest
-        assert own.geometry.distances(ridges.points[own.members]).max() < 1.4
-    explained = np.unique(np.concatenate([own.members for own in grown]))
+    for item in grown:
+        assert len(np.unique(item.members)) == len(item.members) >= rules.shortest
+        assert item.geometry.distances(ridges.points[item.members]).max() < 1.4
+    explained = np.unique(np.concatenate([entry.members for entry in grown]))
     assert len(explained) > 0.97 * len(ridges.points)
 
 
@@ -244,20 +244,20 @@ def test_growth_is_the_same_every_time(sketch: Sketch) -> None:
     noise = np.random.default_rng(1).normal(0.0, 0.05, drawn.weight.shape)
     drawn.weight = np.clip(drawn.weight + noise, 0.0, 1.0).astype(np.float32)
     (_, first), (_, second) = _grown(drawn), _grown(drawn)
-    assert [own.geometry for own in first] == [own.geometry for own in second]
+    assert [item.geometry for item in first] == [item.geometry for item in second]
     for one, other in zip(first, second, strict=True):
         assert np.array_equal(one.members, other.members)
     sizes = {Line: 0, Circle: 0}
-    for own in first:
-        if len(own.members) > 40:
-            sizes[type(own.geometry)] += 1
+    for entry in first:
+        if len(entry.members) > 40:
+            sizes[type(entry.geometry)] += 1
     assert sizes == {Line: 1, Circle: 2}
 
 
 def test_the_strongest_come_first(sketch: Sketch) -> None:
     drawn = sketch().line((20, 30), (180, 30)).line((20, 60), (90, 60)).line((20, 90), (50, 90))
     grown = _grown(drawn)[1]
-    assert [round(own.geometry.point[1]) for own in grown] == [30, 60, 90]
+    assert [round(item.geometry.point[1]) for item in grown] == [30, 60, 90]
 
 
 def test_no_points_no_shapes(sketch: Sketch) -> None:
@@ -334,8 +334,8 @@ def test_a_short_line_between_a_corner_and_an_arc_that_it_touches_is_found(
     drawn = drawn.line((left, low), (left + length, low), 2.0)
     drawn = drawn.arc(middle, radius, 2.0, 0.0, np.pi / 2.0)
     lines, circles = _shapes(drawn, 2.0)
-    beside = [_away(line, (left + 4.0, low), (left + length - 4.0, low)) for line in lines]
-    assert min(beside) < 0.3
+    aways = [_away(line, (left + 4.0, low), (left + length - 4.0, low)) for line in lines]
+    assert min(aways) < 0.3
     assert min(abs(circle.radius - radius) for circle in circles) < 0.02 * radius
     assert len(lines) == 2
 
@@ -373,11 +373,11 @@ def test_more_lines_than_any_drawing_has_end_the_growth(
     lines, _ = _shapes(drawn)
     assert len(lines) == 14
     for name, most in (("_MOST_LINES", 13), ("_MOST_MEMBERS", 1_000)):
-        with monkeypatch.context() as own:
-            own.setattr(shape_growth, name, most)
-            with pytest.raises(NoModelError, match="too many") as told:
+        with monkeypatch.context() as context:
+            context.setattr(shape_growth, name, most)
+            with pytest.raises(NoModelError, match="too many") as stated:
                 _shapes(drawn)
-            assert told.value.code == "part-too-complex"
+            assert stated.value.code == "part-too-complex"
 
 
 def test_members_of_lines_count_as_those_of_other_shapes(sketch: Sketch) -> None:

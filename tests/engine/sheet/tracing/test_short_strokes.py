@@ -19,9 +19,9 @@ ABOVE, BELOW = 80.0, 97.0
 def _between(drawn: Sketch) -> list[Stroke]:
     """The visible strokes with both ends on the two level lines."""
     return [
-        own
-        for own in _visible(drawn)
-        if np.ptp(own.sample(0.5)[:, 1]) == pytest.approx(BELOW - ABOVE, abs=1.0)
+        item
+        for item in _visible(drawn)
+        if np.ptp(item.sample(0.5)[:, 1]) == pytest.approx(BELOW - ABOVE, abs=1.0)
     ]
 
 
@@ -29,7 +29,7 @@ def _visible(drawn: Sketch) -> list[Stroke]:
     sheet = clean_sheet(drawn.grey)
     view = find_shapes(sheet, (10.0, 10.0, 250.0, 170.0))
     strokes = classify_strokes(view, view_rhythm([view], sheet.stroke_width))
-    return [own for own in strokes if own.linetype is Linetype.VISIBLE]
+    return [stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
 
 
 def _frame(sketch: Sketch) -> Sketch:
@@ -59,8 +59,10 @@ def test_a_flat_arc_from_edge_to_edge(sketch: Sketch, turn: float, radius: float
 def test_a_cut_beside_a_corner_is_straight(sketch: Sketch, leg: float) -> None:
     """The ink of the corner's lines draws both of its ends to one side."""
     drawn = _frame(sketch).line((12.0, ABOVE + leg), (12.0 + leg, ABOVE), 2.8)
-    cut = [own for own in _visible(drawn) if 0.8 * leg < np.ptp(own.sample(0.5)[:, 0]) < 1.2 * leg]
-    points = np.concatenate([own.sample(0.5) for own in cut]) - 0.5
+    cut = [
+        item for item in _visible(drawn) if 0.8 * leg < np.ptp(item.sample(0.5)[:, 0]) < 1.2 * leg
+    ]
+    points = np.concatenate([item.sample(0.5) for item in cut]) - 0.5
     away = np.abs(points.sum(axis=1) - 12.0 - leg - ABOVE) / np.sqrt(2.0)
     assert isinstance(cut[0], Segment)
     assert len(cut) == 1

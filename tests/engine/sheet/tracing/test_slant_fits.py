@@ -68,10 +68,10 @@ def test_dashes_tell_a_hidden_lines_course(sketch: Sketch, off: tuple[float, flo
     line = Line(tuple(first), tuple((last - first) / long))
     level = [(Line((0.0, y), (1.0, 0.0)), Piece(20.0, 140.0, VISIBLE, 1.0)) for y in (78.2, 72.9)]
     cut = Piece(0.0, 15.0, Linetype.HIDDEN, 0.8), Piece(20.0, long, Linetype.HIDDEN, 0.8)
-    pieces = [*level, *((line, own) for own in cut)]
+    pieces = [*level, *((line, item) for item in cut)]
     fitted = with_fitted_slants(pieces, pieces, clean_sheet(drawn.grey))
     assert fitted[:2] == pieces[:2]
-    assert [own[1] for own in fitted[2:]] == list(cut)
+    assert [item[1] for item in fitted[2:]] == list(cut)
     assert fitted[2][0] == fitted[3][0]
     assert fitted[2][0].distances(np.array([start, end])).max() < 0.15
 
@@ -92,10 +92,10 @@ def test_the_foot_of_a_cone_between_two_walls_is_exact(sketch: Sketch, foot: flo
     view = find_shapes(sheet, (18.0, 18.0, 132.0, 181.0))
     strokes = classify_strokes(view, view_rhythm([view], sheet.stroke_width))
     slants = [
-        np.array([own.start, own.end]) - 0.5
-        for own in strokes
-        if isinstance(own, Segment)
-        and abs(own.end[0] - own.start[0]) > 5.0 < abs(own.end[1] - own.start[1])
+        np.array([stroke.start, stroke.end]) - 0.5
+        for stroke in strokes
+        if isinstance(stroke, Segment)
+        and abs(stroke.end[0] - stroke.start[0]) > 5.0 < abs(stroke.end[1] - stroke.start[1])
     ]
     assert len(slants) == 2
     for ends in slants:

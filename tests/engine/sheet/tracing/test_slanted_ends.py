@@ -37,7 +37,7 @@ def _are(found: list[Stroke], wanted: list[Stroke], slack: float) -> bool:
     """Whether each stroke is one of those wanted, and the other way round."""
 
     def alike(one: Stroke, other: Stroke) -> bool:
-        ends = [np.asarray(own.sample(1e9))[[0, -1]] for own in (one, other)]
+        ends = [np.asarray(item.sample(1e9))[[0, -1]] for item in (one, other)]
         return min(np.abs(ends[0] - ends[1]).max(), np.abs(ends[0] - ends[1][::-1]).max()) < slack
 
     return len(found) == len(wanted) and all(any(alike(f, w) for w in wanted) for f in found)

@@ -25,21 +25,21 @@ def _segments(drawn: Sketch, box: tuple[float, float, float, float]) -> list[np.
     sheet = clean_sheet(drawn.grey)
     shapes = find_shapes(sheet, box)
     strokes = classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
-    assert all(isinstance(own, Segment) for own in strokes)
-    return [np.array([own.start, own.end]) - 0.5 for own in strokes]
+    assert all(isinstance(stroke, Segment) for stroke in strokes)
+    return [np.array([stroke.start, stroke.end]) - 0.5 for stroke in strokes]
 
 
 def _is_read(found: list[np.ndarray], start: tuple, end: tuple) -> bool:
     wanted = np.array([start, end])
-    return any(min(np.abs(own - w).max() for w in (wanted, wanted[::-1])) < 0.5 for own in found)
+    return any(min(np.abs(item - w).max() for w in (wanted, wanted[::-1])) < 0.5 for item in found)
 
 
 @pytest.mark.parametrize("deep", [5.3, 6.2, 7.1, 8.3, 9.2])
 @pytest.mark.parametrize("beside", [7.1, 24.0, 33.0])
-def test_the_flanks_of_a_narrow_groove(sketch: Sketch, deep: float, beside: float) -> None:
+def test_the_flanks_of_a_narrow_groove(sketch: Sketch, deep: float, offset: float) -> None:
     """Between two flanges, and with a shoulder on either side of it."""
-    levels = [35.3, 35.3 + beside, 35.3 + beside + deep, 35.3 + beside + 2.0 * deep]
-    levels.append(levels[-1] + beside)
+    levels = [35.3, 35.3 + offset, 35.3 + offset + deep, 35.3 + offset + 2.0 * deep]
+    levels.append(levels[-1] + offset)
     drawn = sketch(200, 180)
     left = list(zip([40.0, 40.0, 40.0 + deep, 40.0, 40.0], levels, strict=True))
     right = [(200.0 - x, y) for x, y in left]
@@ -83,7 +83,7 @@ def _placed(start: tuple[float, float], end: tuple[float, float]) -> tuple[Line,
 @pytest.mark.parametrize("what", ["a rung", "a blot", "a bend", "a known line", "a gap"])
 def test_there_is_none(sketch: Sketch, what: str) -> None:
     drawn = sketch().line(*_LINES[0], _PEN).line(*_LINES[1], _PEN)
-    pieces = [_placed(*own) for own in _LINES]
+    pieces = [_placed(*item) for item in _LINES]
     if what == "a rung":
         drawn.line((60.0, 70.0), (68.0, 70.0), _PEN)
     elif what == "a blot":
@@ -104,6 +104,6 @@ def test_where_pens_differ_its_width_tells_its_linetype(
 ) -> None:
     drawn = sketch().line(*_LINES[0], _PEN).line(*_LINES[1], _PEN)
     drawn.line((60.0, 66.0), (68.0, 74.0), width)
-    sheet, pieces = clean_sheet(drawn.grey), [_placed(*own) for own in _LINES]
+    sheet, pieces = clean_sheet(drawn.grey), [_placed(*item) for item in _LINES]
     ((_, piece),) = find_slanted_rungs(pieces, sheet, Pens(hidden=2.0, visible=2.3))
     assert piece.linetype is kind

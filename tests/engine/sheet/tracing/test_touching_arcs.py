@@ -29,19 +29,19 @@ def _arc(start: float, end: float) -> Piece:
 def test_what_a_tangent_has_beyond_the_touch_is_not_the_arcs(beyond: float) -> None:
     """The arc comes from the right and touches the line at x = 50, where the line goes on left."""
     piece = _arc(0.0, QUARTER + beyond)
-    own = up_to_tangents(CIRCLE, piece, [(BELOW, [Run(10.0, 56.0)])], 3.0)
-    assert (own.start, own.end) == (0.0, pytest.approx(QUARTER))
+    up = up_to_tangents(CIRCLE, piece, [(BELOW, [Run(10.0, 56.0)])], 3.0)
+    assert (up.start, up.end) == (0.0, pytest.approx(QUARTER))
     mirrored = _arc(QUARTER - beyond, 2.0 * QUARTER)
-    own = up_to_tangents(CIRCLE, mirrored, [(BELOW, [Run(44.0, 90.0)])], 3.0)
-    assert (own.start, own.end) == (pytest.approx(QUARTER), 2.0 * QUARTER)
+    up = up_to_tangents(CIRCLE, mirrored, [(BELOW, [Run(44.0, 90.0)])], 3.0)
+    assert (up.start, up.end) == (pytest.approx(QUARTER), 2.0 * QUARTER)
 
 
 def test_a_chord_and_a_line_that_goes_the_other_way_take_nothing() -> None:
     piece = _arc(0.0, QUARTER + 6.0)
     for runs in ([Run(45.0, 55.0)], [Run(44.0, 90.0)]):
         assert up_to_tangents(CIRCLE, piece, [(BELOW, runs)], 3.0) == piece
-    beside = Line((0.0, 67.0), (1.0, 0.0))
-    assert up_to_tangents(CIRCLE, piece, [(beside, [Run(10.0, 56.0)])], 3.0) == piece
+    neighbour = Line((0.0, 67.0), (1.0, 0.0))
+    assert up_to_tangents(CIRCLE, piece, [(neighbour, [Run(10.0, 56.0)])], 3.0) == piece
 
 
 @pytest.mark.parametrize("radius", [12.8, 15.7, 31.9])
@@ -62,18 +62,18 @@ def test_the_short_sides_of_a_slot_are_lines(
     sheet = clean_sheet(drawing.grey)
     view = find_shapes(sheet, (10.0, 10.0, 250.0, 170.0))
     strokes = classify_strokes(view, view_rhythm([view], sheet.stroke_width))
-    arcs = [own for own in strokes if isinstance(own, Arc)]
-    sides = [own for own in strokes if isinstance(own, Segment) and own.length < 100.0]
-    assert [own.radius for own in arcs] == [pytest.approx(radius, abs=0.4)] * 2
-    assert [own.sweep for own in arcs] == [pytest.approx(np.pi, abs=0.1)] * 2
-    assert [own.length for own in sides] == [pytest.approx(length, abs=1.0)] * 2
+    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
+    sides = [stroke for stroke in strokes if isinstance(stroke, Segment) and stroke.length < 100.0]
+    assert [arc.radius for arc in arcs] == [pytest.approx(radius, abs=0.4)] * 2
+    assert [arc.sweep for arc in arcs] == [pytest.approx(np.pi, abs=0.1)] * 2
+    assert [this_side.length for this_side in sides] == [pytest.approx(length, abs=1.0)] * 2
 
 
 @pytest.mark.parametrize(("beyond", "own"), [(60.0, True), (75.0, True), (90.0, False)])
-def test_a_wide_arc_shares_much_ink_with_its_tangent(beyond: float, own: bool) -> None:
+def test_a_wide_arc_shares_much_ink_with_its_tangent(beyond: float, flag: bool) -> None:
     """Lines of 2 px lie in one stroke up to 80 px from where an arc of 1243 px touches."""
     arc = Circle((0.0, 0.0), 1243.0)
     tangent = Line((1243.0, 0.0), (0.0, 1.0))
     piece = Piece(-300.0, beyond, Linetype.VISIBLE, 1.0)
     found = up_to_tangents(arc, piece, [(tangent, (Run(-5.0, 200.0),))], 2.0)
-    assert (found.start, found.end) == pytest.approx((-300.0, 0.0 if own else beyond))
+    assert (found.start, found.end) == pytest.approx((-300.0, 0.0 if flag else beyond))

@@ -34,7 +34,7 @@ def _levels(drawn: Sketch) -> list[float]:
     rhythm = view_rhythm([view], sheet.stroke_width)
     (view,) = with_twins([view], rhythm)
     strokes = classify_strokes(view, rhythm)
-    ends = [own.sample(1e9)[[0, -1]] for own in strokes if own.linetype is Linetype.HIDDEN]
+    ends = [stroke.sample(1e9)[[0, -1]] for stroke in strokes if stroke.linetype is Linetype.HIDDEN]
     return sorted(float(points[:, 1].mean()) - 0.5 for points in ends if np.ptp(points[:, 0]) > 200)
 
 
@@ -118,10 +118,10 @@ def test_two_lines_in_step_one_of_which_is_shorter(
     sheet = clean_sheet(drawn.grey)
     view = find_shapes(sheet, BOX)
     (parted,) = with_twins([view], view_rhythm([view], sheet.stroke_width))
-    line, shorter = (own for own in parted.shapes if own.twin)
-    for own, y, start in ((line, 120.0, 22.0), (shorter, 120.0 + apart, 112.0)):
-        ends = np.array([own.runs[0].start, own.runs[-1].end])
-        points = own.geometry.points_at(ends) + np.array(view.offset)
+    line, shorter = (shape for shape in parted.shapes if shape.twin)
+    for item, y, start in ((line, 120.0, 22.0), (shorter, 120.0 + apart, 112.0)):
+        ends = np.array([item.runs[0].start, item.runs[-1].end])
+        points = item.geometry.points_at(ends) + np.array(view.offset)
         assert points[:, 1] == pytest.approx(y, abs=0.4)
         assert points[:, 0] == pytest.approx((start, 286.0), abs=3.5)
 
@@ -155,4 +155,4 @@ def _visible(drawn: Sketch) -> int:
     rhythm = view_rhythm([view], sheet.stroke_width)
     views = with_twins([view], rhythm)
     strokes = classify_strokes(views[0], rhythm, view_pens(views, rhythm))
-    return sum(own.linetype is Linetype.VISIBLE for own in strokes)
+    return sum(stroke.linetype is Linetype.VISIBLE for stroke in strokes)

@@ -27,7 +27,7 @@ def _corner(sketch: Sketch) -> Sketch:
 
 def _circles(drawn: Sketch) -> list[Circle]:
     shapes = find_shapes(clean_sheet(drawn.grey), (10.0, 10.0, 290.0, 290.0))
-    return [own.geometry for own in shapes.shapes if isinstance(own.geometry, Circle)]
+    return [shape.geometry for shape in shapes.shapes if isinstance(shape.geometry, Circle)]
 
 
 @pytest.mark.parametrize("left", [0.0, 12.0, 18.0])

@@ -87,19 +87,19 @@ def _svg(sheet: Sheet, style: FileStyle, path: Path) -> None:
         f'height="{height * scale!r}mm" viewBox="0 0 {width} {height}" fill="none" stroke="#000">'
     ]
     for line in lines_of(sheet, style):
-        own = line.stroke
+        stroke = line.stroke
         look = f'stroke-width="{_width(line)}" stroke-dasharray="{" ".join(map(str, line.dashes))}"'
-        if isinstance(own, Segment):
-            ends = (*own.start, *own.end)
+        if isinstance(stroke, Segment):
+            ends = (*stroke.start, *stroke.end)
             x0, y0, x1, y1 = (f"{value:.9f}" for value in ends)
             parts.append(f'<line x1="{x0}" y1="{y0}" x2="{x1}" y2="{y1}" {look}/>')
-        elif is_closed(own):
-            x, y = own.centre
-            parts.append(f'<circle cx="{x:.9f}" cy="{y:.9f}" r="{own.radius:.9f}" {look}/>')
+        elif is_closed(stroke):
+            x, y = stroke.centre
+            parts.append(f'<circle cx="{x:.9f}" cy="{y:.9f}" r="{stroke.radius:.9f}" {look}/>')
         else:
-            (x0, y0), (x1, y1) = own.sample(1e9)[[0, -1]]
-            large = int(own.sweep > np.pi)
-            arc = f"A{own.radius:.9f} {own.radius:.9f} 0 {large} 1 {x1:.9f} {y1:.9f}"
+            (x0, y0), (x1, y1) = stroke.sample(1e9)[[0, -1]]
+            large = int(stroke.sweep > np.pi)
+            arc = f"A{stroke.radius:.9f} {stroke.radius:.9f} 0 {large} 1 {x1:.9f} {y1:.9f}"
             parts.append(f'<path d="M{x0:.9f} {y0:.9f}{arc}" {look}/>')
     path.write_text("".join(parts) + "</svg>", encoding="utf-8")
 
@@ -109,25 +109,25 @@ def _pdf(sheet: Sheet, style: FileStyle, path: Path) -> None:
     scale = 72.0 / DPI
     content = [f"{scale!r} 0 0 {-scale!r} 0 {height * scale!r} cm"]
     for line in lines_of(sheet, style):
-        own = line.stroke
+        stroke = line.stroke
         content.append(f"{_width(line)} w [{' '.join(map(str, line.dashes))}] 0 d")
-        if isinstance(own, Segment):
-            ends = np.array([*own.start, *own.end])
+        if isinstance(stroke, Segment):
+            ends = np.array([*stroke.start, *stroke.end])
             if style.step:
                 ends = np.rint((ends + style.step / 3.0) / style.step) * style.step
             content.append("{:.6f} {:.6f} m {:.6f} {:.6f} l S".format(*ends))
             continue
-        count = max(1, int(np.ceil(own.sweep / (np.pi / 2) - 1e-9)))
-        handle = 4.0 / 3.0 * np.tan(own.sweep / count / 4.0) * own.radius
-        angles = own.start_angle + own.sweep * np.arange(count + 1) / count
+        count = max(1, int(np.ceil(stroke.sweep / (np.pi / 2) - 1e-9)))
+        handle = 4.0 / 3.0 * np.tan(stroke.sweep / count / 4.0) * stroke.radius
+        angles = stroke.start_angle + stroke.sweep * np.arange(count + 1) / count
         radial = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-        at = np.array(own.centre) + own.radius * radial
+        at = np.array(stroke.centre) + stroke.radius * radial
         along = handle * np.stack([-radial[:, 1], radial[:, 0]], axis=1)
         content.append("{:.6f} {:.6f} m".format(*at[0]))
         corners = np.concatenate([(at + along)[:-1], (at - along)[1:], at[1:]], axis=1)
         form = " ".join(["{:.6f}"] * 6) + " c"
         content += [form.format(*row) for row in corners]
-        content.append("s" if is_closed(own) else "S")
+        content.append("s" if is_closed(stroke) else "S")
     body = "\n".join(content).encode()
     box = f"0 0 {width * scale!r} {height * scale!r}".encode()
     objects = [
@@ -159,18 +159,18 @@ def _dxf(sheet: Sheet, style: FileStyle, path: Path) -> None:
         return point[0] * scale, (height - point[1]) * scale
 
     for line in lines_of(sheet, style):
-        own = line.stroke
+        stroke = line.stroke
         name = {0: "Continuous", 2: "HIDDEN", 4: "CENTER"}[len(line.dashes)]
         weight = min((35, 25, 18), key=lambda value: abs(value / 100.0 - _width(line) * scale))
         look = {"linetype": name, "lineweight": weight}
-        if isinstance(own, Segment):
-            model.add_line(at(own.start), at(own.end), dxfattribs=look)
-        elif is_closed(own):
-            model.add_circle(at(own.centre), own.radius * scale, dxfattribs=look)
+        if isinstance(stroke, Segment):
+            model.add_line(at(stroke.start), at(stroke.end), dxfattribs=look)
+        elif is_closed(stroke):
+            model.add_circle(at(stroke.centre), stroke.radius * scale, dxfattribs=look)
         else:
             # y points up there: what ran towards y runs the other way.
-            first, last = (np.degrees(-(own.start_angle + turn)) for turn in (own.sweep, 0.0))
-            model.add_arc(at(own.centre), own.radius * scale, first, last, dxfattribs=look)
+            first, last = (np.degrees(-(stroke.start_angle + turn)) for turn in (stroke.sweep, 0.0))
+            model.add_arc(at(stroke.centre), stroke.radius * scale, first, last, dxfattribs=look)
     doc.saveas(path)
 
 

@@ -9,7 +9,7 @@ from gaussiancad_core.sheet.vector_views.curve_intervals import Span, united, wi
 AROUND = 100.0
 SPANS = st.lists(
     st.tuples(st.integers(0, 99), st.integers(1, 100)).map(
-        lambda own: (float(own[0]), float(own[0] + own[1]))
+        lambda item: (float(item[0]), float(item[0] + item[1]))
     ),
     max_size=6,
 )

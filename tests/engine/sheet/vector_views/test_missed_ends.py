@@ -13,12 +13,12 @@ from gaussiancad_core.sheet.vector_views.missed_ends import missed_px
 CORNERS = np.array([(0, 0), (90, 0), (90, 40), (60, 70), (60, 110), (20, 110), (20, 60), (0, 40)])
 
 
-def chain(beside: np.ndarray) -> list[Line]:
+def chain(neighbour: np.ndarray) -> list[Line]:
     """Lines around a polygon, the ends of each moved by (n, 2, 2) px."""
     places = np.concatenate([CORNERS, CORNERS[:1]]).astype(float)
     return [
         Line(tuple(a + off[0]), tuple(b + off[1]))
-        for (a, b), off in zip(pairwise(places), beside, strict=True)
+        for (a, b), off in zip(pairwise(places), neighbour, strict=True)
     ]
 
 
@@ -38,15 +38,15 @@ def test_ends_that_were_moved_tell_by_how_much(seed: int, size: float) -> None:
 
 
 def test_half_of_the_ends_moved_across_is_a_rule() -> None:
-    beside = np.zeros((8, 2, 2))
-    beside[::2, :, 1] = 0.1
-    assert missed_px(chain(beside)) == pytest.approx(0.1)
+    neighbour = np.zeros((8, 2, 2))
+    neighbour[::2, :, 1] = 0.1
+    assert missed_px(chain(neighbour)) == pytest.approx(0.1)
     # A single line beside the others is none.
-    beside[2:] = 0.0
-    assert missed_px(chain(beside)) == 0.0
+    neighbour[2:] = 0.0
+    assert missed_px(chain(neighbour)) == 0.0
 
 
 def test_few_lines_tell_nothing() -> None:
-    beside = np.zeros((8, 2, 2))
-    beside[::2, :, 1] = 0.1
-    assert missed_px(chain(beside)[:6]) == 0.0
+    neighbour = np.zeros((8, 2, 2))
+    neighbour[::2, :, 1] = 0.1
+    assert missed_px(chain(neighbour)[:6]) == 0.0

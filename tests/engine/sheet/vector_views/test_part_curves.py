@@ -49,7 +49,7 @@ def test_what_the_file_calls_something_else_is_not_the_part_s() -> None:
     ]
     assert kept(*edges, *strange) == edges
     found, others = part_curves((*edges, *strange), LEVEL, masks())
-    assert [own.curve for own in strange[:4]] == list(others)
+    assert [item.curve for item in strange[:4]] == list(others)
     assert len(found) == 3
 
 

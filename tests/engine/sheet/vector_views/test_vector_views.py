@@ -45,8 +45,8 @@ def distances(points: np.ndarray, strokes: Iterable[Stroke]) -> np.ndarray:
             turn = np.mod(np.arctan2(offset[:, 1], offset[:, 0]) - stroke.start_angle, 2 * np.pi)
             radial = np.abs(np.hypot(*offset.T) - stroke.radius)
             ends = stroke.sample(1e9)[[0, -1]]
-            beside = np.min([np.hypot(*(points - end).T) for end in ends], axis=0)
-            away = np.where(turn <= stroke.sweep, radial, beside)
+            neighbour = np.min([np.hypot(*(points - end).T) for end in ends], axis=0)
+            away = np.where(turn <= stroke.sweep, radial, neighbour)
         nearest = np.minimum(nearest, away)
     return nearest
 
@@ -63,16 +63,16 @@ def check(sheet, views: tuple[ReadView, ...], slack: float = EXACT) -> None:  # 
     for view in views:
         truth = sheet[view.role].strokes
         for kind in Linetype:
-            own = [s for s in view.strokes if s.linetype is kind]
+            ses = [s for s in view.strokes if s.linetype is kind]
             right = [s for s in truth if s.linetype is kind]
             visible = [s for s in truth if s.linetype is Linetype.VISIBLE]
-            if own:
-                assert distances(sampled(own, kind), right).max() <= slack
+            if ses:
+                assert distances(sampled(ses, kind), right).max() <= slack
             drawn = sampled(right, kind)
             if kind is Linetype.HIDDEN and len(drawn):
                 drawn = drawn[distances(drawn, visible) > 0.5]
             if len(drawn):
-                assert distances(drawn, own).max() <= max(slack, 0.5 * (kind is Linetype.HIDDEN))
+                assert distances(drawn, ses).max() <= max(slack, 0.5 * (kind is Linetype.HIDDEN))
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".dxf"])

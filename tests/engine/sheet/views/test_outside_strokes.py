@@ -50,12 +50,12 @@ def test_the_edges_of_a_part_stay(sketch: Sketch) -> None:
 @pytest.mark.parametrize("linetype", [VISIBLE, HIDDEN])
 def test_what_is_outside_goes(sketch: Sketch, linetype: Linetype) -> None:
     drawn = _drawn(sketch).line((200, 90), (228, 90)).line((222, 80), (222, 100))
-    beside = (
+    neighbours = (
         Segment((200.5, 90.5), (228.5, 90.5), linetype),
         Segment((222.5, 80.5), (222.5, 100.5), linetype),
     )
     strokes = _rectangle()
-    assert without_outside((*strokes, *beside), _outline(drawn)) == strokes
+    assert without_outside((*strokes, *neighbours), _outline(drawn)) == strokes
 
 
 def test_an_edge_that_sticks_out_ends_at_the_outline(sketch: Sketch) -> None:

@@ -80,7 +80,7 @@ def test_one_extent_without_any_line_is_no_witness() -> None:
 def test_the_rear_view_has_its_lines_the_other_way_round() -> None:
     ink = sheet()
     views = front(ink), drawn(ink, (100, 150), (WIDE, DEEP), ACROSS, AWAY)
-    turned = [WIDE - 1 - own for own in ACROSS]
+    turned = [WIDE - 1 - item for item in ACROSS]
     rear = drawn(ink, (800, 100), (WIDE, HIGH), turned, UP)
     assert roles(ink, *views, rear)[Role.REAR] == rear
 
@@ -111,7 +111,7 @@ def test_a_section_stands_for_the_view_between_two_others() -> None:
     ink = sheet()
     cut = front(ink)
     above = drawn(ink, (100, 100), (WIDE, DEEP), ACROSS, AWAY)
-    below = drawn(ink, (100, 600), (WIDE, DEEP), ACROSS, [DEEP - 1 - own for own in AWAY])
+    below = drawn(ink, (100, 600), (WIDE, DEEP), ACROSS, [DEEP - 1 - item for item in AWAY])
     found = arrange(Drawings([cut, above, below], ink, {cut}), {}, Projection.THIRD)
     assert found.boxes == {Role.FRONT: cut, Role.TOP: above, Role.BOTTOM: below}
 
@@ -131,7 +131,7 @@ def test_all_drawings_around_an_edge_view_are_its_views() -> None:
     ink = sheet()
     edge = drawn(ink, (100, 400), (WIDE, DEEP), ACROSS, AWAY)
     above = drawn(ink, (100, 100), (WIDE, HIGH), ACROSS, UP)
-    below = drawn(ink, (100, 600), (WIDE, HIGH), ACROSS, [HIGH - 1 - own for own in UP])
+    below = drawn(ink, (100, 600), (WIDE, HIGH), ACROSS, [HIGH - 1 - item for item in UP])
     assert roles(ink, above, below, edge) == {
         Role.FRONT: edge,
         Role.TOP: above,
@@ -161,7 +161,7 @@ def test_of_two_ways_to_leave_one_drawing_out_the_one_with_three_directions_coun
     plan = drawn(ink, (100, 250), (WIDE, HIGH), ACROSS, UP)
     above = drawn(ink, (100, 80), (WIDE, DEEP), ACROSS, AWAY)
     below = drawn(ink, (100, 500), (WIDE, DEEP), ACROSS, AWAY)
-    side = drawn(ink, (450, 500), (HIGH, DEEP), [HIGH - 1 - own for own in UP], AWAY)
+    side = drawn(ink, (450, 500), (HIGH, DEEP), [HIGH - 1 - item for item in UP], AWAY)
     found = roles(ink, plan, above, below, side, projection=Projection.THIRD)
     assert found == {Role.FRONT: below, Role.TOP: plan, Role.RIGHT: side}
 
@@ -181,7 +181,7 @@ def test_a_section_beside_the_views_makes_no_rear_view_of_the_front_view() -> No
         drawn(ink, (100, 100), (WIDE, DEEP), ACROSS, AWAY),
         drawn(ink, (450, 300), (DEEP, HIGH), AWAY, UP),
     )
-    beside = drawn(ink, (620, 300), (WIDE, HIGH), ACROSS, UP)
-    found = arrange(Drawings([*views, beside], ink, {beside}), {}, None)
+    neighbour = drawn(ink, (620, 300), (WIDE, HIGH), ACROSS, UP)
+    found = arrange(Drawings([*views, neighbour], ink, {neighbour}), {}, None)
     assert found.boxes == {Role.FRONT: views[0], Role.TOP: views[1], Role.RIGHT: views[2]}
-    assert found.left_out == (beside,)
+    assert found.left_out == (neighbour,)

@@ -62,14 +62,14 @@ def test_untold_projection_is_third_and_first_fits_as_well() -> None:
 
 @pytest.mark.parametrize(("beside", "role"), [(RIGHT, Role.LEFT), (LEFT, Role.RIGHT)])
 def test_a_view_below_is_from_above_where_nobody_tells_the_projection(
-    beside: tuple[int, int, int, int], role: Role
+    adjacent: tuple[int, int, int, int], role: Role
 ) -> None:
-    sheet_layout = _layout(_sheet(FRONT, BELOW, beside), {}, None)
+    sheet_layout = _layout(_sheet(FRONT, BELOW, adjacent), {}, None)
     assert sheet_layout.projection is Projection.FIRST
     assert (sheet_layout.source, sheet_layout.alternatives) == ("default", (Projection.THIRD,))
-    wanted = {Role.FRONT: FRONT, Role.TOP: BELOW, role: beside}
+    wanted = {Role.FRONT: FRONT, Role.TOP: BELOW, role: adjacent}
     assert set(sheet_layout.boxes) == set(wanted)
-    assert all(_close(sheet_layout.boxes[own], box) for own, box in wanted.items())
+    assert all(_close(sheet_layout.boxes[item], box) for item, box in wanted.items())
 
 
 def test_views_from_above_and_below_tell_no_projection() -> None:
@@ -99,7 +99,9 @@ def test_in_free_space_what_goes_around_all_is_an_outline() -> None:
     ink = _sheet(around, *holes)
     (box,) = find_clusters(ink, has_paper=False)
     assert _close(box, around)
-    assert all(any(_close(own, hole) for hole in holes) for own in find_clusters(ink))
+    assert all(
+        any(_close(find_cluster, hole) for hole in holes) for find_cluster in find_clusters(ink)
+    )
 
 
 def test_other_lines_are_left_out_and_told() -> None:
@@ -167,6 +169,6 @@ def test_boxes_are_united_until_none_overlaps_another() -> None:
     united = sheet_layout._merge_overlapping(boxes)
     pairs = [(a, b) for a in united for b in united if a is not b]
     assert not any(_overlap(a, b) for a, b in pairs)
-    assert all(any(sheet_layout._contains(own, box) for own in united) for box in boxes)
+    assert all(any(sheet_layout._contains(item, box) for item in united) for box in boxes)
     assert 10 < len(united) < 300
     assert sheet_layout._merge_overlapping([]) == []

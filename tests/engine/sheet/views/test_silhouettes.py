@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.views.silhouettes import beside, without_stickouts
+from gaussiancad_core.sheet.views.silhouettes import side_strips, without_stickouts
 
 Sketch = Any
 """The class that the fixture gives."""
@@ -39,5 +39,5 @@ def test_a_figure_that_is_open_keeps_its_box(sketch: Sketch) -> None:
 
 
 def test_what_is_beside_a_figure() -> None:
-    assert beside((0, 0, 10, 10), (0, 0, 10, 10)) == []
-    assert beside((0, 0, 10, 10), (2, 0, 10, 9)) == [(0, 0, 2, 10), (0, 9, 10, 10)]
+    assert side_strips((0, 0, 10, 10), (0, 0, 10, 10)) == []
+    assert side_strips((0, 0, 10, 10), (2, 0, 10, 9)) == [(0, 0, 2, 10), (0, 9, 10, 10)]
