@@ -71,7 +71,7 @@ class Reading:
         drawn = self.drawn
         if drawn.dimensions is not None:
             return drawn
-        return replace(drawn, told=told_numbers(self.registered, self.measures, drawn.noise))
+        return replace(drawn, dimensions=told_numbers(self.registered, self.measures, drawn.noise))
 
 
 def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -> DrawnViews:

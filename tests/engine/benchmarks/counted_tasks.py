@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from workers import FIRST, SOLVE, Row
-
+from benchmarks.run.workers import FIRST, SOLVE, Row
 from gaussiancad_core.errors import UsageError
 
 
@@ -39,4 +38,4 @@ def count(task: Counted) -> Iterator[Row]:
         raise ValueError("a defect")
     if task.name == "sleeps":
         time.sleep(600.0)
-    yield {"told": len(task.name)}
+    yield {"length": len(task.name)}

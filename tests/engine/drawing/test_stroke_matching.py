@@ -1,20 +1,13 @@
-"""The measure of benchmarks/sheet_reading.py, on drawings whose agreement is known."""
+"""The measure of ``python -m benchmarks sheet_reading``, on drawings whose agreement is known."""
 
-import runpy
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from benchmarks.judge.stroke_matching import corners_of, ends_of, match, nearness
 from gaussiancad_core.lines.strokes import mapped
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-
-CHECKOUT = Path(__file__).resolve().parents[3]
-MEASURE = runpy.run_path(str(CHECKOUT / "benchmarks" / "stroke_matching.py"))
-match, ends_of, nearness, corners_of = (
-    MEASURE[name] for name in ("match", "ends_of", "nearness", "corners_of")
-)
 
 VISIBLE, HIDDEN = Linetype
 DRAWN = [

@@ -1,8 +1,6 @@
 """What judges features: built again they are the solid, and their sketches are fixed."""
 
-import sys
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
@@ -11,17 +9,13 @@ from gaussiancad_core.features.as_json import kind_of
 from gaussiancad_core.features.feature_model import Feature, FeatureList
 from gaussiancad_core.features.feature_search import features_of
 
-# Sketches are judged by what a benchmark judges them by.
-sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "benchmarks"))
-
 Found = tuple[FeatureList, list[str]]
 
 
 @pytest.fixture(scope="session")
 def found() -> Callable[[TopoDS_Shape], Found]:
     """The features of a solid, and their kinds, after they were built again."""
-    from feature_changes import rebuilt
-
+    from benchmarks.features.feature_changes import rebuilt
     from gaussiancad_core.features.difference import difference
 
     def find(solid: TopoDS_Shape) -> Found:

@@ -5,10 +5,10 @@ from math import cos, pi, radians, sin
 
 import numpy as np
 import pytest
-from feature_sketches import Freedom, freedom, solved
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from benchmarks.features.feature_sketches import Freedom, freedom, solved
 from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.constraints import (
     Constraint,

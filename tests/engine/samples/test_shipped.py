@@ -1,36 +1,31 @@
 """The sheets and solids in resources/samples are what the parts are drawn as today."""
 
-import runpy
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PIL import Image
 
+from benchmarks.ask.make_samples import ROLES, SHIPPED
+from benchmarks.run.checkout import SAMPLES
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.kernel.brep import read_solid, soundness
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples import sample
 
-CHECKOUT = Path(__file__).resolve().parents[3]
-SCRIPT = runpy.run_path(str(CHECKOUT / "benchmarks" / "make_samples.py"))
-FOLDER = CHECKOUT / "resources" / "samples"
 
-
-@pytest.mark.parametrize("name", SCRIPT["SHIPPED"])
+@pytest.mark.parametrize("name", SHIPPED)
 def test_a_shipped_sheet_shows_its_part(name: str) -> None:
     part = sample(name).build()
-    drawn = draw_sheet(part, SCRIPT["ROLES"], Projection.THIRD, PRESETS["clean"])
-    with Image.open(FOLDER / f"{name}.png") as image:
+    drawn = draw_sheet(part, ROLES, Projection.THIRD, PRESETS["clean"])
+    with Image.open(SAMPLES / f"{name}.png") as image:
         assert image.size == (1920, 1080)
         shipped = np.asarray(image.convert("RGB")).astype(int)
     assert np.abs(shipped - drawn.image).max() <= 1
-    solid = soundness(read_solid(FOLDER / f"{name}.step"))
+    solid = soundness(read_solid(SAMPLES / f"{name}.step"))
     assert solid.valid
     assert solid.volume_mm3 == pytest.approx(soundness(part).volume_mm3, rel=1e-12)
 
 
 def test_nothing_else_is_shipped() -> None:
-    expected = {f"{name}.{suffix}" for name in SCRIPT["SHIPPED"] for suffix in ("png", "step")}
-    assert {entry.name for entry in FOLDER.iterdir()} == expected
+    expected = {f"{name}.{suffix}" for name in SHIPPED for suffix in ("png", "step")}
+    assert {entry.name for entry in SAMPLES.iterdir()} == expected

@@ -1,0 +1,1 @@
+"""How features, their sketches and their numbers are judged."""

@@ -1,0 +1,1 @@
+"""How like the truth something is: solids, faces, strokes, views."""

@@ -1,0 +1,1 @@
+"""Models by several methods on many sheets, and their tables."""

@@ -1,0 +1,1 @@
+"""Parts that benchmarks build, each from its family and a seed."""

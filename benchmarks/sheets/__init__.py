@@ -1,0 +1,1 @@
+"""Drawings of parts: how they are made, varied, found and kept."""

@@ -1,0 +1,1 @@
+"""Whether what is called verified is the part: sources of drawings, and changes of them."""
