@@ -31,8 +31,9 @@ Record = Mapping[Key, Licence]
 HEADING = """# Licences of the packages
 
 Written by `make lock`; `make licences` prints the list. What `make install` and *Install Engine…*
-put into the engine's environment is `engine-cpu.txt` of `core/locks` or, with PyTorch for CUDA,
-`engine-cuda.txt`; `make install` adds `tests.txt`. GaussianCAD's own licence is LGPL-2.1-or-later.
+put into the engine's environment is `engine-cpu.txt` of `core/locks`, with PyTorch for CUDA
+`engine-cuda.txt`, or without PyTorch `engine-solid.txt`; `make install` adds `tests.txt`.
+GaussianCAD's own licence is LGPL-2.1-or-later.
 
 A licence is what the package's metadata say, in SPDX's words where they can be translated; `read`
 are those that a person found in the package, since the metadata do not tell. Which are allowed, and
@@ -137,17 +138,20 @@ def asked(packages: Iterable[Package]) -> dict[Key, Licence]:
     Raises:
         subprocess.CalledProcessError: pip finds one of them not, or gets no answer.
     """
-    by_python: dict[str, set[str]] = {}
+    places: dict[tuple[str, ...], set[str]] = {}
     for package in packages:
         python = "3.12" if "python_full_version >= '3.12'" in package.marker else "3.11"
-        by_python.setdefault(python, set()).add(f"{package.name}=={package.release}")
+        # What only Windows has, pip finds only where it is told of Windows.
+        windows = ("--platform", "win_amd64") if "== 'win32'" in package.marker else ()
+        place = ("--python-version", python, *windows)
+        places.setdefault(place, set()).add(f"{package.name}=={package.release}")
     found = {}
-    for python, wanted in by_python.items():
+    for place, wanted in places.items():
         with tempfile.TemporaryDirectory() as folder:
             report, names = Path(folder, "report.json"), Path(folder, "names.txt")
             names.write_text("\n".join(sorted(wanted)), encoding="utf-8")
             command = [sys.executable, "-m", "pip", "install", "--dry-run", "--ignore-installed"]
-            command += ["--no-deps", "--only-binary", ":all:", "--python-version", python]
+            command += ["--no-deps", "--only-binary", ":all:", *place]
             command += ["--quiet", "--target", folder, "--report", str(report)]
             subprocess.run([*command, "--requirement", str(names)], check=True)
             for item in json.loads(report.read_text(encoding="utf-8"))["install"]:

@@ -20,7 +20,15 @@ class Lock(Enum):
 
     CPU = "engine-cpu.txt"
     CUDA = "engine-cuda.txt"
+    SOLID = "engine-solid.txt"
     TESTS = "tests.txt"
+
+    @property
+    def extras(self) -> tuple[str, ...]:
+        """The extras of the engine whose packages it has."""
+        if self is Lock.TESTS:
+            return ("test", "window", "cluster", "mcp")
+        return ("ocr",) if self is Lock.SOLID else ("ocr", "surface", "compare")
 
     @property
     def path(self) -> Path:

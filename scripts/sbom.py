@@ -103,7 +103,9 @@ def _dependencies(
 ) -> list[dict[str, object]]:
     """What the engine itself asks for; what its packages ask for is not in a lock."""
     extras = project["optional-dependencies"]
-    lines = extras["test"] if lock is Lock.TESTS else [*project["dependencies"], *extras["ocr"]]
+    lines = [] if lock is Lock.TESTS else list(project["dependencies"])
+    for name in lock.extras:
+        lines += extras[name]
     asked = {canonical(re.match(r"[\w.-]+", line)[0]) for line in lines}
     direct = [purl(package) for package in packages if package.name in asked]
     return [{"ref": text, "dependsOn": direct}]

@@ -2,7 +2,8 @@
 
 * ``engine-cuda.txt``: the engine, with PyTorch as indexes have it (CUDA on Linux, CPU elsewhere).
 * ``engine-cpu.txt``: the same versions, but PyTorch's own CPU build and no CUDA packages.
-* ``tests.txt``: what the tests need on top of either.
+* ``engine-solid.txt``: the same without the extra ``surface``: it reads sheets and makes solids.
+* ``tests.txt``: what the tests need on top of one of the first two.
 
 The engine's have the extra ``ocr``: measures of a picture come from its dimensions.  All lack what
 ``exclude-dependencies`` names, and what only that needs.
@@ -49,22 +50,13 @@ def main(upgrade: bool) -> int:
     project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))
     extras = project["project"]["optional-dependencies"]
     excluded = project["tool"]["uv"]["exclude-dependencies"]
-    engine = [
+    solid = [
         *project["project"]["dependencies"],
-        *extras["ocr"],
+        *required(extras, "ocr"),
         *project["build-system"]["requires"],
     ]
-    tests = [*extras["test"], *extras["cluster"]]
-    torch = next(line for line in engine if line.startswith("torch==")).removeprefix("torch==")
-
-    hashes = sorted(offered_cpu_hashes(torch)) or locked_cpu_hashes(torch)
-    if not hashes:
-        print(
-            f"No CPU build of torch {torch} is offered: name PyTorch's CPU wheels in pip's "
-            "configuration (find-links or extra-index-url), then run `make lock` again.",
-            file=sys.stderr,
-        )
-        return 1
+    engine = [*solid, *required(extras, "surface", "compare")]
+    tests = required(extras, "test", "window", "cluster", "mcp")
 
     with tempfile.TemporaryDirectory() as folder:
         new = Path(folder)
@@ -74,14 +66,29 @@ def main(upgrade: bool) -> int:
             copy(old, new)
         left_out = ("--excludes", str(excludes))
         resolve(engine, new / "engine-cuda.txt", upgrade, *left_out)
-        same = ("--constraints", str(new / "engine-cuda.txt"))
-        resolve(tests, new / "tests.txt", upgrade, *left_out, *same)
         cuda = (new / "engine-cuda.txt").read_text(encoding="utf-8")
+        torch = re.search(r"^torch==(\S+)", cuda, re.MULTILINE)[1]
+        hashes = sorted(offered_cpu_hashes(torch)) or locked_cpu_hashes(torch)
+        if not hashes:
+            print(
+                f"No CPU build of torch {torch} is offered: name PyTorch's CPU wheels in pip's "
+                "configuration (find-links or extra-index-url), then run `make lock` again.",
+                file=sys.stderr,
+            )
+            return 1
+        same = ("--constraints", str(new / "engine-cuda.txt"))
+        resolve(solid, new / "engine-solid.txt", upgrade, *left_out, *same)
+        resolve(tests, new / "tests.txt", upgrade, *left_out, *same)
         (new / "engine-cpu.txt").write_text(cpu_build(cuda, torch, hashes), encoding="utf-8")
         for lock in new.glob("*.txt"):
             copy(lock, LOCKS)
             print(lock.name)
     return 0
+
+
+def required(extras: dict[str, list[str]], *names: str) -> list[str]:
+    """What extras require, without what is in each for the sake of another one of them."""
+    return [line for name in names for line in extras[name] if not line.startswith("gaussiancad")]
 
 
 def resolve(requirements: list[str], lock: Path, upgrade: bool, *options: str) -> None:

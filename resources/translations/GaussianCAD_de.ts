@@ -815,6 +815,10 @@
         <translation>Version {version} mit PyTorch für {build}, {size} auf der Platte in {folder}.</translation>
     </message>
     <message>
+        <source>Version {version} for {build}, {size} on disk in {folder}.</source>
+        <translation>Version {version}, {build}, {size} auf der Platte in {folder}.</translation>
+    </message>
+    <message>
         <source>The engine in {folder} is not complete. Repair downloads what is missing or damaged.</source>
         <translation>Die Engine in {folder} ist nicht vollständig. „Reparieren“ lädt, was fehlt oder beschädigt ist.</translation>
     </message>
@@ -1947,10 +1951,6 @@
         <translation>Die Modelle sind zu verschieden groß für einen Vergleich. Prüfen Sie, ob es die richtigen sind.</translation>
     </message>
     <message>
-        <source>The earth mover&apos;s distance could not be computed.</source>
-        <translation>Der Earth-Mover-Abstand ließ sich nicht berechnen.</translation>
-    </message>
-    <message>
         <source>No exact solid was found. The model is a surface that fills what the outlines leave: measure nothing from it.</source>
         <translation>Es wurde kein exakter Festkörper gefunden. Das Modell ist eine Oberfläche, die füllt, was die Umrisse lassen: Nehmen Sie keine Maße davon ab.</translation>
     </message>
@@ -2199,6 +2199,10 @@
         <translation>Die Maße auf dem Blatt wurden nicht gelesen, da der Engine die Texterkennung fehlt. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
     </message>
     <message>
+        <source>The engine was installed for exact solids only: no surface was made. GaussianCAD &gt; Install Engine has one that makes both.</source>
+        <translation>Die Engine wurde nur für exakte Festkörper installiert: Eine Oberfläche wurde nicht gemacht. Unter GaussianCAD &gt; Engine installieren gibt es eine, die beides macht.</translation>
+    </message>
+    <message>
         <source>The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is another.</source>
         <translation>Das Blatt hat keine lesbare Maßstabsangabe: 1:1 wurde angenommen. Stellen Sie unter „Maßstab“ eine Länge ein, wenn es anders ist.</translation>
     </message>
@@ -2347,10 +2351,6 @@
         <translation>Das ist kein Bericht eines Stapels. Wählen Sie den in dem Ordner, den er geschrieben hat.</translation>
     </message>
     <message>
-        <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
-        <translation>„Blatt korrigieren“ braucht PySide6 in der Umgebung der Engine. Öffnen Sie es stattdessen aus FreeCAD.</translation>
-    </message>
-    <message>
         <source>The run left no report. Run it again.</source>
         <translation>Der Lauf hat keinen Bericht hinterlassen. Starten Sie ihn erneut.</translation>
     </message>
@@ -2481,6 +2481,10 @@
     <message>
         <source>The engine is incomplete. Choose GaussianCAD &gt; Check Engine to see what to do.</source>
         <translation>Die Engine ist unvollständig. Wählen Sie GaussianCAD &gt; Engine prüfen, um zu sehen, was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>The engine was installed without what this needs ({packages}). Choose GaussianCAD &gt; Install Engine, and there an engine with PyTorch.</source>
+        <translation>Der Engine fehlt, was dafür nötig ist ({packages}). Wählen Sie GaussianCAD &gt; Engine installieren, und dort eine mit PyTorch.</translation>
     </message>
     <message>
         <source>The engine met something that nobody foresaw ({kind}). This is a fault of ours: please report it with the sheet.</source>
@@ -2819,8 +2823,24 @@
         <translation>3,3 GB zu laden, 7 GB auf der Platte</translation>
     </message>
     <message>
+        <source>0.4 GB to download, 1.5 GB on disk</source>
+        <translation>0,4 GB zu laden, 1,5 GB auf der Platte</translation>
+    </message>
+    <message>
         <source>PyTorch for {build}: {sizes}</source>
         <translation>PyTorch für {build}: {sizes}</translation>
+    </message>
+    <message>
+        <source>Exact solids only, without surfaces: {sizes}</source>
+        <translation>Nur exakte Festkörper, ohne Oberflächen: {sizes}</translation>
+    </message>
+    <message>
+        <source>Reads drawings, makes solids and bodies. Gaussians, their mesh, and Compare with Reference need one of the others.</source>
+        <translation>Liest Zeichnungen, macht Festkörper und Körper. Gauß-Verteilungen, ihr Netz und „Mit Referenz vergleichen“ brauchen eine der anderen.</translation>
+    </message>
+    <message>
+        <source>exact solids only</source>
+        <translation>nur exakte Festkörper</translation>
     </message>
     <message>
         <source>the processor (CPU)</source>

@@ -979,10 +979,6 @@
         <translation>两个模型大小相差太多，无法比较。请检查是否选对了模型。</translation>
     </message>
     <message>
-        <source>The earth mover&apos;s distance could not be computed.</source>
-        <translation>无法计算推土机距离。</translation>
-    </message>
-    <message>
         <source>No exact solid was found. The model is a surface that fills what the outlines leave: measure nothing from it.</source>
         <translation>未找到精确实体。该模型是填满各轮廓所留空间的表面：请勿在其上量取尺寸。</translation>
     </message>
@@ -1231,6 +1227,10 @@
         <translation>引擎没有文字识别功能，未读取图纸上的尺寸。请在“比例”中设置一个长度。</translation>
     </message>
     <message>
+        <source>The engine was installed for exact solids only: no surface was made. GaussianCAD &gt; Install Engine has one that makes both.</source>
+        <translation>引擎仅为精确实体而安装：没有生成表面。GaussianCAD &gt; 安装引擎 中有两者都能生成的引擎。</translation>
+    </message>
+    <message>
         <source>The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is another.</source>
         <translation>图纸上没有可读的比例：假定为 1:1。如果不是，请在“比例”中设置一个长度。</translation>
     </message>
@@ -1379,10 +1379,6 @@
         <translation>这不是批处理报告。请选择批处理所写文件夹中的报告。</translation>
     </message>
     <message>
-        <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
-        <translation>“校正图纸”需要引擎环境中有 PySide6。请改从 FreeCAD 中打开。</translation>
-    </message>
-    <message>
         <source>The run left no report. Run it again.</source>
         <translation>该次运行没有留下报告。请重新运行。</translation>
     </message>
@@ -1513,6 +1509,10 @@
     <message>
         <source>The engine is incomplete. Choose GaussianCAD &gt; Check Engine to see what to do.</source>
         <translation>引擎不完整。请选择 GaussianCAD &gt; 检查引擎 查看处理办法。</translation>
+    </message>
+    <message>
+        <source>The engine was installed without what this needs ({packages}). Choose GaussianCAD &gt; Install Engine, and there an engine with PyTorch.</source>
+        <translation>引擎安装时未包含此功能所需的软件包（{packages}）。请选择 GaussianCAD &gt; 安装引擎，并选用带 PyTorch 的引擎。</translation>
     </message>
     <message>
         <source>The engine met something that nobody foresaw ({kind}). This is a fault of ours: please report it with the sheet.</source>
@@ -2251,6 +2251,10 @@
         <translation>版本 {version}，PyTorch 用于{build}，在 {folder} 中占用 {size}。</translation>
     </message>
     <message>
+        <source>Version {version} for {build}, {size} on disk in {folder}.</source>
+        <translation>版本 {version}，{build}，在 {folder} 中占用 {size}。</translation>
+    </message>
+    <message>
         <source>The engine in {folder} is not complete. Repair downloads what is missing or damaged.</source>
         <translation>{folder} 中的引擎不完整。“修复”会下载缺失或损坏的部分。</translation>
     </message>
@@ -2819,8 +2823,24 @@
         <translation>下载 3.3 GB，占用磁盘 7 GB</translation>
     </message>
     <message>
+        <source>0.4 GB to download, 1.5 GB on disk</source>
+        <translation>下载 0.4 GB，占用磁盘 1.5 GB</translation>
+    </message>
+    <message>
         <source>PyTorch for {build}: {sizes}</source>
         <translation>PyTorch 用于{build}：{sizes}</translation>
+    </message>
+    <message>
+        <source>Exact solids only, without surfaces: {sizes}</source>
+        <translation>仅精确实体，不生成表面：{sizes}</translation>
+    </message>
+    <message>
+        <source>Reads drawings, makes solids and bodies. Gaussians, their mesh, and Compare with Reference need one of the others.</source>
+        <translation>读取图纸，生成实体和主体。高斯体、其网格以及“与参考比较”需要其他选项之一。</translation>
+    </message>
+    <message>
+        <source>exact solids only</source>
+        <translation>仅精确实体</translation>
     </message>
     <message>
         <source>the processor (CPU)</source>

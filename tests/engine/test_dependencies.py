@@ -15,10 +15,15 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 CORE = CHECKOUT / "core"
 PROJECT = tomllib.loads((CORE / "pyproject.toml").read_text(encoding="utf-8"))
 EXTRAS = PROJECT["project"]["optional-dependencies"]
-OCR = EXTRAS["ocr"]
-ENGINE = [*PROJECT["project"]["dependencies"], *OCR, *PROJECT["build-system"]["requires"]]
-CLUSTER = EXTRAS["cluster"]
-TESTS = [*EXTRAS["test"], *CLUSTER]
+SOLID = [
+    *PROJECT["project"]["dependencies"],
+    *EXTRAS["ocr"],
+    *PROJECT["build-system"]["requires"],
+]
+"""Of an engine that makes exact solids alone."""
+
+ENGINE = [*SOLID, *EXTRAS["compare"], *EXTRAS["surface"]]
+TESTS = [*EXTRAS["test"], *EXTRAS["window"], *EXTRAS["cluster"], *EXTRAS["mcp"]]
 EXCLUDED = PROJECT["tool"]["uv"]["exclude-dependencies"]
 CUDA = [re.split(r"\W", line)[0] for line in EXTRAS["cuda"]]
 """Modules of the extra for GPUs, which is not installed where there is none; named as packages."""
@@ -26,12 +31,14 @@ CUDA = [re.split(r"\W", line)[0] for line in EXTRAS["cuda"]]
 HELPED = ("tests/engine/benchmarks", "tests/engine/sketch")
 """Folders of tests with scripts that help them."""
 
+LOCKS = ("engine-cpu.txt", "engine-cuda.txt", "engine-solid.txt", "tests.txt")
+
 CUDA_ONLY = ("nvidia-", "cuda-", "triton")
 
 
 def of_here(lines: list[str]) -> list[Requirement]:
     """The requirements that count for this Python and platform."""
-    requirements = map(Requirement, lines)
+    requirements = [r for r in map(Requirement, lines) if r.name != PROJECT["project"]["name"]]
     return [r for r in requirements if r.marker is None or r.marker.evaluate()]
 
 
@@ -51,7 +58,12 @@ def pins(name: str) -> dict[str, str]:
 
 @pytest.mark.parametrize(
     ("lock", "declared"),
-    [("engine-cpu.txt", ENGINE), ("engine-cuda.txt", ENGINE), ("tests.txt", TESTS)],
+    [
+        ("engine-cpu.txt", ENGINE),
+        ("engine-cuda.txt", ENGINE),
+        ("engine-solid.txt", SOLID),
+        ("tests.txt", TESTS),
+    ],
 )
 def test_locks_pin_what_is_declared(lock: str, declared: list[str]) -> None:
     pinned = pins(lock)
@@ -66,12 +78,18 @@ def test_the_builds_differ_in_pytorch_alone() -> None:
     assert cpu == {name: pin for name, pin in cuda.items() if not name.startswith(CUDA_ONLY)}
 
 
-@pytest.mark.parametrize("lock", ["engine-cpu.txt", "engine-cuda.txt", "tests.txt"])
+@pytest.mark.parametrize("lock", LOCKS)
 def test_what_is_excluded_is_in_no_lock(lock: str) -> None:
     assert EXCLUDED
     found = re.findall(r"^([\w.-]+)==", lock_text(lock), re.MULTILINE)
     assert len(found) > 10
     assert not {canonicalize_name(name) for name in (*EXCLUDED, "plotly")} & set(found)
+
+
+def test_the_engine_of_solids_alone_is_a_part_of_the_others() -> None:
+    solid, cpu = pins("engine-solid.txt"), pins("engine-cpu.txt")
+    assert solid.items() <= cpu.items()
+    assert not {"torch", "open3d", "open3d-cpu", "trimesh", "manifold3d", "pot"} & solid.keys()
 
 
 def test_the_tests_need_no_other_versions_than_the_engine() -> None:
@@ -80,7 +98,7 @@ def test_the_tests_need_no_other_versions_than_the_engine() -> None:
     assert {name: engine[name] for name in shared} == {name: tests[name] for name in shared}
 
 
-@pytest.mark.parametrize("lock", ["engine-cpu.txt", "engine-cuda.txt", "tests.txt"])
+@pytest.mark.parametrize("lock", LOCKS)
 def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
     text = lock_text(lock)
     assert "/" not in text
@@ -92,13 +110,13 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 @pytest.mark.parametrize(
     ("folder", "declared"),
     [
-        ("core", ENGINE + OCR + CLUSTER + EXTRAS["learning"]),
+        ("core", ENGINE + TESTS + EXTRAS["learning"]),
         ("benchmarks", ENGINE),
         ("tests/engine", ENGINE + TESTS),
     ],
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
-    # The window is the workbench's, which lies beside the engine.
+    # The window is the workbench's, which goes along in the wheel.
     known = {"gaussiancad_core", "freecad", *sys.stdlib_module_names, *CUDA}
     known |= {name for package in of_here(declared) for name in provided(package.name)}
     # Scripts of a folder import each other; those of make are tested and measured, too, as is the

@@ -96,6 +96,20 @@ class Dialog(WindowCase):
         self.assertIn('"cuda"', (self.root / MARKER).read_text())
         dialog.reject()
 
+    def test_an_engine_of_solids_alone_can_be_chosen(self) -> None:
+        dialog, headline, button = self.open()
+        solid = dialog.findChild(QtWidgets.QRadioButton, "solid")
+        self.assertIn("Exact solids only", solid.text())
+        solid.click()
+        button.click()
+        self.wait_for(lambda: "complete" in headline.text())
+        self.assertIn('"solid"', (self.root / MARKER).read_text())
+        details = dialog.findChild(QtWidgets.QLabel, "details").text()
+        self.assertIn("for exact solids only", details)
+        self.assertNotIn("PyTorch", details)
+        self.picture("install-engine-solid")
+        dialog.reject()
+
     def test_what_is_missing_is_told_and_repaired(self) -> None:
         dialog, _ = self.installed()
         dialog.reject()

@@ -13,7 +13,7 @@ from freecad.gaussiancad.engine import damaged_packages
 from freecad.gaussiancad.engine.base_python import find_base_python
 from freecad.gaussiancad.engine.installing import CPU_INDEX, Installer, InstallWatcher
 from freecad.gaussiancad.engine.locate import MARKER, SearchPlaces, find_engine
-from freecad.gaussiancad.engine.locks import TorchBuild, entries, pins
+from freecad.gaussiancad.engine.locks import EngineBuild, entries, pins
 from freecad.gaussiancad.engine.managed import Condition, look_at, remove
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.paths import CORE
@@ -33,7 +33,7 @@ class Installations(FolderCase):
         self.ends: list[str] = []
 
     def install(
-        self, cancel_at: str = "", build: TorchBuild = TorchBuild.CPU, repair: bool = False
+        self, cancel_at: str = "", build: EngineBuild = EngineBuild.CPU, repair: bool = False
     ) -> list[list[str]]:
         """Install or repair to the end; return what the fake Python was asked to do."""
         self.ends.clear()
@@ -59,7 +59,7 @@ class Installations(FolderCase):
         self.assertEqual(self.ends, [""])
         self.assertEqual(asked[0], ["-I", "-m", "venv", str(self.root)])
         self.assertIn("--dry-run", asked[1])
-        self.assertEqual(asked[2][-1], str(TorchBuild.CPU.lock))
+        self.assertEqual(asked[2][-1], str(EngineBuild.CPU.lock))
         for arguments in asked[1:3]:
             self.assertIn("--require-hashes", arguments)
             self.assertIn("--no-deps", arguments)
@@ -88,19 +88,31 @@ class Installations(FolderCase):
         self.assertEqual(json.loads((self.root / MARKER).read_text())["build"], "cpu")
 
     def test_the_large_build_is_taken_where_it_was_chosen(self) -> None:
-        asked = self.install(build=TorchBuild.CUDA)
+        asked = self.install(build=EngineBuild.CUDA)
         self.assertEqual(self.ends, [""])
-        self.assertEqual(asked[1][-1], str(TorchBuild.CUDA.lock))
+        self.assertEqual(asked[1][-1], str(EngineBuild.CUDA.lock))
         self.assertEqual(json.loads((self.root / MARKER).read_text())["build"], "cuda")
-        self.assertIs(look_at(self.root).build, TorchBuild.CUDA)
+        self.assertIs(look_at(self.root).build, EngineBuild.CUDA)
+
+    def test_the_engine_of_solids_alone_asks_for_no_pytorch(self) -> None:
+        asked = self.install(build=EngineBuild.SOLID)
+        self.assertEqual(self.ends, [""])
+        self.assertFalse(any("--dry-run" in arguments for arguments in asked))
+        self.assertEqual(asked[1][-1], str(EngineBuild.SOLID.lock))
+        names = {pin.name for pin in pins(EngineBuild.SOLID.lock.read_text(encoding="utf-8"))}
+        self.assertIn("cadquery-ocp-novtk", names)
+        self.assertFalse({"torch", "open3d", "open3d-cpu"} & names)
+        self.assertEqual(json.loads((self.root / MARKER).read_text())["build"], "solid")
+        self.assertIs(look_at(self.root).build, EngineBuild.SOLID)
+        self.assertIs(look_at(self.root).condition, Condition.COMPLETE)
 
     def test_what_was_there_comes_back_after_a_failure_or_a_cancel(self) -> None:
         self.install()
         marker = (self.root / MARKER).read_text()
         self.set_variable("GAUSSIANCAD_FAKE_FAILS", "engine-cuda.txt")
-        self.install(build=TorchBuild.CUDA)
+        self.install(build=EngineBuild.CUDA)
         self.assertIn("failed", self.ends[0])
-        self.install(build=TorchBuild.CUDA, cancel_at="Making")
+        self.install(build=EngineBuild.CUDA, cancel_at="Making")
         self.assertIn("cancelled", self.ends[0])
         self.assertEqual((self.root / MARKER).read_text(), marker)
         self.assertIs(look_at(self.root).condition, Condition.COMPLETE)
@@ -222,7 +234,7 @@ class Installations(FolderCase):
         self.assertEqual(find_base_python({"PATH": str(self.folder)}), str(usable))
 
     def test_entries_are_cut_out_of_the_lock(self) -> None:
-        for build in TorchBuild:
+        for build in (EngineBuild.CPU, EngineBuild.CUDA):
             entry = entries(build.lock.read_text(encoding="utf-8"), {"torch"})
             self.assertTrue(entry.startswith("torch=="))
             self.assertEqual(entry.count("=="), 1)

@@ -36,6 +36,13 @@ class Arguments(unittest.TestCase):
             "--scale-down 4 --length y=12.5 --events -- a b.png",
         )
 
+    def test_what_the_engine_is_installed_for_needs_no_word(self) -> None:
+        named = {
+            outcome: ReconstructJob("a", "b", outcome=outcome).options().count("--result")
+            for outcome in Outcome
+        }
+        self.assertEqual(named, {Outcome.BOTH: 0, Outcome.SOLID: 1, Outcome.SURFACE: 1})
+
     def test_scales(self) -> None:
         self.assertEqual(Scale().arguments(), [])
         self.assertEqual(Scale(ScaleKind.MM_PER_PIXEL, 0.1).arguments(), ["--mm-per-pixel", "0.1"])

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from gaussiancad_core import __version__
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, run_limited
+from gaussiancad_core.storage.extras import Extra, demand
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -45,7 +46,8 @@ class Cluster(Generic[Task]):
         folder: of the batch, which every worker has to see under the same name.
 
     Raises:
-        UsageError: ``scheduler-unsupported`` without Dask, ``scheduler-unreachable``,
+        EngineError: ``extra-missing``, Dask is not installed.
+        UsageError: ``scheduler-unreachable``,
             ``scheduler-without-workers``, ``scheduler-differs`` for another version of the engine,
             ``folder-not-shared``.
     """
@@ -148,15 +150,10 @@ def reads(path: str) -> str:
 
 
 def _connected(address: str) -> "Client":
-    try:
-        from distributed import Client
-    except ImportError:
-        raise UsageError(
-            "scheduler-unsupported",
-            "Dask is not installed here: install gaussiancad-core[cluster], or leave --scheduler "
-            "out",
-        ) from None
+    demand(Extra.CLUSTER, "--scheduler")
     import logging
+
+    from distributed import Client
 
     # What it has to say, the batch says in one line.
     logging.getLogger("distributed").setLevel(logging.CRITICAL)

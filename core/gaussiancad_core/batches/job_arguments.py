@@ -7,8 +7,11 @@ def job_arguments(job: Job) -> list[str]:
     """Options of ``gaussiancad reconstruct`` that give the same job on another sheet."""
     settings = job.settings()
     arguments: list[str] = []
-    for name in ("projection", "page", "result", "recipe", "preset", "seed", "colour", "finder"):
+    for name in ("projection", "page", "recipe", "preset", "seed", "colour", "finder"):
         arguments += [f"--{name}", str(settings[name])]
+    if not job.surface_left_out:
+        # Else nothing was asked for, and each sheet's report warns of what is missing.
+        arguments += ["--result", job.result.value]
     for role, box in settings["views"].items():
         arguments += ["--view", f"{role}={','.join(str(value) for value in box)}"]
     for axis, length in settings["lengths"].items():

@@ -15,6 +15,7 @@ from gaussiancad_core.comparison.comparison_options import (
 )
 from gaussiancad_core.errors import ExitCode, GaussianCadError, UnreadableError
 from gaussiancad_core.processes.events import Listener
+from gaussiancad_core.storage.extras import Extra, demand
 
 _ALL = "all"
 
@@ -82,7 +83,12 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
-    """Compare two files in a limited process, as nobody knows who made them."""
+    """Compare two files in a limited process, as nobody knows who made them.
+
+    Raises:
+        EngineError: ``extra-missing``, or what ended that process.
+    """
+    demand(Extra.COMPARE, "a comparison")
     if options.unlimited:
         return _compare(options)
     from gaussiancad_core.processes.supervisor import ProcessLimits, run_limited

@@ -1,17 +1,15 @@
 """``gaussiancad correct``: the window in which a person corrects what was read of a sheet."""
 
 import argparse
-import sys
-from importlib.util import find_spec
-from pathlib import Path
 
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
+from gaussiancad_core.errors import ExitCode, UnreadableError
 from gaussiancad_core.files.file_opening import head_of
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.readings.reading_files import open_corrections
 from gaussiancad_core.report.job import corrections_beside
+from gaussiancad_core.storage.extras import Extra, demand
 
 _REPORTS = (".csv", ".json")
 """How the names of a batch's reports end."""
@@ -40,7 +38,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         UnreadableError: the sheet is missing, empty, or of a kind that is not read;
             ``corrections-not-read``, the corrections beside it are damaged; ``batch-not-read``, a
             report is none of a batch.
-        UsageError: ``window-missing``, Qt or the workbench is not there.
+        EngineError: ``extra-missing``, Qt is not there.
     """
     of_batch = options.sheet.suffix.lower() in _REPORTS
     if not of_batch:
@@ -48,15 +46,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         path = corrections_beside(options.sheet, options.page)
         if path is not None:
             open_corrections(path)
-    root = Path(__file__).resolve().parents[3]
-    if find_spec("PySide6") is None or not (root / "freecad" / "gaussiancad").is_dir():
-        raise UsageError(
-            "window-missing",
-            "the window needs PySide6 and the workbench beside the engine: install PySide6 into "
-            "the engine's environment (pip install 'PySide6-Essentials<6.12'), or correct it in "
-            "FreeCAD",
-        )
-    sys.path.insert(0, str(root))
+    demand(Extra.WINDOW, "the window")
     from freecad.gaussiancad.canvas.failed import failed_sheets
     from freecad.gaussiancad.canvas.standing import show
 

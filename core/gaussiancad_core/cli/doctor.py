@@ -10,7 +10,8 @@ from importlib import metadata
 from gaussiancad_core import __version__
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.processes.events import Listener
-from gaussiancad_core.storage.versions import OPEN3D_DISTRIBUTIONS, installed_versions
+from gaussiancad_core.storage.extras import MODULES, Extra, lacking
+from gaussiancad_core.storage.versions import installed_versions
 
 _NEEDED = {
     "numpy": "numpy",
@@ -24,15 +25,24 @@ _NEEDED = {
     "resvg_py": "resvg-py",
     "defusedxml": "defusedxml",
     "psutil": "psutil",
-    "torch": "torch",
+    "filelock": "filelock",
+    "shapely": "shapely",
+    "msgspec": "msgspec",
     "numba": "numba",
-    "trimesh": "trimesh",
-    "manifold3d": "manifold3d",
-    "ot": "POT",
     "OCP": "cadquery-ocp-novtk",
+    "ortools.sat.python.cp_model": "ortools",
     "onnxruntime": "onnxruntime",
 }
-"""Module -> distribution, of all but Open3D, which has two."""
+"""Module -> distribution, of all that reading a sheet and making its solid take."""
+
+_IMPORTED = {
+    "open3d": "gaussiancad_core.kernel.bare_open3d",
+    "rapidocr": "gaussiancad_core.writing.ocr",
+}
+"""Module of an extra -> the one by which the engine imports it, where that is another."""
+
+_LOOKED_AT = (Extra.SURFACE, Extra.COMPARE, Extra.WINDOW, Extra.OCR, Extra.CLUSTER, Extra.MCP)
+"""Extras that are told of; a line of its own tells of the GPU."""
 
 _SYSTEM_LIBRARIES = {
     "libusb-1.0.so.0": "libusb-1.0-0",
@@ -57,22 +67,50 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     print(f"gaussiancad {__version__}")
     print(f"Python {platform.python_version()} at {sys.executable}")
     print(f"{os.cpu_count()} cores, {platform.platform()}")
-    open3d = next(iter(installed_versions(OPEN3D_DISTRIBUTIONS)), "open3d")
-    needed = {**_NEEDED, "gaussiancad_core.kernel.bare_open3d": open3d}
     broken = 0
-    for module, distribution in needed.items():
+    for module, distribution in _NEEDED.items():
         problem = _problem(module, distribution)
         broken += problem is not None
         state = f"BROKEN: {problem}" if problem else metadata.version(distribution)
         print(f"  {distribution:24} {state}", flush=True)
     print(f"  {'labels network':24} {_labels_state()}", flush=True)
-    print(f"  {'ocr (optional)':24} {_ocr_state()}", flush=True)
-    print(f"  {'gpu (optional)':24} {_gpu_state()}", flush=True)
+    for extra in _LOOKED_AT:
+        state, works = _extra_state(extra)
+        broken += not works
+        print(f"  {f'extra {extra.value}':24} {state}", flush=True)
+    print(f"  {'extra cuda':24} {_gpu_state()}", flush=True)
     if broken:
-        print(f"{broken} of {len(needed)} libraries cannot be used; run `make install` again")
+        print(f"{broken} of these cannot be used; install them again")
         return ExitCode.ENGINE
-    print("the engine is complete")
+    missing = [extra.value for extra in _LOOKED_AT if lacking(extra)]
+    print("the engine is complete" + (f", without {', '.join(missing)}" if missing else ""))
     return ExitCode.DONE
+
+
+def _extra_state(extra: Extra) -> tuple[str, bool]:
+    """What of an extra is there, and whether all of that can be used."""
+    missing = lacking(extra)
+    there = [module for module in MODULES[extra] if module not in missing]
+    for module in there:
+        if (problem := _importing(_IMPORTED.get(module, module))) is not None:
+            return f"BROKEN: {problem}", False
+    if extra is Extra.OCR and not missing:
+        from gaussiancad_core.writing.ocr import ocr_problem
+
+        if (problem := ocr_problem()) is not None:
+            return f"BROKEN: {problem}", False
+    if not there:
+        return f"not installed: {extra.command}", True
+    if missing:
+        return f"lacks {', '.join(missing)}: {extra.command}", True
+    versions = [_version(MODULES[extra][module]) for module in there]
+    return ", ".join(dict.fromkeys(versions)), True
+
+
+def _version(distributions: tuple[str, ...]) -> str:
+    """Name and version of the first of some distributions that is installed."""
+    found = installed_versions(distributions).items()
+    return next((f"{name} {version}" for name, version in found), distributions[0])
 
 
 def _labels_state() -> str:
@@ -83,17 +121,10 @@ def _labels_state() -> str:
     return "whole" if problem is None else f"not used, pictures are read by rules: {problem}"
 
 
-def _ocr_state() -> str:
-    """Whether dimensions can be read from the pixels of a sheet."""
-    try:
-        version = metadata.version("rapidocr")
-    except metadata.PackageNotFoundError:
-        return "not installed: pip install rapidocr"
-    return _problem("onnxruntime", "onnxruntime") or version
-
-
 def _gpu_state() -> str:
     """Whether Gaussians are trained on the GPU; no library is compiled for the answer."""
+    if "torch" in lacking(Extra.CUDA):
+        return f"not installed: {Extra.CUDA.command}"
     try:
         import torch
     except Exception:  # A broken library raises anything while it is imported.
@@ -103,15 +134,21 @@ def _gpu_state() -> str:
     try:
         return f"{torch.cuda.get_device_name()} with gsplat {metadata.version('gsplat')}"
     except metadata.PackageNotFoundError:
-        return "not used: pip install gsplat (it needs NVIDIA's CUDA toolkit)"
+        return f"not used: {Extra.CUDA.command} (it needs NVIDIA's CUDA toolkit)"
 
 
 def _problem(module: str, distribution: str) -> str | None:
     try:
         metadata.version(distribution)
-        importlib.import_module(module)
     except metadata.PackageNotFoundError:
         return f"not installed: pip install {distribution}"
+    return _importing(module)
+
+
+def _importing(module: str) -> str | None:
+    """What goes wrong while a module is imported."""
+    try:
+        importlib.import_module(module)
     except Exception as error:  # A broken library raises anything while it is imported.
         return _advice(str(error))
     return None
@@ -130,12 +167,14 @@ def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     from gaussiancad_core.lines import mesh_crossings, mesh_rays
     from gaussiancad_core.pictures import preview
     from gaussiancad_core.sheet.tracing import shape_growth
-    from gaussiancad_core.splatting import tiles
 
     sight_lines.warm_up()
     shape_growth.warm_up()
-    tiles.warm_up()
     mesh_crossings.warm_up()
     mesh_rays.warm_up()
     preview.warm_up()
+    if not lacking(Extra.SURFACE):
+        from gaussiancad_core.splatting import tiles
+
+        tiles.warm_up()
     return ExitCode.DONE

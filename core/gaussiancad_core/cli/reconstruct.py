@@ -17,6 +17,7 @@ from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, SolidWay
 from gaussiancad_core.processes.events import PROTOCOL, Listener
 from gaussiancad_core.report.job import Job, corrections_beside
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
+from gaussiancad_core.storage.extras import Extra, lacking, result_kind
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES
 
 SOLID_WAY = "--solid-way"
@@ -132,7 +133,8 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
     """Options that say how sheets are read and reconstructed."""
     add_reading_options(parser)
     for option, kind, default in (
-        ("--result", ResultKind, ResultKind.BOTH),
+        # What is installed for, where nothing is asked for.
+        ("--result", ResultKind, None),
         ("--recipe", Recipe, Recipe.ORTHOGRAPHIC),
         ("--preset", Preset, Preset.STANDARD),
         ("--device", Device, Device.AUTO),
@@ -201,7 +203,8 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
         output=output,
         reading=replace(reading_of(options), colour=options.colour),
         page=options.page,
-        result=options.result,
+        result=result_kind(options.result),
+        surface_left_out=options.result is None and bool(lacking(Extra.SURFACE)),
         recipe=options.recipe,
         preset=options.preset,
         seed=options.seed,

@@ -27,6 +27,7 @@ from gaussiancad_core.modes import ResultKind, SolidWay
 from gaussiancad_core.processes.events import Listener, Silence, open_event_stream
 from gaussiancad_core.processes.watched import Watched, watch
 from gaussiancad_core.report.job import Job
+from gaussiancad_core.storage.extras import result_kind
 
 _OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw", "features"})
 """Commands that use it."""
@@ -75,10 +76,10 @@ def _without_way(ended: Watched, arguments: list[str]) -> list[str] | None:
     options = build_parser().parse_args(arguments)
     if arguments[0] != "reconstruct" or options.page == "all":
         return None
-    way = options.solid_way.less
-    if options.result is ResultKind.SURFACE:
+    way, result = options.solid_way.less, result_kind(options.result)
+    if result is ResultKind.SURFACE:
         way = SolidWay.NONE
-    nothing_else = way is SolidWay.NONE and options.result is ResultKind.SOLID
+    nothing_else = way is SolidWay.NONE and result is ResultKind.SOLID
     if options.solid_way is SolidWay.NONE or nothing_else:
         return None
     return [*arguments, SOLID_WAY, way.value]

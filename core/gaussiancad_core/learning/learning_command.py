@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from gaussiancad_core.errors import EngineError, ExitCode, GaussianCadError, UsageError
+from gaussiancad_core.errors import ExitCode, GaussianCadError, UsageError
 from gaussiancad_core.processes.library_behaviour import prepare_environment
+from gaussiancad_core.storage.extras import Extra, demand
 
 _DESCRIPTION = """\
 Draw parts, compose sheets of them, train the labels network on them, calibrate and check it on
@@ -41,15 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(options: argparse.Namespace) -> None:
     _check(options)
-    try:
-        import onnx  # noqa: F401
-        import torch  # noqa: F401
-    except ImportError as error:
-        raise EngineError(
-            "engine-incomplete",
-            "{name} is missing: install gaussiancad-core[learning]",
-            name=error.name,
-        ) from error
+    demand(Extra.LEARNING, "training")
     from gaussiancad_core.learning.network_making import CARD_FILE, Generator, Order, make
     from gaussiancad_core.learning.sheets import font_names, samples
     from gaussiancad_core.learning.training_devices import Place

@@ -47,6 +47,8 @@ class Job:
         overwrite: whether files that no run made are replaced.
         transforms: whether the cameras are written for nerfstudio, too.
         way: in which an exact solid is looked for.
+        surface_left_out: whether the solid alone is made only because the extra ``surface`` is not
+            installed, so that a warning tells.
         scale_down: the edges of the images that are trained on are divided by this.
     """
 
@@ -66,6 +68,7 @@ class Job:
     corrections: Path | None = None
     overwrite: bool = False
     way: SolidWay = SolidWay.ALL
+    surface_left_out: bool = False
 
     def check(self, names: Iterable[str] = ()) -> None:
         """Tell what is wrong with the paths before anything is loaded.

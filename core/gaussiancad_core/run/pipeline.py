@@ -26,6 +26,7 @@ from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
+from gaussiancad_core.storage.extras import Extra, demand, lacking
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.storage.resume_check import finished_report
 
@@ -136,12 +137,16 @@ class _Run:
     def all_stages(self, kept: OpenedSheet | None) -> Report:
         """Read, reconstruct, check and write."""
         _check_device(self.job.device)
+        if self.job.result is not ResultKind.SOLID:
+            demand(Extra.SURFACE, "a surface")
         try:
             read = self._read(kept)
         except NoModelError as error:
             read = self._read_instead(error)
         if isinstance(read, Report):
             return read
+        if self.job.surface_left_out:
+            self._tell_surface_left_out()
         # Loading these takes seconds, which no file that cannot be read is worth.
         from gaussiancad_core.run.check_stage import overlay_picture, preview_picture
         from gaussiancad_core.run.registering_stage import registered_lines, tell_symbol
@@ -174,6 +179,17 @@ class _Run:
                 write_models(models, self.job, self.folder.staging, self.progress)
         self._finish(self._status(solid))
         return self.notes.report
+
+    def _tell_surface_left_out(self) -> None:
+        self.notes.warn(
+            "surface-left-out",
+            Message(
+                'no surface was made, as the extra "{extra}" is not installed: {command}; '
+                "--result solid asks for none",
+                extra=Extra.SURFACE,
+                command=Extra.SURFACE.command,
+            ),
+        )
 
     def _read(self, kept: OpenedSheet | None) -> "tuple[OpenedSheet, SheetLines] | Report":
         """The sheet with its views and lines; the report where an earlier run of the job has it.
@@ -506,6 +522,8 @@ class _Run:
 def _check_device(device: Device) -> None:
     """Say at once, not after minutes, that a GPU that was asked for cannot be used."""
     if device is Device.CUDA:
+        if lacking(Extra.SURFACE):
+            demand(Extra.CUDA, "a GPU")
         from gaussiancad_core.splatting.torch_devices import backend_for
 
         backend_for(device)

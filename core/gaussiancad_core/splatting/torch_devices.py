@@ -5,6 +5,7 @@ from importlib import metadata
 from gaussiancad_core.errors import EngineError
 from gaussiancad_core.modes import Device
 from gaussiancad_core.splatting.rasterizer import Backend
+from gaussiancad_core.storage.extras import Extra
 
 
 def backend_for(device: Device) -> Backend:
@@ -37,7 +38,7 @@ def cuda_problem() -> str | None:
     try:
         metadata.version("gsplat")
     except metadata.PackageNotFoundError:
-        return "gsplat is not installed: pip install gsplat"
+        return f"gsplat is not installed: {Extra.CUDA.command}"
     try:
         from gsplat.cuda import _backend
     except Exception as error:  # Compilers fail in any way.

@@ -15,6 +15,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.storage.extras import Extra
+
 if TYPE_CHECKING:
     from onnxruntime import InferenceSession
 
@@ -62,11 +64,11 @@ class ReadText:
 def ocr_problem() -> str | None:
     """Why texts cannot be read from pixels, with what to do; nothing if they can."""
     if _model_path() is None:
-        return "not installed: pip install rapidocr"
+        return f"not installed: {Extra.OCR.command}"
     try:
         import onnxruntime  # noqa: F401
     except ImportError as error:
-        return f"broken ({error}): pip install rapidocr"
+        return f"broken ({error}): {Extra.OCR.command}"
     return None
 
 

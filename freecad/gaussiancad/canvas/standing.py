@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from pathlib import Path
 
@@ -11,6 +12,15 @@ from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.translator import load_language
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtWidgets
+
+_STOPPED = 130
+"""Exit status of a command that a signal stops."""
+
+_ENDING = ("SIGINT", "SIGTERM", "SIGHUP")
+"""Signals that do, as far as the system has them."""
+
+_LISTENING_MS = 200
+"""How often Python, which learns of signals between its own steps, gets to run beside Qt."""
 
 
 class Standing(QtWidgets.QMainWindow):
@@ -70,6 +80,9 @@ def show(path: Path, page: int = 1, failed: tuple[FailedSheet, ...] = ()) -> int
         path: of the sheet that is shown first.
         page: of a file with pages.
         failed: sheets of a batch to step through.
+
+    Returns:
+        The exit status: 130 where a signal closed it.
     """
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
     translator = QtCore.QTranslator(application)
@@ -78,4 +91,18 @@ def show(path: Path, page: int = 1, failed: tuple[FailedSheet, ...] = ()) -> int
     window = Standing(failed)
     window.show()
     window.open(path, page)
-    return application.exec()
+    listening = QtCore.QTimer()
+    listening.timeout.connect(lambda: None)
+    listening.start(_LISTENING_MS)
+    before = {
+        number: signal.signal(number, lambda *_: application.exit(_STOPPED))
+        for name in _ENDING
+        if (number := getattr(signal, name, None)) is not None
+        and signal.getsignal(number) is not signal.SIG_IGN
+    }
+    try:
+        return application.exec()
+    finally:
+        window.close()
+        for number, handler in before.items():
+            signal.signal(number, handler)

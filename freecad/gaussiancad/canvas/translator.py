@@ -8,7 +8,7 @@ from pathlib import Path
 
 from freecad.gaussiancad.qt import QtCore
 
-_TRANSLATIONS = Path(__file__).resolve().parents[3] / "resources" / "translations"
+_TRANSLATIONS = Path(__file__).resolve().parents[1] / "translations"
 
 
 def load_language(translator: QtCore.QTranslator, languages: Sequence[str]) -> bool:

@@ -16,7 +16,7 @@ from pathlib import Path
 from freecad.gaussiancad.engine.environment import clean_environment
 from freecad.gaussiancad.engine.events import LineBuffer
 from freecad.gaussiancad.engine.locate import MARKER, interpreter_of
-from freecad.gaussiancad.engine.locks import TorchBuild, entries, normalised, pins
+from freecad.gaussiancad.engine.locks import EngineBuild, entries, normalised, pins
 from freecad.gaussiancad.engine.managed import digest_of
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.paths import CORE
@@ -76,11 +76,11 @@ class Installer:
     Args:
         base: a Python of the system.
         root: where the environment is.
-        build: of PyTorch.
+        build: of the engine.
         watcher: who is told.
     """
 
-    def __init__(self, base: str, root: Path, build: TorchBuild, watcher: InstallWatcher) -> None:
+    def __init__(self, base: str, root: Path, build: EngineBuild, watcher: InstallWatcher) -> None:
         self._base = base
         self._root = root
         self._before = root.with_name(root.name + _BEFORE)
@@ -196,9 +196,9 @@ class Installer:
         return self._venv("--clear")
 
     def _begin_packages(self, _succeeded: bool) -> Step | None:
-        if self._build is TorchBuild.CUDA:
-            return self._mend_packages()
-        return self._ask_for_cpu_build(self._after_own_indexes)
+        if self._build is EngineBuild.CPU:
+            return self._ask_for_cpu_build(self._after_own_indexes)
+        return self._mend_packages()
 
     def _ask_for_cpu_build(self, then: Callable[[bool], Step | None]) -> Step:
         """Ask pip whether it is offered PyTorch's small build, downloading nothing."""

@@ -194,7 +194,8 @@ class ReconstructJob:
         return [
             *("--projection", self.projection.value),
             *("--preset", self.preset.value),
-            *("--result", self.outcome.value),
+            # All that the engine is installed for needs no word: it says what it left out.
+            *(() if self.outcome is Outcome.BOTH else ("--result", self.outcome.value)),
             *("--recipe", self.recipe.value),
             *("--colour", self.colour),
             *("--page", str(self.page)),

@@ -11,11 +11,12 @@ from freecad.gaussiancad.paths import CORE
 _ENTRY = re.compile(r"([A-Za-z0-9][A-Za-z0-9._-]*)==([^\s;\\]+)\s*(;?)")
 
 
-class TorchBuild(Enum):
-    """The two builds of PyTorch that there are locks for."""
+class EngineBuild(Enum):
+    """The engines that there are locks for: by the build of PyTorch, or without it."""
 
     CPU = "cpu"
     CUDA = "cuda"
+    SOLID = "solid"
 
     @property
     def lock(self) -> Path:
@@ -38,9 +39,9 @@ class Pin:
     everywhere: bool
 
 
-def suggested_build() -> TorchBuild:
+def suggested_build() -> EngineBuild:
     """CUDA where an NVIDIA card's driver is seen, else the processor's."""
-    return TorchBuild.CUDA if shutil.which("nvidia-smi") else TorchBuild.CPU
+    return EngineBuild.CUDA if shutil.which("nvidia-smi") else EngineBuild.CPU
 
 
 def pins(lock_text: str) -> list[Pin]:

@@ -10,7 +10,7 @@ from enum import Enum
 from pathlib import Path
 
 from freecad.gaussiancad.engine.locate import MARKER, interpreter_of
-from freecad.gaussiancad.engine.locks import TorchBuild, normalised, pins
+from freecad.gaussiancad.engine.locks import EngineBuild, normalised, pins
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.paths import CORE
@@ -33,13 +33,13 @@ class Managed:
 
     Attributes:
         condition: what is there.
-        build: of PyTorch, as far as it is known.
+        build: of the engine, as far as it is known.
         missing: packages that are not there, or in another version; their normalised names.
         size: bytes on disk.
     """
 
     condition: Condition
-    build: TorchBuild | None = None
+    build: EngineBuild | None = None
     missing: tuple[str, ...] = ()
     size: int = 0
 
@@ -53,7 +53,7 @@ def look_at(root: Path) -> Managed:
     if not root.is_dir():
         return Managed(Condition.ABSENT)
     facts = _facts(root)
-    build = next((one for one in TorchBuild if one.value == facts.get("build")), None)
+    build = next((one for one in EngineBuild if one.value == facts.get("build")), None)
     size = size_of(root)
     if build is None or interpreter_of(root) is None:
         return Managed(Condition.INCOMPLETE, build, size=size)
@@ -70,7 +70,7 @@ def engine_version() -> str:
     return found[1] if found is not None else "?"
 
 
-def digest_of(build: TorchBuild) -> str:
+def digest_of(build: EngineBuild) -> str:
     """What tells one lock from another."""
     return hashlib.sha256(build.lock.read_bytes()).hexdigest()
 
@@ -132,7 +132,7 @@ def _facts(root: Path) -> dict[str, object]:
     return stated if isinstance(stated, dict) else {}
 
 
-def _missing(root: Path, build: TorchBuild) -> tuple[str, ...]:
+def _missing(root: Path, build: EngineBuild) -> tuple[str, ...]:
     """The packages that every machine needs and that have left no trace of their version."""
     there: set[tuple[str, str]] = set()
     for pattern in ("lib/python*/site-packages/*.dist-info", "Lib/site-packages/*.dist-info"):

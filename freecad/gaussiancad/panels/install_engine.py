@@ -8,7 +8,7 @@ import FreeCADGui
 from freecad.gaussiancad.engine.base_python import find_base_python
 from freecad.gaussiancad.engine.installing import CPU_INDEX, Installer, InstallWatcher
 from freecad.gaussiancad.engine.locate import EngineSource, SearchPlaces, find_engine
-from freecad.gaussiancad.engine.locks import TorchBuild, suggested_build
+from freecad.gaussiancad.engine.locks import EngineBuild, suggested_build
 from freecad.gaussiancad.engine.managed import Condition, Managed, engine_version, look_at, remove
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
@@ -46,7 +46,7 @@ class InstallEngineDialog(QtWidgets.QDialog):
         self.headline = _label("headline")
         self.details = _label("details")
         card = suggested_build()
-        self.choice = BuildChoice(self._managed.build or card, card is TorchBuild.CUDA)
+        self.choice = BuildChoice(self._managed.build or card, card is EngineBuild.CUDA)
         self.choice.changed.connect(self._offer)
         self.bar = QtWidgets.QProgressBar()
         self.bar.setTextVisible(False)
@@ -189,8 +189,13 @@ def _condition_texts(managed: Managed, places: SearchPlaces) -> tuple[str, str]:
     """What is there, and what can be done about it."""
     if managed.condition is Condition.COMPLETE:
         headline = "\u2714 " + translate("GaussianCAD", "The engine is complete.")
-        text = translate(
-            "GaussianCAD", "Version {version} with PyTorch for {build}, {size} on disk in {folder}."
+        text = (
+            translate("GaussianCAD", "Version {version} for {build}, {size} on disk in {folder}.")
+            if managed.build is EngineBuild.SOLID
+            else translate(
+                "GaussianCAD",
+                "Version {version} with PyTorch for {build}, {size} on disk in {folder}.",
+            )
         )
         details = text.format(
             version=engine_version(),

@@ -1,9 +1,11 @@
 """CD, HD, EMD, point to surface and volume IoU on inputs whose answers are known."""
 
 from collections.abc import Callable
+from itertools import permutations
 
 import numpy as np
 import pytest
+from scipy.optimize import linprog
 
 from gaussiancad_core.comparison.distances import (
     IouMethod,
@@ -44,14 +46,24 @@ def test_equal_samples_are_at_distance_zero() -> None:
     assert found.emd == pytest.approx(0.0, abs=1e-12)
 
 
-def test_emd_equals_the_best_assignment() -> None:
-    from scipy.optimize import linear_sum_assignment
-    from scipy.spatial.distance import cdist
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("count", [1, 2, 5, 7])
+def test_emd_is_the_least_of_all_assignments(count: int, seed: int) -> None:
+    first, second = np.random.default_rng(seed).normal(size=(2, count, 3))
+    costs = np.linalg.norm(first[:, None] - second[None], axis=2)
+    least = min(costs[range(count), order].mean() for order in permutations(range(count)))
+    assert earth_movers_distance(first, second) == pytest.approx(least, rel=1e-12)
 
-    first, second = np.random.default_rng(1).normal(size=(2, 150, 3))
-    costs = cdist(first, second)
-    best = costs[linear_sum_assignment(costs)].mean()
-    assert earth_movers_distance(first, second) == pytest.approx(best)
+
+def test_emd_is_the_optimal_transport_of_equal_weights() -> None:
+    """No way of splitting the points' weights is shorter, as the linear program tells."""
+    count = 30
+    first, second = np.random.default_rng(1).normal(size=(2, count, 3))
+    costs = np.linalg.norm(first[:, None] - second[None], axis=2)
+    sums = [np.kron(np.eye(count), np.ones(count)), np.kron(np.ones(count), np.eye(count))]
+    weights = np.full(2 * count, 1.0 / count)
+    found = linprog(costs.ravel(), A_eq=np.vstack(sums), b_eq=weights)
+    assert earth_movers_distance(first, second) == pytest.approx(found.fun, rel=1e-9)
 
 
 def test_point_to_surface_of_nested_boxes(box: Callable[..., TriangleMesh]) -> None:

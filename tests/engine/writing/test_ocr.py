@@ -69,7 +69,7 @@ def test_the_extra_may_be_absent(monkeypatch: pytest.MonkeyPatch) -> None:
         raise PackageNotFoundError
 
     monkeypatch.setattr(ocr, "distribution", missing)
-    assert "pip install rapidocr" in ocr_problem()
+    assert 'pip install "gaussiancad-core[ocr]"' in ocr_problem()
 
 
 @needs_ocr

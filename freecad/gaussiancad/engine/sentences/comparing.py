@@ -88,7 +88,4 @@ REFUSALS = {
         "GaussianCAD",
         "The models differ too much in size to be compared. Check that these are the right ones.",
     ),
-    "emd-not-solved": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "The earth mover's distance could not be computed."
-    ),
 }

@@ -333,6 +333,11 @@ WARNINGS = {
         "GaussianCAD",
         "Lines that may be edges of the part or annotation: {count}. Look at them {canvas}.",
     ),
+    "surface-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The engine was installed for exact solids only: no surface was made. GaussianCAD > "
+        "Install Engine has one that makes both.",
+    ),
     "dimensions-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The dimensions on the sheet were not read, as the engine has no text recognition. Set a "

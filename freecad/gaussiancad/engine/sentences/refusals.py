@@ -86,10 +86,6 @@ FILES = {
     "batch-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD", "This is no report of a batch. Choose the one in the folder that it wrote."
     ),
-    "window-missing": QT_TRANSLATE_NOOP(
-        "GaussianCAD",
-        "Correct Sheet needs PySide6 in the engine's environment. Open it from FreeCAD instead.",
-    ),
     "no-report": QT_TRANSLATE_NOOP("GaussianCAD", "The run left no report. Run it again."),
     "damaged-report": QT_TRANSLATE_NOOP(
         "GaussianCAD", "The run's report is damaged. Run it again."
@@ -237,6 +233,11 @@ LIMITS = {
     "engine-incomplete": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The engine is incomplete. Choose GaussianCAD > Check Engine to see what to do.",
+    ),
+    "extra-missing": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The engine was installed without what this needs ({packages}). Choose GaussianCAD > "
+        "Install Engine, and there an engine with PyTorch.",
     ),
     "engine-died": QT_TRANSLATE_NOOP(
         "GaussianCAD",
