@@ -33,11 +33,11 @@ test-freecad-latest: install ## workbench and window in Debian's next FreeCAD (r
 	@sh tests/freecad_latest.sh
 
 bench: install ## the figures of the documentation: seconds and memory, and distance from the truth
-	@.venv/bin/python benchmarks/stages.py
-	@.venv/bin/python benchmarks/surface.py
+	@.venv/bin/python -m benchmarks stages
+	@.venv/bin/python -m benchmarks surface
 
 benchmark: install ## five methods on many sheets, ablations, one page; ARGS='--data DIR', see its --help
-	@.venv/bin/python benchmarks/benchmark.py $(ARGS)
+	@.venv/bin/python -m benchmarks benchmark $(ARGS)
 
 tutorial: install ## the pictures of the tutorial and the README anew, from FreeCAD's window
 	@.venv/bin/python scripts/tutorial_pictures.py

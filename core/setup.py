@@ -11,6 +11,7 @@ WINDOW = {
     "freecad.gaussiancad.engine": {
         "__init__",
         "events",
+        "protocol",
         "report",
         "summary",
         "verdict",

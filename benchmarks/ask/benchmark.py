@@ -48,9 +48,9 @@ from benchmarks.sheets.benchmark_parts import (
 )
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.modes import Preset
 from gaussiancad_core.processes.library_behaviour import prepare_environment, silence_opencascade
 from gaussiancad_core.samples.classed import PartClass
+from gaussiancad_protocol.modes import Preset
 
 MINUTES = 27
 

@@ -22,7 +22,6 @@ from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.model.cameras import PAPER_DISTANCE, Camera, orthographic_camera
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.samples import sample
 from gaussiancad_core.splatting.settings import (
     TrainingSettings,
@@ -30,6 +29,7 @@ from gaussiancad_core.splatting.settings import (
     training_settings,
 )
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_protocol.modes import Preset, Recipe
 
 MINUTES = 15
 

@@ -26,9 +26,9 @@ from benchmarks.sheets.exact_inputs import read_input
 from benchmarks.tasks.exact_work import falsely_verified, solved
 from gaussiancad_core.kernel.brep import bounding_box
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.modes import Status
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.samples.classed import PartClass
+from gaussiancad_protocol.modes import Status
 
 MINUTES = 20
 

@@ -29,12 +29,12 @@ from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.kernel.brep import moved_to_origin
 from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.surface.discs import DiscSampling
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_protocol.modes import Preset, Recipe
 
 MINUTES = 30
 

@@ -24,11 +24,11 @@ from benchmarks.run.outcome import Figure, Outcome, as_table
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.files.file_kinds import FileKind
 from gaussiancad_core.files.isolation import read_isolated
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run.read_run import read_to_file
+from gaussiancad_protocol.modes import ResultKind
 
 MINUTES = 3
 

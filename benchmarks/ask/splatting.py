@@ -27,7 +27,6 @@ from benchmarks.sheets.disturbed_views import cases, solid_mesh, views_of
 from benchmarks.tasks.splatting_kernels import run_kernels
 from benchmarks.tasks.splatting_scene import gradients, sphere, views, weights
 from gaussiancad_core.hull.visual_hull import visual_hull
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.report.run_report import peak_memory_mb
 from gaussiancad_core.samples import sample
 from gaussiancad_core.splatting.rasterizer import (
@@ -37,6 +36,7 @@ from gaussiancad_core.splatting.rasterizer import (
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.splatting.tiles import warm_up
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_protocol.modes import Preset, Recipe
 
 MINUTES = 15
 

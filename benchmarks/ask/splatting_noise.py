@@ -21,7 +21,6 @@ from benchmarks.sheets.disturbed_views import Case, cases, solid_mesh, views_of
 from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.samples import sample
 from gaussiancad_core.splatting.settings import (
     TrainingSettings,
@@ -30,6 +29,7 @@ from gaussiancad_core.splatting.settings import (
 )
 from gaussiancad_core.surface.mesh_shadows import silhouette_difference
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_protocol.modes import Preset, Recipe
 
 MINUTES = 30
 

@@ -31,7 +31,6 @@ from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.kernel.brep import moved_to_origin, tessellate
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.meshes import TriangleMesh
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.image.colouring import coloured
@@ -42,6 +41,7 @@ from gaussiancad_core.sheet.views.role_score import Drawings, arrange
 from gaussiancad_core.sheet.views.sheet_layout import view_clusters
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_protocol.modes import Preset, Recipe
 
 MINUTES = 20
 

@@ -33,7 +33,7 @@ from benchmarks.run.outcome import Figure, Outcome, as_table, share
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import Row
 from benchmarks.verified.verified_work import Source, Task, worked
-from gaussiancad_core.modes import Status
+from gaussiancad_protocol.modes import Status
 
 MINUTES = 120
 

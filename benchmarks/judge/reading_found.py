@@ -14,7 +14,6 @@ from gaussiancad_core.evidence.projection_choice import both_readings
 from gaussiancad_core.lines.strokes import DrawnStroke, turned
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.processes.events import Progress, Silence
 from gaussiancad_core.recognition.views_and_lines import SheetLines, read_lines
 from gaussiancad_core.report.job import Job
@@ -29,6 +28,7 @@ from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.registration.view_registration import scaled
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
 from gaussiancad_core.sketch.projection_by_sketch import weigh
+from gaussiancad_protocol.modes import ResultKind
 
 
 @dataclass(frozen=True)

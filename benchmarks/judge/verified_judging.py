@@ -24,9 +24,9 @@ from benchmarks.judge.displacements import displacements
 from benchmarks.judge.exact_measures import solid_iou
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import faces_of, soundness
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.same import same_solid
+from gaussiancad_protocol.modes import Status
 
 FAR = 3.0
 """Bounds beyond which a face is another one."""

@@ -16,9 +16,9 @@ from benchmarks.ask.splatting_noise import COLUMNS, measured
 from benchmarks.run.workers import FIRST, SOLVE, Row
 from benchmarks.sheets.disturbed_views import cases, solid_mesh
 from benchmarks.sheets.styled_sheets import Job
-from gaussiancad_core.modes import Preset
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.reading_options import Finder, ReadingOptions
+from gaussiancad_protocol.modes import Preset
 
 _PREPARING_S = 120.0
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from benchmarks.methods.benchmark_runs import Method
 from benchmarks.run.workers import Row
-from gaussiancad_core.modes import Status
+from gaussiancad_protocol.modes import Status
 
 NONE = "–"
 

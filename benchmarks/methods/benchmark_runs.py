@@ -26,13 +26,13 @@ from gaussiancad_core.comparison.model_files import Model, read_model
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.kernel.brep import bounding_box, read_solid, write_step
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, Status
 from gaussiancad_core.pictures.preview import PreviewSize, render_preview
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run.pipeline import reconstruct
 from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_protocol.modes import Device, Preset, Recipe, ResultKind, Status
 
 SCRATCH = "scratch"
 """Folder for what a task needs while it runs; what an ended process left there may be removed."""

@@ -8,7 +8,7 @@ from benchmarks.methods.benchmark_records import NONE, Record, Table, cell, medi
 from benchmarks.methods.benchmark_runs import Method
 from gaussiancad_core.comparison.deepcad import DeepCadResult, summarise_deepcad
 from gaussiancad_core.comparison.distances import IouMethod, VolumeIou
-from gaussiancad_core.modes import Status
+from gaussiancad_protocol.modes import Status
 
 _PAPER = ("chamfer", "hausdorff", "emd")
 

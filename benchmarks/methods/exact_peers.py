@@ -8,7 +8,7 @@ from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.model.cameras import orthographic_camera
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset, Recipe
+from gaussiancad_protocol.modes import Preset, Recipe
 
 _CAMERA_PX = 600
 

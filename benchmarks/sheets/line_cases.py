@@ -19,7 +19,6 @@ from gaussiancad_core.evidence.dimension_evidence import told_numbers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.evidence.projected_reading import Reading
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.processes.events import Progress, Silence
 from gaussiancad_core.recognition.load_sheet import open_sheet
 from gaussiancad_core.recognition.views_and_lines import with_unseen
@@ -28,6 +27,7 @@ from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.run.read_run import STAGES, sheet_lines
 from gaussiancad_core.run.registering_stage import registered_lines
+from gaussiancad_protocol.modes import ResultKind
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,8 +26,8 @@ from benchmarks.run.workers import FIRST, SOLVE, Row
 from benchmarks.sheets.exact_inputs import FILE_KINDS, InputKind, make_input
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.model.meshes import TriangleMesh
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import ExactResult
+from gaussiancad_protocol.modes import Status
 
 CLOSE_IOU = 0.98
 """From here on a solid with the right number of faces is the truth but for its measures."""

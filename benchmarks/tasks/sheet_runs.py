@@ -6,11 +6,11 @@ from random import Random
 
 from benchmarks.run.workers import Row
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run.pipeline import REPORT_FILE, reconstruct
 from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_protocol.modes import ResultKind
 
 _FIRST_ANGLE = 0.35
 """Share of the sheets that are in first angle."""

@@ -26,8 +26,8 @@ from gaussiancad_core.kernel.brep import area, volume
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Segment
-from gaussiancad_core.modes import Status
 from gaussiancad_core.run.exact_stage import ExactModel
+from gaussiancad_protocol.modes import Status
 
 _ELSEWHERE = 1e-5
 """Share by which volume and area of a solid may differ where it was computed elsewhere in space:

@@ -29,11 +29,11 @@ from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.kernel.brep import read_solid
 from gaussiancad_core.model.axes import Axis, Projection, Role
-from gaussiancad_core.modes import ResultKind, Status
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run.pipeline import REPORT_FILE, reconstruct
 from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_protocol.modes import ResultKind, Status
 
 _DXF_ROLES = {Role.FRONT, Role.TOP, Role.RIGHT}
 

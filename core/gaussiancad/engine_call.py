@@ -29,6 +29,7 @@ from gaussiancad_core.errors import (
     UsageError,
 )
 from gaussiancad_core.messages import filled
+from gaussiancad_protocol.codes import Code
 
 PYTHON_VARIABLE = "GAUSSIANCAD_PYTHON"
 """Environment variable that names the engine's interpreter, as for the workbench."""
@@ -88,7 +89,10 @@ class EndedCommand:
         message, _, code = last.removeprefix("gaussiancad: ").rpartition(" [")
         if message and code.endswith("]"):
             return code[:-1], message
-        return "engine-broken", f"the engine ended with {self.exit_code} ({last or 'no message'})"
+        return (
+            Code.ENGINE_BROKEN,
+            f"the engine ended with {self.exit_code} ({last or 'no message'})",
+        )
 
 
 def engine_python() -> str:
@@ -105,7 +109,7 @@ def engine_python() -> str:
     if named:
         if not os.access(named, os.X_OK) or Path(named).is_dir():
             raise EngineError(
-                "engine-missing",
+                Code.ENGINE_MISSING,
                 "{variable} names {path}, which is no interpreter: correct or unset it",
                 variable=PYTHON_VARIABLE,
                 path=named,
@@ -117,7 +121,7 @@ def engine_python() -> str:
     if path.is_file():
         return str(path)
     raise EngineError(
-        "engine-missing",
+        Code.ENGINE_MISSING,
         "this Python ({python}) lacks the engine's libraries: pip install gaussiancad-core, or "
         "name an interpreter that has them in {variable}",
         python=sys.executable or "unknown",
@@ -150,7 +154,7 @@ def run_command(arguments: Sequence[str], progress: Progress | None = None) -> E
             )
         except OSError as error:
             raise EngineError(
-                "engine-broken",
+                Code.ENGINE_BROKEN,
                 "the engine cannot be started ({reason}): run `gaussiancad doctor`",
                 reason=error.strerror or error,
             ) from error

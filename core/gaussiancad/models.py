@@ -10,6 +10,7 @@ from gaussiancad.engine_call import run_command
 from gaussiancad.options import PathLike, options, path_of
 from gaussiancad.part_result import SOLID_FILE, Result
 from gaussiancad_core.errors import ExitCode, UnreadableError
+from gaussiancad_protocol.codes import Code
 
 _MESH_FILES = ("surface.stl", "hull.stl")
 """What is compared of a result without a solid, the first that is there."""
@@ -127,6 +128,8 @@ def _model(model: Result | PathLike) -> str:
     found = next((model.folder / name for name in names if (model.folder / name).is_file()), None)
     if found is None:
         raise UnreadableError(
-            "no-model-file", "the result has no model: its status is {status}", status=model.status
+            Code.NO_MODEL_FILE,
+            "the result has no model: its status is {status}",
+            status=model.status,
         )
     return str(found)

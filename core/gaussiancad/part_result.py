@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from gaussiancad.options import PathLike
 from gaussiancad_core.errors import EngineError
+from gaussiancad_protocol.codes import Code
 
 if TYPE_CHECKING:
     from OCP.TopoDS import TopoDS_Shape
@@ -97,7 +98,7 @@ class Result:
             from gaussiancad_core.kernel.brep import read_solid
         except ImportError as error:
             raise EngineError(
-                "engine-missing",
+                Code.ENGINE_MISSING,
                 "this Python lacks {library}: import the file {path} with a program that reads "
                 "STEP, or call from the engine's Python",
                 library=error.name or "OCP",
@@ -118,7 +119,7 @@ class Result:
             from build123d import Compound, Solid
         except ImportError as error:
             raise EngineError(
-                "extra-missing",
+                Code.EXTRA_MISSING,
                 "{library} is not installed: pip install {library}",
                 library="build123d",
             ) from error

@@ -9,6 +9,7 @@ import errno
 from enum import IntEnum
 
 from gaussiancad_core.messages import Message
+from gaussiancad_protocol.codes import Code
 
 
 class ExitCode(IntEnum):
@@ -121,7 +122,7 @@ def out_of_files(error: BaseException) -> LimitError | None:
         by_loader = isinstance(cause, ImportError) and _NO_FILES_SAID in str(cause)
         if by_loader or getattr(cause, "errno", None) in _NO_FILES:
             return LimitError(
-                "too-many-open-files",
+                Code.TOO_MANY_OPEN_FILES,
                 "the system lets the engine open no more files: raise that limit (`ulimit -n`, "
                 "or that of the whole system), or close other programs, then retry",
             )

@@ -15,7 +15,8 @@ from freecad.gaussiancad.batch_bodies import NO_SOLID, NOT_ADDED, BodyMaker
 from freecad.gaussiancad.batch_report import BodyOutcome, SheetRow
 from freecad.gaussiancad.batch_stop import BatchStopped
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.report import Status, read_report
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
 from freecad.gaussiancad.objects.loading import LoadedRun, PartSource, load_run

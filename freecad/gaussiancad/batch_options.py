@@ -11,14 +11,12 @@ from typing import TypeVar
 from freecad.gaussiancad.engine.job import (
     BatchJob,
     BatchLimits,
-    Outcome,
-    Preset,
     Projection,
-    Recipe,
     ReconstructJob,
     Scale,
     ScaleKind,
 )
+from freecad.gaussiancad.engine.protocol import Preset, Recipe, ResultKind
 
 _Mode = TypeVar("_Mode", bound=Enum)
 
@@ -114,7 +112,7 @@ def _parser() -> argparse.ArgumentParser:
     for option, modes, default in (
         ("--projection", Projection, Projection.AUTO),
         ("--preset", Preset, Preset.STANDARD),
-        ("--result", Outcome, Outcome.BOTH),
+        ("--result", ResultKind, ResultKind.BOTH),
         ("--recipe", Recipe, Recipe.ORTHOGRAPHIC),
     ):
         parser.add_argument(

@@ -8,9 +8,10 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.gaussiancad import paths
-from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
+from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun
+from freecad.gaussiancad.engine.protocol import ResultKind
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.reconstruction import new_reconstruction
@@ -56,7 +57,7 @@ class Installation(unittest.TestCase):
             self.skipTest(str(error))
         with tempfile.TemporaryDirectory() as folder:
             sheet = paths.ADDON_ROOT / "resources" / "samples" / "l-bracket.png"
-            job = ReconstructJob(str(sheet), folder, outcome=Outcome.SOLID)
+            job = ReconstructJob(str(sheet), folder, outcome=ResultKind.SOLID)
             run = EngineRun(engine, job.arguments())
             run.start()
             self.assertIs(run.wait().state, RunState.DONE)

@@ -10,9 +10,10 @@ from pathlib import Path
 
 import FreeCAD
 
-from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
+from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun
+from freecad.gaussiancad.engine.protocol import ResultKind
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.loading import load_run
@@ -57,7 +58,7 @@ def _reconstruct(sheet: Path, document: FreeCAD.Document) -> None:
     engine = find_engine(places)
     with tempfile.TemporaryDirectory(prefix="gaussiancad-") as folder:
         scratch = Path(folder)
-        job = ReconstructJob(str(sheet), str(scratch / "run"), outcome=Outcome.SOLID)
+        job = ReconstructJob(str(sheet), str(scratch / "run"), outcome=ResultKind.SOLID)
         run = EngineRun(engine, job.arguments())
         run.start()
         result = run.wait()

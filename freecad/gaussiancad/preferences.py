@@ -6,7 +6,8 @@ from typing import TypeVar
 
 import FreeCAD
 
-from freecad.gaussiancad.engine.job import Outcome, Preset, Projection
+from freecad.gaussiancad.engine.job import Projection
+from freecad.gaussiancad.engine.protocol import Preset, ResultKind
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/GaussianCAD"
 
@@ -31,7 +32,7 @@ class Preferences:
     engine_python: str
     preset: Preset
     projection: Projection
-    outcome: Outcome
+    outcome: ResultKind
     output_folder: str
     view_planes: bool
 
@@ -43,7 +44,7 @@ def read_preferences() -> Preferences:
         group.GetString("EnginePython", ""),
         _mode(Preset, group.GetInt("Preset", 1), Preset.STANDARD),
         _mode(Projection, group.GetInt("Projection", 0), Projection.AUTO),
-        _mode(Outcome, group.GetInt("Outcome", 0), Outcome.BOTH),
+        _mode(ResultKind, group.GetInt("ResultKind", 0), ResultKind.BOTH),
         group.GetString("OutputFolder", ""),
         group.GetBool("ViewPlanes", True),
     )

@@ -13,8 +13,9 @@ from typing import TypeVar
 
 import FreeCAD
 
-from freecad.gaussiancad.engine.job import Outcome, Preset, Projection, Recipe, ReconstructJob
+from freecad.gaussiancad.engine.job import Projection, ReconstructJob
 from freecad.gaussiancad.engine.paper_effort import LARGEST_SCALE_DOWN
+from freecad.gaussiancad.engine.protocol import Preset, Recipe, ResultKind
 from freecad.gaussiancad.preferences import GROUP, Preferences
 
 LAST = f"{GROUP}/LastReconstruction"
@@ -37,7 +38,7 @@ class Choices:
 
     projection: Projection
     preset: Preset
-    outcome: Outcome
+    outcome: ResultKind
     recipe: Recipe = Recipe.ORTHOGRAPHIC
     scale_down: int | None = None
     colour: str = ReconstructJob.colour
@@ -53,7 +54,7 @@ def starting_choices(preferences: Preferences) -> Choices:
     return Choices(
         _mode(_word("Projection", preferences.projection.value), preferences.projection),
         _mode(_word("Preset", preferences.preset.value), preferences.preset),
-        _mode(_word("Outcome", preferences.outcome.value), preferences.outcome),
+        _mode(_word("ResultKind", preferences.outcome.value), preferences.outcome),
         _mode(group.GetString("Recipe", ""), Recipe.ORTHOGRAPHIC),
         scale_down if 1 <= scale_down <= LARGEST_SCALE_DOWN else None,
         colour if _is_colour(colour) else ReconstructJob.colour,
@@ -68,7 +69,7 @@ def remember(choices: Choices, preferences: Preferences) -> None:
     for name, chosen, preferred in (
         ("Projection", choices.projection.value, preferences.projection.value),
         ("Preset", choices.preset.value, preferences.preset.value),
-        ("Outcome", choices.outcome.value, preferences.outcome.value),
+        ("ResultKind", choices.outcome.value, preferences.outcome.value),
         ("OutputFolder", choices.output_folder, preferences.output_folder),
     ):
         group.SetString(name, chosen)

@@ -4,7 +4,8 @@ import FreeCAD
 import FreeCADGui
 from window import WindowCase, spin, widget
 
-from freecad.gaussiancad.engine.job import Outcome, Preset, Projection, ScaleKind
+from freecad.gaussiancad.engine.job import Projection, ScaleKind
+from freecad.gaussiancad.engine.protocol import Preset, ResultKind
 from freecad.gaussiancad.panels.reconstruct import ReconstructPanel
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.preferences import GROUP, read_preferences
@@ -81,14 +82,14 @@ class Settings(WindowCase):
     def test_what_was_chosen_comes_back_but_not_what_belongs_to_the_sheet(self) -> None:
         form = self.opened()
         self.choose_sheet(self.sheet)
-        form.outcome.choose(Outcome.SOLID)
+        form.outcome.choose(ResultKind.SOLID)
         form.projection.choose(Projection.FIRST)
         form.colour.set_colour("#102030")
         form.scale.choose(ScaleKind.LENGTH_Z)
         button = self.start()
         self.wait_for(button.isEnabled)
         again = self.opened()
-        self.assertEqual(again.choices, form_choices(Outcome.SOLID, Projection.FIRST, "#102030"))
+        self.assertEqual(again.choices, form_choices(ResultKind.SOLID, Projection.FIRST, "#102030"))
         self.assertIs(again.scale.mode, ScaleKind.UNKNOWN)
         self.assertEqual(again.page.value(), 1)
 
@@ -111,22 +112,22 @@ class Settings(WindowCase):
 
     def test_a_changed_preference_counts_more_than_what_was_chosen_before(self) -> None:
         group = FreeCAD.ParamGet(GROUP)
-        chosen = form_choices(Outcome.SURFACE, Projection.FIRST, "#405060")
+        chosen = form_choices(ResultKind.SURFACE, Projection.FIRST, "#405060")
         remember(chosen, read_preferences())
         self.assertEqual(starting_choices(read_preferences()), chosen)
-        group.SetInt("Outcome", 1)
-        expected = form_choices(Outcome.SOLID, Projection.FIRST, "#405060")
+        group.SetInt("ResultKind", 1)
+        expected = form_choices(ResultKind.SOLID, Projection.FIRST, "#405060")
         self.assertEqual(starting_choices(read_preferences()), expected)
 
     def test_what_is_damaged_counts_as_never_chosen(self) -> None:
-        remember(form_choices(Outcome.SOLID, Projection.FIRST, "#102030"), read_preferences())
+        remember(form_choices(ResultKind.SOLID, Projection.FIRST, "#102030"), read_preferences())
         last = FreeCAD.ParamGet(LAST)
-        last.SetString("Outcome", "everything")
+        last.SetString("ResultKind", "everything")
         last.SetString("Recipe", "cake")
         last.SetString("Colour", "red")
         last.SetInt("ScaleDown", -4)
         start = starting_choices(read_preferences())
-        self.assertEqual(start, Choices(Projection.FIRST, Preset.STANDARD, Outcome.BOTH))
+        self.assertEqual(start, Choices(Projection.FIRST, Preset.STANDARD, ResultKind.BOTH))
 
     def test_views_are_added_unless_the_preferences_say_no(self) -> None:
         FreeCAD.ParamGet(GROUP).SetBool("ViewPlanes", False)
@@ -139,7 +140,7 @@ class Settings(WindowCase):
         self.assertNotIn("Image::ImagePlane", kinds)
 
 
-def form_choices(outcome: Outcome, projection: Projection, colour: str) -> Choices:
+def form_choices(outcome: ResultKind, projection: Projection, colour: str) -> Choices:
     return Choices(projection, Preset.STANDARD, outcome, colour=colour)
 
 

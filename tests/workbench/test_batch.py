@@ -24,7 +24,8 @@ from freecad.gaussiancad import batch, batch_documents
 from freecad.gaussiancad.batch import main
 from freecad.gaussiancad.batch_options import parse_options
 from freecad.gaussiancad.batch_report import SheetRow
-from freecad.gaussiancad.engine.job import Preset, Recipe, ScaleKind
+from freecad.gaussiancad.engine.job import ScaleKind
+from freecad.gaussiancad.engine.protocol import Preset, Recipe
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.paths import ADDON_ROOT

@@ -2,16 +2,8 @@
 
 import unittest
 
-from freecad.gaussiancad.engine.job import (
-    CompareJob,
-    Outcome,
-    Preset,
-    Projection,
-    Recipe,
-    ReconstructJob,
-    Scale,
-    ScaleKind,
-)
+from freecad.gaussiancad.engine.job import CompareJob, Projection, ReconstructJob, Scale, ScaleKind
+from freecad.gaussiancad.engine.protocol import Preset, Recipe, ResultKind
 
 
 class Arguments(unittest.TestCase):
@@ -21,7 +13,7 @@ class Arguments(unittest.TestCase):
             "out",
             Projection.FIRST,
             Preset.FINE,
-            Outcome.SOLID,
+            ResultKind.SOLID,
             Recipe.PAPER,
             Scale(ScaleKind.LENGTH_Y, 12.5),
             "#102030",
@@ -39,9 +31,9 @@ class Arguments(unittest.TestCase):
     def test_what_the_engine_is_installed_for_needs_no_word(self) -> None:
         named = {
             outcome: ReconstructJob("a", "b", outcome=outcome).options().count("--result")
-            for outcome in Outcome
+            for outcome in ResultKind
         }
-        self.assertEqual(named, {Outcome.BOTH: 0, Outcome.SOLID: 1, Outcome.SURFACE: 1})
+        self.assertEqual(named, {ResultKind.BOTH: 0, ResultKind.SOLID: 1, ResultKind.SURFACE: 1})
 
     def test_scales(self) -> None:
         self.assertEqual(Scale().arguments(), [])
@@ -100,7 +92,7 @@ class Told(unittest.TestCase):
             "out",
             Projection.FIRST,
             Preset.FINE,
-            Outcome.SOLID,
+            ResultKind.SOLID,
             Recipe.PAPER,
             Scale(ScaleKind.LENGTH_Y, 12.5),
             "#102030",

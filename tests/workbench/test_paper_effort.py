@@ -2,12 +2,12 @@
 
 import unittest
 
-from freecad.gaussiancad.engine.job import Preset
 from freecad.gaussiancad.engine.paper_effort import (
     LARGEST_SCALE_DOWN,
     paper_effort,
     usual_scale_down,
 )
+from freecad.gaussiancad.engine.protocol import Preset
 
 
 class Effort(unittest.TestCase):

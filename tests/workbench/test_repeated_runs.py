@@ -9,8 +9,8 @@ import FreeCAD
 import Part
 from support import FolderCase, draw_sheet, run_fake
 
-from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
-from freecad.gaussiancad.engine.report import Status
+from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.engine.protocol import ResultKind, Status
 from freecad.gaussiancad.objects.early_part import complete, leave, show_early
 from freecad.gaussiancad.objects.known_sheets import group_of, reconstruction_among, sheet_of
 from freecad.gaussiancad.objects.loading import LoadedRun, load_run
@@ -40,7 +40,7 @@ class Repeated(FolderCase):
 
     def finished(self, behaviour: str, sheet: Path | None = None, page: int = 1) -> LoadedRun:
         self.behave(behaviour)
-        outcome = Outcome.SURFACE if behaviour == "surface" else Outcome.BOTH
+        outcome = ResultKind.SURFACE if behaviour == "surface" else ResultKind.BOTH
         folder = str(self.folder / behaviour)
         shutil.rmtree(folder, ignore_errors=True)
         job = ReconstructJob(str(sheet or self.sheet), folder, outcome=outcome, page=page)

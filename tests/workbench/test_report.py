@@ -6,7 +6,8 @@ from fake_engine import report as fake_report
 from fake_part import BOXES, MM_PER_PIXEL
 from support import FolderCase
 
-from freecad.gaussiancad.engine.report import Remark, Status, read_comparison, read_report
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import Remark, read_comparison, read_report
 from freecad.gaussiancad.engine.summary import report_lines
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 

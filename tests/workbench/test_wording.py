@@ -4,6 +4,7 @@ import ast
 import re
 import unittest
 
+from freecad.gaussiancad.engine.protocol import Code
 from freecad.gaussiancad.engine.sentences import ALTERNATIVES, SENTENCES
 from freecad.gaussiancad.engine.wording import (
     Place,
@@ -16,7 +17,6 @@ from freecad.gaussiancad.engine.wording import (
 from freecad.gaussiancad.paths import ADDON_ROOT
 
 ENGINE = ADDON_ROOT / "core" / "gaussiancad_core"
-CODE = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 VALUE = re.compile(r"{(\w+)}")
 
 WORDED = (
@@ -61,11 +61,9 @@ def sent_values() -> dict[str, set[str]]:
 
 def _codes(nodes: object) -> set[str]:
     return {
-        node.value
+        Code[node.attr].value
         for node in nodes
-        if isinstance(node, ast.Constant)
-        and isinstance(node.value, str)
-        and CODE.fullmatch(node.value)
+        if isinstance(node, ast.Attribute) and getattr(node.value, "id", "") == "Code"
     }
 
 
@@ -89,7 +87,8 @@ class Sentences(unittest.TestCase):
         sources = "\n".join(path.read_text(encoding="utf-8") for path in ENGINE.rglob("*.py"))
         for key in (*SENTENCES, *ALTERNATIVES):
             for word in key.split(":"):
-                self.assertIn(f'"{word}"', sources, key)
+                member = f"Code.{word.upper().replace('-', '_')}"
+                self.assertTrue(f'"{word}"' in sources or member in sources, key)
 
     def test_their_places_are_among_the_values_that_are_sent(self) -> None:
         sent = sent_values()

@@ -11,6 +11,7 @@ from pathlib import Path
 from gaussiancad_core.errors import LimitError, UsageError
 from gaussiancad_core.report.job import Job, corrections_beside
 from gaussiancad_core.storage.plain_files import check_plain
+from gaussiancad_protocol.codes import Code
 
 SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", ".pdf", ".svg", ".svgz", ".dxf")
@@ -65,7 +66,7 @@ def collect_sheets(named: Iterable[str], job: Job, job_of: JobOf) -> list[BatchS
             )
             found.setdefault(os.path.abspath(sheet.path), replace(sheet, job=this_job))
     if not found:
-        raise UsageError("no-sheets", "no drawing was found: name files, folders, or a table")
+        raise UsageError(Code.NO_SHEETS, "no drawing was found: name files, folders, or a table")
     return list(found.values())
 
 
@@ -106,11 +107,11 @@ def _in_table(table: Path, job_of: JobOf) -> Iterator[BatchSheet]:
             rows = list(csv.DictReader(file, strict=True))
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise UsageError(
-            "table-unreadable", f"{table} cannot be read as a CSV table: {error}"
+            Code.TABLE_UNREADABLE, f"{table} cannot be read as a CSV table: {error}"
         ) from error
     if len(rows) > _MOST_ROWS:
         raise LimitError(
-            "too-many-elements",
+            Code.TOO_MANY_ELEMENTS,
             "{path} has {count:,} lines, at most {most:,} are taken: make several tables of it",
             case="table",
             path=table,
@@ -123,7 +124,7 @@ def _in_table(table: Path, job_of: JobOf) -> Iterator[BatchSheet]:
         place = f"{table}, line {number}"
         if None in row or not row.get(_SHEET):
             raise UsageError(
-                "table-unreadable",
+                Code.TABLE_UNREADABLE,
                 f"{place}: each line needs a path in the column '{_SHEET}', and no more cells than "
                 "the first line has",
             )

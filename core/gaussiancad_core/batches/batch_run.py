@@ -21,13 +21,14 @@ from gaussiancad_core.batches.batch_table import REPORT_FILE, BatchRow, table_by
 from gaussiancad_core.batches.job_arguments import job_arguments
 from gaussiancad_core.batches.manifest import MANIFEST_FILE, Key, Manifest
 from gaussiancad_core.errors import CancelledError, ExitCode, LimitError, UsageError
-from gaussiancad_core.modes import Status
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, Supervisor
 from gaussiancad_core.storage.outputs import REPORT_FILE as SHEET_REPORT
 from gaussiancad_core.storage.outputs import os_error
 from gaussiancad_core.storage.resume_check import finished_report, sha256
 from gaussiancad_core.storage.single_file import write_whole
 from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import Status
 
 if TYPE_CHECKING:
     from gaussiancad_core.batches.cluster import Cluster
@@ -165,7 +166,7 @@ def run_batch(sheets: Sequence[BatchSheet], settings: BatchSettings, tell: Tell)
     for name in (_LOCK_FILE, MANIFEST_FILE, f"{MANIFEST_FILE}-journal"):
         if (output / name).is_symlink():
             raise UsageError(
-                "output-is-link",
+                Code.OUTPUT_IS_LINK,
                 f"{output / name} is a link to elsewhere: remove it, or choose another --output",
             )
     with _alone(output):
@@ -183,7 +184,7 @@ def _alone(output: Path) -> Iterator[None]:
         lock.acquire(blocking=False)
     except Timeout:
         raise UsageError(
-            "batch-running",
+            Code.BATCH_RUNNING,
             f"another batch writes to {output}: wait for it, or choose another --output",
         ) from None
     except OSError as error:
@@ -282,9 +283,9 @@ class _Batch:
         row = place.row(status, bound, ended)
         self._manifest.note(place.key, row, ended)
         self._done(row, count)
-        self._full_disks = self._full_disks + 1 if row.code == "disk-full" else 0
+        self._full_disks = self._full_disks + 1 if row.code == Code.DISK_FULL else 0
         if self._full_disks == _FULL_DISKS:
-            raise LimitError("disk-full", f"{row.message}; the batch goes on with --resume")
+            raise LimitError(Code.DISK_FULL, f"{row.message}; the batch goes on with --resume")
 
     def _done(self, row: BatchRow, count: int, *, kept: bool = False) -> None:
         self._rows[row.name] = row

@@ -18,6 +18,7 @@ from gaussiancad_core import __version__
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, run_limited
 from gaussiancad_core.storage.extras import Extra, demand
+from gaussiancad_protocol.codes import Code
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -162,7 +163,7 @@ def _connected(address: str) -> "Client":
     except (OSError, ValueError, TypeError) as error:
         reason = " ".join(str(error).split())[:200]
         raise UsageError(
-            "scheduler-unreachable",
+            Code.SCHEDULER_UNREACHABLE,
             f"no Dask scheduler answers at {address} ({reason}): start one, or check the address",
         ) from error
 
@@ -173,13 +174,13 @@ def _check(client: "Client", address: str, folder: Path) -> None:
     others = client.run(engine_here)
     if not others:
         raise UsageError(
-            "scheduler-without-workers",
+            Code.SCHEDULER_WITHOUT_WORKERS,
             f"the scheduler at {address} has no workers: start some, with this engine installed",
         )
     for worker, found in others.items():
         if (found[0], list(found[1])) != this_engine_here:
             raise UsageError(
-                "scheduler-differs",
+                Code.SCHEDULER_DIFFERS,
                 f"the worker at {worker} has another engine, or other packages for it: results "
                 "would differ; install the same lock everywhere",
             )
@@ -193,7 +194,7 @@ def _check(client: "Client", address: str, folder: Path) -> None:
     for worker, text in seen.items():
         if text != token:
             raise UsageError(
-                "folder-not-shared",
+                Code.FOLDER_NOT_SHARED,
                 f"the worker at {worker} does not see {probe.parent}: put sheets and output into a "
                 "folder that all machines have under one name",
             )

@@ -18,6 +18,7 @@ from gaussiancad_core.batches.batch_table import BatchRow
 from gaussiancad_core.errors import ExitCode, LimitError, UsageError
 from gaussiancad_core.processes.supervisor import Ended
 from gaussiancad_core.storage.resume_check import sha256
+from gaussiancad_protocol.codes import Code
 
 MANIFEST_FILE = "manifest.sqlite"
 
@@ -178,10 +179,10 @@ def _put_aside(path: Path) -> None:
 def _unusable(path: Path, error: sqlite3.Error) -> UsageError | LimitError:
     if "full" in str(error):
         return LimitError(
-            "disk-full", f"no space left on the disk of {path}: free some, then --resume"
+            Code.DISK_FULL, f"no space left on the disk of {path}: free some, then --resume"
         )
     return UsageError(
-        "output-not-writable", f"cannot write {path} ({error}): choose another output folder"
+        Code.OUTPUT_NOT_WRITABLE, f"cannot write {path} ({error}): choose another output folder"
     )
 
 

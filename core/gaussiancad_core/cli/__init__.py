@@ -33,6 +33,7 @@ from gaussiancad_core.processes.events import (
     open_event_stream,
 )
 from gaussiancad_core.processes.library_behaviour import prepare_environment
+from gaussiancad_protocol.codes import Code
 
 _REFUSED = {
     errno.ENAMETOOLONG,
@@ -100,14 +101,14 @@ def _meaning(
     if known is not None:
         return known
     if isinstance(error, KeyboardInterrupt):
-        return CancelledError("cancelled", "stopped by SIGINT")
+        return CancelledError(Code.CANCELLED, "stopped by SIGINT")
     if is_out_of_memory(error):
         return LimitError(
-            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller file"
+            Code.OUT_OF_MEMORY, "the memory does not suffice: use --preset draft or a smaller file"
         )
     if isinstance(error, ImportError):
         return EngineError(
-            "engine-incomplete",
+            Code.ENGINE_INCOMPLETE,
             "the engine is incomplete ({reason}): run `gaussiancad doctor`",
             reason=error,
         )
@@ -123,12 +124,12 @@ def _of_system(error: OSError) -> GaussianCadError | None:
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
         drop(sys.stdout)
         return LimitError(
-            "disk-full", "no space is left where the output is written: free some, then retry"
+            Code.DISK_FULL, "no space is left where the output is written: free some, then retry"
         )
     if error.filename is None or error.errno not in _REFUSED:
         return None
     return UsageError(
-        "path-not-usable",
+        Code.PATH_NOT_USABLE,
         "{path} cannot be used ({reason}): choose another name or folder",
         path=error.filename,
         reason=error.strerror,

@@ -14,6 +14,7 @@ from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.report.job import Job
+from gaussiancad_protocol.codes import Code
 
 if TYPE_CHECKING:
     from gaussiancad_core.batches.batch_run import SheetDone
@@ -161,4 +162,4 @@ class _LineParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> None:  # type: ignore[override]
         """Raise a usage error."""
-        raise UsageError("wrong-usage", message)
+        raise UsageError(Code.WRONG_USAGE, message)

@@ -16,6 +16,7 @@ from gaussiancad_core.comparison.comparison_options import (
 from gaussiancad_core.errors import ExitCode, GaussianCadError, UnreadableError
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.storage.extras import Extra, demand
+from gaussiancad_protocol.codes import Code
 
 _ALL = "all"
 
@@ -111,7 +112,7 @@ def _failure(exit_code: int, line: str) -> GaussianCadError:
         error.exit_code = ExitCode(exit_code)
         return error
     return UnreadableError(
-        "damaged-model",
+        Code.DAMAGED_MODEL,
         "the models cannot be compared ({reason}): one is damaged; export it again",
         reason=line,
     )

@@ -10,6 +10,7 @@ from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.readings.reading_files import open_corrections
 from gaussiancad_core.report.job import corrections_beside
 from gaussiancad_core.storage.extras import Extra, demand
+from gaussiancad_protocol.codes import Code
 
 _REPORTS = (".csv", ".json")
 """How the names of a batch's reports end."""
@@ -56,9 +57,9 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         failed = failed_sheets(options.sheet)
     except FileNotFoundError as error:
         text = f"{options.sheet} does not exist: check the name of the report"
-        raise UnreadableError("file-missing", text) from error
+        raise UnreadableError(Code.FILE_MISSING, text) from error
     except (OSError, ValueError) as error:
-        raise UnreadableError("batch-not-read", str(error)) from error
+        raise UnreadableError(Code.BATCH_NOT_READ, str(error)) from error
     if not failed:
         print("every sheet of this batch is verified")
         return ExitCode.DONE

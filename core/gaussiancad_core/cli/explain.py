@@ -10,6 +10,7 @@ from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.storage.plain_files import plain_bytes
+from gaussiancad_protocol.codes import Code
 
 _SCHEMAS = (2, "gaussiancad-reading/1", "gaussiancad-construction/1")
 """Of the files that are read: the report, the reading, the construction."""
@@ -41,7 +42,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
             lines = _of_run(options)
         except (KeyError, TypeError) as error:
             raise UnreadableError(
-                "damaged-report",
+                Code.DAMAGED_REPORT,
                 "{path} cannot be read: {reason}",
                 path=options.folder,
                 reason=error,
@@ -61,7 +62,7 @@ def _of_run(options: argparse.Namespace) -> list[str]:
         if options.view not in report["views"]:
             known = ", ".join(report["views"]) or "none"
             raise UsageError(
-                "unknown-view",
+                Code.UNKNOWN_VIEW,
                 "the sheet has no view {view}; it has: {known}",
                 view=options.view,
                 known=known,
@@ -86,7 +87,7 @@ def _of_sheet(options: argparse.Namespace) -> list[str]:
     from gaussiancad_core.run.read_run import read_to_file
 
     if options.view is not None:
-        raise UsageError("wrong-usage", "--view needs the output folder of a run, not a sheet")
+        raise UsageError(Code.WRONG_USAGE, "--view needs the output folder of a run, not a sheet")
     with tempfile.TemporaryDirectory() as folder:
         job = Job(options.folder, Path(folder), corrections=corrections_beside(options.folder))
         job.check()
@@ -106,15 +107,15 @@ def _values(path: Path) -> dict[str, Any]:
         values = json.loads(plain_bytes(path))
     except FileNotFoundError:
         raise UnreadableError(
-            "no-report", "{path} does not exist: give the output folder of a run", path=path
+            Code.NO_REPORT, "{path} does not exist: give the output folder of a run", path=path
         ) from None
     except (OSError, ValueError, RecursionError) as error:
         raise UnreadableError(
-            "damaged-report", "{path} cannot be read: {reason}", path=path, reason=error
+            Code.DAMAGED_REPORT, "{path} cannot be read: {reason}", path=path, reason=error
         ) from error
     if not isinstance(values, dict) or values.get("schema") not in _SCHEMAS:
         raise UnreadableError(
-            "old-report", "{path} was written by another version: run the sheet again", path=path
+            Code.OLD_REPORT, "{path} was written by another version: run the sheet again", path=path
         )
     return values
 
@@ -123,5 +124,5 @@ def _place(text: str) -> tuple[float, float]:
     try:
         x, y = (float(part) for part in text.split(","))
     except ValueError:
-        raise UsageError("wrong-usage", f"--at {text}: give X,Y in px of the sheet") from None
+        raise UsageError(Code.WRONG_USAGE, f"--at {text}: give X,Y in px of the sheet") from None
     return x, y

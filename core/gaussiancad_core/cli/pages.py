@@ -16,6 +16,7 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.messages import event_fields, on_one_line
 from gaussiancad_core.processes.events import Listener
+from gaussiancad_protocol.codes import Code
 
 ALL_PAGES = "all"
 
@@ -57,7 +58,7 @@ def run_pages(
         return run(options, listener)
     if options.reading is not None or options.corrections is not None:
         raise UsageError(
-            "one-page-only",
+            Code.ONE_PAGE_ONLY,
             "--reading and --corrections speak of one page: name it with --page N",
         )
 

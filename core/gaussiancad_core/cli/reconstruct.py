@@ -13,12 +13,13 @@ from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, SolidWay
 from gaussiancad_core.processes.events import PROTOCOL, Listener
 from gaussiancad_core.report.job import Job, corrections_beside
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
 from gaussiancad_core.storage.extras import Extra, lacking, result_kind
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import Device, Preset, Recipe, ResultKind, SolidWay
 
 SOLID_WAY = "--solid-way"
 """The option that leaves out ways in which an exact solid is looked for."""
@@ -176,10 +177,10 @@ def reading_of(options: argparse.Namespace) -> ReadingOptions:
     """
     named = [role for role, _ in options.view]
     if len(set(named)) < len(named):
-        raise UsageError("view-repeated", "--view: each role can be named once only")
+        raise UsageError(Code.VIEW_REPEATED, "--view: each role can be named once only")
     lengths = tuple(options.length or ())
     if len({axis for axis, _ in lengths}) < len(lengths):
-        raise UsageError("length-repeated", "--length: each axis can be named once only")
+        raise UsageError(Code.LENGTH_REPEATED, "--length: each axis can be named once only")
     return ReadingOptions(
         projection=None if options.projection == "auto" else Projection(options.projection),
         views=tuple(options.view),

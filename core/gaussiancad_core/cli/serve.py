@@ -18,6 +18,7 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.messages import Message, event_fields, on_one_line
 from gaussiancad_core.processes.events import Listener, stop_main_thread
+from gaussiancad_protocol.codes import Code
 
 _END = ""
 
@@ -61,7 +62,7 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
         # Bytes that are no text are none of it either.
         except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
             message = Message("this is no request: {reason}", reason=error)
-            listener.send("answer", id=None, **_refusal("unknown-request", message))
+            listener.send("answer", id=None, **_refusal(Code.UNKNOWN_REQUEST, message))
             continue
         numbered = _Numbered(listener, request.id)
         busy.set()
@@ -86,7 +87,7 @@ def _failed(error: Exception, sheet: Path) -> dict[str, Any]:
     if (no_files := out_of_files(error)) is not None:
         return _refusal(no_files.code, no_files.message)
     if is_out_of_memory(error):
-        return _refusal("out-of-memory", "the memory does not suffice: use a smaller file")
+        return _refusal(Code.OUT_OF_MEMORY, "the memory does not suffice: use a smaller file")
 
     from gaussiancad_core.storage.crash_reports import unforeseen
 

@@ -23,11 +23,12 @@ from gaussiancad_core.errors import (
     UnreadableError,
 )
 from gaussiancad_core.messages import event_fields, on_one_line
-from gaussiancad_core.modes import ResultKind, SolidWay
 from gaussiancad_core.processes.events import Listener, Silence, open_event_stream
 from gaussiancad_core.processes.watched import Watched, watch
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.storage.extras import result_kind
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import ResultKind, SolidWay
 
 _OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw", "features"})
 """Commands that use it."""
@@ -111,7 +112,7 @@ def _failure(ended: Watched, solid: Path | None = None) -> GaussianCadError:
     stage = ended.stage or "start"
     if solid is not None and ended.signal in _BREAKDOWNS:
         return UnreadableError(
-            "damaged-model",
+            Code.DAMAGED_MODEL,
             "{path} cannot be drawn (its process was ended by {signal}): it is damaged; export it "
             "again",
             case="draw",
@@ -120,23 +121,23 @@ def _failure(ended: Watched, solid: Path | None = None) -> GaussianCadError:
         )
     if ended.signal in ("SIGTERM", "SIGINT", "SIGHUP"):
         # It came before the child could tell how far it was.
-        return CancelledError("cancelled", "cancelled by {signal}", signal=ended.signal)
+        return CancelledError(Code.CANCELLED, "cancelled by {signal}", signal=ended.signal)
     if ended.signal == "SIGKILL":
         return LimitError(
-            "killed",
+            Code.KILLED,
             "the system ended the engine in the stage {stage}, as it does where the memory does "
             "not suffice: use --preset draft or a smaller sheet",
             stage=stage,
         )
     if ended.signal == _TOO_LONG:
         return LimitError(
-            "takes-too-long",
+            Code.TAKES_TOO_LONG,
             "the stage {stage} took more seconds of the processor than any sheet needs, and was "
             "ended: save only the views of one part, or report it with the sheet",
             stage=stage,
         )
     return EngineError(
-        "engine-died",
+        Code.ENGINE_DIED,
         "a library ended the engine in the stage {stage} ({signal}): this is a fault of ours, "
         "please report it with the sheet; what was finished before lies in the output folder",
         stage=stage,
@@ -146,9 +147,9 @@ def _failure(ended: Watched, solid: Path | None = None) -> GaussianCadError:
 
 def _report(job: Job, error: GaussianCadError, stage: str) -> None:
     """The report of a run whose process died; what it had put in place stays."""
-    from gaussiancad_core.modes import Status
     from gaussiancad_core.report.run_report import Report
     from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES, OutputFolder
+    from gaussiancad_protocol.modes import Status
 
     if not Path(job.output).is_dir():
         return

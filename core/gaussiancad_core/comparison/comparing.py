@@ -42,6 +42,7 @@ from gaussiancad_core.comparison.sampling import RandomState, random_streams, sa
 from gaussiancad_core.comparison.topology import topology_of
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
+from gaussiancad_protocol.codes import Code
 
 _REGISTRATION_POINTS = 2000
 
@@ -130,7 +131,7 @@ def _check_sizes(result: TriangleMesh, reference: TriangleMesh) -> None:
     ratio = float(np.ptp(result.bounds, axis=0).max() / np.ptp(reference.bounds, axis=0).max())
     if not 1.0 / _MOST_RATIO <= ratio <= _MOST_RATIO:
         raise UsageError(
-            "sizes-too-different",
+            Code.SIZES_TOO_DIFFERENT,
             "the result is {ratio:.3g} times as long as the reference: "
             "see --factor, or whether these are the right files",
             ratio=ratio,

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from gaussiancad_core.errors import UsageError
+from gaussiancad_protocol.codes import Code
 
 POINT_LIMITS = (100, 1_000_000)
 
@@ -66,7 +67,7 @@ class CompareOptions:
         low, high = POINT_LIMITS
         if not low <= self.points <= high:
             raise UsageError(
-                "points-out-of-range",
+                Code.POINTS_OUT_OF_RANGE,
                 "{points} points cannot be compared: use {low} to {high:,}",
                 points=self.points,
                 low=low,
@@ -74,25 +75,25 @@ class CompareOptions:
             )
         if self.seed < 0:
             raise UsageError(
-                "seed-negative", "the seed {seed} is negative: use 0 or more", seed=self.seed
+                Code.SEED_NEGATIVE, "the seed {seed} is negative: use 0 or more", seed=self.seed
             )
         if not math.isfinite(self.factor) or self.factor <= 0.0:
             raise UsageError(
-                "factor-not-positive",
+                Code.FACTOR_NOT_POSITIVE,
                 "the factor {factor} is no number above 0",
                 factor=self.factor,
             )
         tolerance = self.tolerance_mm
         if tolerance is not None and not (math.isfinite(tolerance) and tolerance > 0.0):
             raise UsageError(
-                "tolerance-not-positive",
+                Code.TOLERANCE_NOT_POSITIVE,
                 "the tolerance {tolerance} mm is no length above 0",
                 tolerance=tolerance,
             )
         bound = self.alignment is not None or self.scale is not None
         if bound and self.protocols == (Protocol.DEEPCAD,):
             raise UsageError(
-                "protocol-has-no-registration",
+                Code.PROTOCOL_HAS_NO_REGISTRATION,
                 "the protocol deepcad registers nothing and always scales to the unit cube: "
                 "leave out --register and --scale",
             )

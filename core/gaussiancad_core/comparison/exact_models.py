@@ -28,6 +28,7 @@ from gaussiancad_core.kernel.brep import (
     tessellate,
 )
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
+from gaussiancad_protocol.codes import Code
 
 _DEFLECTION_SHARE = 5e-5
 """Largest distance of a tessellation from its exact surface, as a share of the longest edge."""
@@ -140,7 +141,7 @@ def _comparable(path: Path) -> _Comparable:
     faces = faces_of(shape)
     if not faces:
         raise UnreadableError(
-            "not-a-solid",
+            Code.NOT_A_SOLID,
             "{path} holds neither solids nor surfaces: export a solid or its faces",
             path=path,
         )

@@ -12,6 +12,7 @@ from gaussiancad_core.comparison.closed_bodies import untangled
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.storage.plain_files import plain_bytes
+from gaussiancad_protocol.codes import Code
 
 _LARGEST_FILE = 2**30
 
@@ -112,7 +113,7 @@ def format_of(path: Path) -> ModelFormat:
             return model_format
     known = ", ".join(suffix for each in ModelFormat for suffix in each.value)
     raise UnreadableError(
-        "model-format-unknown",
+        Code.MODEL_FORMAT_UNKNOWN,
         "{path} has no suffix of a known model format: use one of {known}",
         path=path,
         known=known,
@@ -139,7 +140,7 @@ def read_model(path: Path) -> Model:
     """
     if path.is_dir():
         raise UnreadableError(
-            "file-not-readable",
+            Code.FILE_NOT_READABLE,
             "cannot read {path} (it is a folder): name a model in it",
             path=path,
         )
@@ -160,14 +161,14 @@ def read_model(path: Path) -> Model:
 def _check_mesh(path: Path, mesh: TriangleMesh) -> None:
     if not np.isfinite(mesh.vertices).all():
         raise UnreadableError(
-            "not-a-model",
+            Code.NOT_A_MODEL,
             "{path} holds coordinates that are not numbers: export the model again",
             path=path,
         )
     least, most = _SIZES_MM
     if len(mesh.vertices) and np.abs(mesh.vertices).max() > most:
         raise UnreadableError(
-            "size-out-of-range",
+            Code.SIZE_OUT_OF_RANGE,
             "{path} has coordinates beyond {most:g} mm: export the model in millimetres, near the "
             "origin",
             path=path,
@@ -176,11 +177,11 @@ def _check_mesh(path: Path, mesh: TriangleMesh) -> None:
     extent = np.ptp(mesh.vertices, axis=0).max() if len(mesh.triangles) else 0.0
     if extent <= 0.0 or mesh.area <= 0.0:
         raise UnreadableError(
-            "empty-model", "{path} holds no surface: export the model with its faces", path=path
+            Code.EMPTY_MODEL, "{path} holds no surface: export the model with its faces", path=path
         )
     if extent < least:
         raise UnreadableError(
-            "size-out-of-range",
+            Code.SIZE_OUT_OF_RANGE,
             "{path} is smaller than {least:g} mm: export the model in millimetres",
             path=path,
             least=least,
@@ -207,7 +208,7 @@ def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
         raise _not_a_model(path, model_format) from error
     if isinstance(mesh, trimesh.PointCloud):
         raise UnreadableError(
-            "point-cloud",
+            Code.POINT_CLOUD,
             "{path} holds points without faces: make a surface of them first",
             path=path,
         )
@@ -218,7 +219,9 @@ def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
         raise _not_a_model(path, model_format)
     if not len(mesh.faces):
         raise UnreadableError(
-            "empty-model", "{path} holds no triangles: export the model with its faces", path=path
+            Code.EMPTY_MODEL,
+            "{path} holds no triangles: export the model with its faces",
+            path=path,
         )
     if mesh.faces.min() < 0 or mesh.faces.max() >= len(mesh.vertices):
         raise _not_a_model(path, model_format)
@@ -233,7 +236,7 @@ def _check_size(path: Path) -> None:
         return
     if size > _LARGEST_FILE:
         raise UnreadableError(
-            "file-too-large",
+            Code.FILE_TOO_LARGE,
             "{path} is larger than 1 GiB: export it with fewer triangles",
             path=path,
         )
@@ -244,24 +247,24 @@ def _read(path: Path) -> bytes:
         content = plain_bytes(path)
     except FileNotFoundError as error:
         raise UnreadableError(
-            "file-missing", "{path} does not exist: check the path", path=path
+            Code.FILE_MISSING, "{path} does not exist: check the path", path=path
         ) from error
     except OSError as error:
         reason = error.strerror or str(error)
         raise UnreadableError(
-            "file-not-readable",
+            Code.FILE_NOT_READABLE,
             "cannot read {path} ({reason}): check what and whose it is",
             path=path,
             reason=reason,
         ) from error
     if not content.strip():
-        raise UnreadableError("empty-file", "{path} is empty: export the model again", path=path)
+        raise UnreadableError(Code.EMPTY_FILE, "{path} is empty: export the model again", path=path)
     return content
 
 
 def _not_a_model(path: Path, model_format: ModelFormat) -> UnreadableError:
     return UnreadableError(
-        "not-a-model",
+        Code.NOT_A_MODEL,
         "{path} is damaged or no {format} file: export the model again",
         path=path,
         format=model_format.name,

@@ -5,6 +5,7 @@ from gaussiancad_core.comparison.model_files import Content, ExactFacts, Model
 from gaussiancad_core.comparison.topology import Topology
 from gaussiancad_core.messages import Message
 from gaussiancad_core.report.run_report import Remark
+from gaussiancad_protocol.codes import Code
 
 
 def remarks_on(
@@ -24,12 +25,14 @@ def remarks_on(
     found: list[Remark] = []
     if mirrored:
         found.append(
-            _warned("result-mirrored", "a mirror image of the result fits better: check its views")
+            _warned(
+                Code.RESULT_MIRRORED, "a mirror image of the result fits better: check its views"
+            )
         )
     if factor is not None:
         found.append(
             _warned(
-                "unit-mismatch",
+                Code.UNIT_MISMATCH,
                 "the result's measures are the reference's times {ratio:.6g}: its unit differs; "
                 "compare with --factor {factor:.6g} to have it in millimetres",
                 ratio=1.0 / factor,
@@ -42,7 +45,7 @@ def remarks_on(
     if first is not None and second is not None and first != second:
         found.append(
             _warned(
-                "topology-differs",
+                Code.TOPOLOGY_DIFFERS,
                 "the result has {result}, the reference {reference}",
                 result=_words(first),
                 reference=_words(second),
@@ -61,7 +64,7 @@ def _on_model(name: str, model: Model, topology: Topology) -> list[Remark]:
     if exact is not None and not exact.valid:
         found.append(
             _warned(
-                "solid-invalid",
+                Code.SOLID_INVALID,
                 "OpenCASCADE's check refuses the {model}: its volume and Booleans may be wrong",
                 model=name,
             )
@@ -71,7 +74,7 @@ def _on_model(name: str, model: Model, topology: Topology) -> list[Remark]:
         edges = "1 open edge" if count == 1 else f"{count} open edges"
         found.append(
             _warned(
-                "model-open",
+                Code.MODEL_OPEN,
                 "the {model} is not closed ({edges}): it has no volume for certain, and distances "
                 "from it have no sign",
                 model=name,
@@ -81,7 +84,7 @@ def _on_model(name: str, model: Model, topology: Topology) -> list[Remark]:
         )
     elif not encloses_volume(model.mesh):
         message = "the {model} is closed but encloses no volume"
-        found.append(_warned("no-volume", message, model=name))
+        found.append(_warned(Code.NO_VOLUME, message, model=name))
     return found
 
 
@@ -91,7 +94,7 @@ def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
     if exact.content is Content.SEWN:
         found.append(
             _warned(
-                "surfaces-sewn",
+                Code.SURFACES_SEWN,
                 "the {model} holds surfaces and no solid: sewn together they are closed, and are "
                 "measured as a solid",
                 model=name,
@@ -100,7 +103,7 @@ def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
     if exact.content is Content.SURFACES:
         found.append(
             _warned(
-                "surfaces-only",
+                Code.SURFACES_ONLY,
                 "the {model} holds surfaces that do not close up to a solid: it has no volume for "
                 "certain, and distances from it have no sign",
                 model=name,
@@ -109,7 +112,7 @@ def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
     if exact.united:
         found.append(
             _warned(
-                "solids-united",
+                Code.SOLIDS_UNITED,
                 "{count} solids of the {model} touch or overlap: they are measured as one body, "
                 "without the faces between them",
                 count=exact.united,
@@ -120,7 +123,7 @@ def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
         faces = "1 face" if exact.left_out == 1 else f"{exact.left_out} faces"
         found.append(
             _warned(
-                "surfaces-left-out",
+                Code.SURFACES_LEFT_OUT,
                 "the {model} holds {faces} beside its solids, which are not measured: remove them, "
                 "or make solids of them",
                 model=name,

@@ -13,6 +13,7 @@ from gaussiancad_core.errors import UsageError
 from gaussiancad_core.kernel.brep import read_solid
 from gaussiancad_core.model.axes import Projection, Role, mutually_orthogonal
 from gaussiancad_core.storage.single_file import write_whole
+from gaussiancad_protocol.codes import Code
 
 _FORMATS = {
     ".png": "PNG",
@@ -54,7 +55,7 @@ def draw_file(
     if len(roles) > 2 and not mutually_orthogonal(roles):
         names = ", ".join(role.value for role in roles)
         raise UsageError(
-            "views-not-orthogonal",
+            Code.VIEWS_NOT_ORTHOGONAL,
             f"{names} do not look along all three axes: take for example front,top,right",
         )
     image_format(sheet)
@@ -73,7 +74,7 @@ def image_format(path: Path) -> str:
         return _FORMATS[path.suffix.lower()]
     except KeyError as error:
         raise UsageError(
-            "sheet-suffix-unknown",
+            Code.SHEET_SUFFIX_UNKNOWN,
             f"{path.name} has no image suffix: use one of {', '.join(_FORMATS)}",
         ) from error
 

@@ -27,6 +27,7 @@ from gaussiancad_core.lines.strokes import DrawnStroke, mapped
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_protocol.codes import Code
 
 
 @dataclass(frozen=True)
@@ -161,7 +162,7 @@ def compose_sheet(
     cut = lines.sections.get((style.section, style.section_kind)) if style.section else None
     if style.section and (cut is None or style.section not in lines.views):
         raise UsageError(
-            "style-value-bad",
+            Code.STYLE_VALUE_BAD,
             f"style section={style.section.value}: name one of the views that are drawn",
         )
     plain = dict(lines.views)

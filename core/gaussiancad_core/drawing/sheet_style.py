@@ -9,6 +9,7 @@ from typing import Any
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.section_planes import SectionKind
+from gaussiancad_protocol.codes import Code
 
 Colour = tuple[int, int, int]
 
@@ -212,7 +213,7 @@ def parse_style(text: str) -> SheetStyle:
         else:
             names = ", ".join(PRESETS)
             raise UsageError(
-                "style-unknown",
+                Code.STYLE_UNKNOWN,
                 f"{part!r} is no style: use one of {names}, or KEY=VALUE",
             )
     return checked_style(style)
@@ -224,11 +225,11 @@ def _overridden(style: SheetStyle, part: str) -> SheetStyle:
     known = {field.name for field in fields(SheetStyle)}
     if name not in known:
         keys = ", ".join(sorted(known))
-        raise UsageError("style-key-unknown", f"{key!r} is no style key: use one of {keys}")
+        raise UsageError(Code.STYLE_KEY_UNKNOWN, f"{key!r} is no style key: use one of {keys}")
     try:
         return replace(style, **{name: _parser(name)(value.strip())})
     except ValueError as error:
-        raise UsageError("style-value-bad", f"style {part!r}: {error}") from error
+        raise UsageError(Code.STYLE_VALUE_BAD, f"style {part!r}: {error}") from error
 
 
 def _parser(name: str) -> Callable[[str], Any]:
@@ -309,13 +310,13 @@ def checked_style(style: SheetStyle) -> SheetStyle:
         value = getattr(style, name)
         if not low <= value <= high:
             raise UsageError(
-                "style-value-bad",
+                Code.STYLE_VALUE_BAD,
                 f"style {name} = {value}: choose a value from {low} to {high}",
             )
     scale = style.mm_per_pixel
     if scale is not None and not 0.0 < scale < float("inf"):
         raise UsageError(
-            "style-value-bad",
+            Code.STYLE_VALUE_BAD,
             f"style mm_per_pixel = {scale}: choose a positive number, or fit",
         )
     return style

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.sheet_style import SheetStyle
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Axis, Projection, Role
+from gaussiancad_protocol.codes import Code
 
 
 @dataclass(frozen=True)
@@ -36,9 +37,9 @@ def check_roles(roles: tuple[Role, ...]) -> None:
         UsageError: ``views-count``, ``views-repeat``.
     """
     if not 2 <= len(roles) <= len(Role):
-        raise UsageError("views-count", f"{len(roles)} views asked for: name two to six")
+        raise UsageError(Code.VIEWS_COUNT, f"{len(roles)} views asked for: name two to six")
     if len(set(roles)) < len(roles):
-        raise UsageError("views-repeat", "a view is named twice: name each view once")
+        raise UsageError(Code.VIEWS_REPEAT, "a view is named twice: name each view once")
 
 
 def place_views(
@@ -126,7 +127,7 @@ def _scale(width: float, height: float, columns: int, rows: int, style: SheetSty
 
 def _too_small(style: SheetStyle) -> UsageError:
     return UsageError(
-        "sheet-too-small",
+        Code.SHEET_TOO_SMALL,
         f"the views do not fit on {style.width} x {style.height} px with these margins and "
         "this scale: take a larger sheet, or mm_per_pixel=fit",
     )

@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.writing.callouts import NoteKind
 from gaussiancad_core.writing.note_texts import SheetNote
 from gaussiancad_core.writing.scale_agreement import ReadDimension
+from gaussiancad_protocol.codes import Code
 
 _SAME = 0.02
 """Share by which a circle's diameter may differ from the one in a note."""
@@ -103,7 +104,7 @@ def hole_notes(
         if count > 1 and len(arcs) != count:
             doubts.append(
                 (
-                    "note-count",
+                    Code.NOTE_COUNT,
                     Message(
                         "the note {note!r} speaks of {count} holes, and the {view} view has "
                         "{found} of that kind: all of them were taken to be meant",

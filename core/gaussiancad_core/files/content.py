@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.files.vectors import VectorDrawing
+from gaussiancad_protocol.codes import Code
 
 MAX_PIXELS = 150_000_000
 """Largest sheet that is read: A0 at 300 dpi has 139 million pixels."""
@@ -88,7 +89,7 @@ def check_pixels(path: Path, width: float, height: float) -> None:
         raise too_large(path, f"{width:.0f} x {height:.0f}")
     if min(width, height) < MIN_SIDE:
         raise UnreadableError(
-            "image-too-small",
+            Code.IMAGE_TOO_SMALL,
             "{path} has only {width} x {height} px: export the drawing at 1920 x 1080 px or more",
             path=path,
             width=round(width),
@@ -99,7 +100,7 @@ def check_pixels(path: Path, width: float, height: float) -> None:
 def too_large(path: Path, size: str) -> UnreadableError:
     """The error for a sheet of so many pixels."""
     return UnreadableError(
-        "image-too-large",
+        Code.IMAGE_TOO_LARGE,
         "{path} is too large ({most} million pixels are read, it has {size}): export or scan it at "
         "a lower resolution, vector drawings on smaller paper",
         path=path,
@@ -111,7 +112,7 @@ def too_large(path: Path, size: str) -> UnreadableError:
 def page_missing(path: Path, count: int, page: int) -> UnreadableError:
     """The error for a page that a file does not have."""
     return UnreadableError(
-        "page-missing",
+        Code.PAGE_MISSING,
         "{path} has {count} page(s), there is no page {page}: choose another",
         path=path,
         count=count,
@@ -122,7 +123,7 @@ def page_missing(path: Path, count: int, page: int) -> UnreadableError:
 def too_many_pages(path: Path, count: int) -> UnreadableError:
     """The error for a file of more pages than any set of drawings has."""
     return UnreadableError(
-        "too-many-pages",
+        Code.TOO_MANY_PAGES,
         "{path} has {count} pages, at most {most} are read: save the sheet in a file by itself",
         path=path,
         count=count,
@@ -133,7 +134,7 @@ def too_many_pages(path: Path, count: int) -> UnreadableError:
 def too_many_elements(path: Path) -> LimitError:
     """The error for a vector page that would take too long."""
     return LimitError(
-        "too-many-elements",
+        Code.TOO_MANY_ELEMENTS,
         "{path} has more than {most:,} lines and other elements: "
         "save only the views, or export it as PNG",
         path=path,

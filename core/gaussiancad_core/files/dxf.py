@@ -39,6 +39,7 @@ from gaussiancad_core.files.sizing import (
     size_without_unit,
 )
 from gaussiancad_core.files.vectors import Box, bounds
+from gaussiancad_protocol.codes import Code
 
 _MAX_BYTES = 256_000_000
 
@@ -100,7 +101,7 @@ def read_dxf(path: Path, page: int) -> FileContent:
     box = bounds(curves)
     if box is None or max(box[2] - box[0], box[3] - box[1]) <= 0.0:
         raise UnreadableError(
-            "empty-drawing",
+            Code.EMPTY_DRAWING,
             "{path} has no lines on page {page}: choose another page or file",
             path=path,
             page=page,
@@ -140,7 +141,7 @@ def _check_size(path: Path) -> None:
     size = path.stat().st_size
     if size > _MAX_BYTES:
         raise LimitError(
-            "drawing-file-too-large",
+            Code.DRAWING_FILE_TOO_LARGE,
             "{path} has {size} MB, {most} are read: save only the views, or export it as PNG",
             path=path,
             size=size // 1_000_000,
@@ -166,7 +167,7 @@ def _recovered(path: Path) -> Drawing:
         return recover.readfile(path)[0]
     except BROKEN as error:
         raise UnreadableError(
-            "damaged-dxf",
+            Code.DAMAGED_DXF,
             "{path} is no DXF file, or is damaged ({reason}): save it again",
             path=path,
             reason=error,

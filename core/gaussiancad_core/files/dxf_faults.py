@@ -8,6 +8,7 @@ import ezdxf
 
 from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
+from gaussiancad_protocol.codes import Code
 
 BROKEN = (
     ezdxf.DXFError,
@@ -68,4 +69,4 @@ def left_out(path: Path, unread: Mapping[str, int]) -> tuple[Note, ...]:
         kinds=", ".join(f"{count} {kind}" for kind, count in sorted(unread.items())),
         case="part" if is_doubt else "furniture",
     )
-    return (Note("entities-left-out", message, is_doubt),)
+    return (Note(Code.ENTITIES_LEFT_OUT, message, is_doubt),)

@@ -15,11 +15,12 @@ from gaussiancad_core.files.content import FileContent
 from gaussiancad_core.files.file_kinds import FileKind
 from gaussiancad_core.files.isolation import MEMORY_LIMIT
 from gaussiancad_core.processes.limited_child import limit_itself
+from gaussiancad_protocol.codes import Code
 
 _LARGEST_FILE = 1 << 30
 """Bytes; it writes none."""
 
-_NO_MEMORY = LimitError("out-of-memory", "")
+_NO_MEMORY = LimitError(Code.OUT_OF_MEMORY, "")
 """Its parent finds the words."""
 
 

@@ -4,6 +4,8 @@ import codecs
 import re
 from enum import Enum
 
+from gaussiancad_protocol.codes import Code
+
 HEAD_BYTES = 4096
 """How much of a file :func:`detect` wants to see."""
 
@@ -23,7 +25,7 @@ class FileKind(Enum):
     @property
     def damaged(self) -> str:
         """Code of the error of a file that is broken."""
-        return "damaged-image" if self is FileKind.RASTER else f"damaged-{self.value}"
+        return Code.DAMAGED_IMAGE if self is FileKind.RASTER else f"damaged-{self.value}"
 
 
 VECTOR_SUFFIXES = {

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.files.file_kinds import HEAD_BYTES, is_freecad_document, unsupported
+from gaussiancad_protocol.codes import Code
 
 
 def head_of(path: Path) -> bytes:
@@ -14,14 +15,14 @@ def head_of(path: Path) -> bytes:
             ``freecad-document``, ``format-not-supported``.
     """
     if path.is_dir():
-        raise UnreadableError("not-a-file", "{path} is a folder: name a drawing file", path=path)
+        raise UnreadableError(Code.NOT_A_FILE, "{path} is a folder: name a drawing file", path=path)
     if not path.exists():
         raise UnreadableError(
-            "file-missing", "{path} does not exist: check the name of the sheet", path=path
+            Code.FILE_MISSING, "{path} does not exist: check the name of the sheet", path=path
         )
     if not path.is_file():
         raise UnreadableError(
-            "not-a-file", "{path} is a device or pipe: name a drawing file", path=path
+            Code.NOT_A_FILE, "{path} is a device or pipe: name a drawing file", path=path
         )
     try:
         with path.open("rb") as file:
@@ -29,10 +30,12 @@ def head_of(path: Path) -> bytes:
     except OSError as error:
         raise cannot_open(path, error) from error
     if not head:
-        raise UnreadableError("empty-file", "{path} is empty: export the drawing again", path=path)
+        raise UnreadableError(
+            Code.EMPTY_FILE, "{path} is empty: export the drawing again", path=path
+        )
     if is_freecad_document(head):
         raise UnreadableError(
-            "freecad-document",
+            Code.FREECAD_DOCUMENT,
             "{path} is a FreeCAD document, not a drawing: open it in FreeCAD and export its "
             "TechDraw page as PDF or SVG, or reconstruct the page there",
             path=path,
@@ -41,7 +44,7 @@ def head_of(path: Path) -> bytes:
     if known is not None:
         name, advice = known
         raise UnreadableError(
-            "format-not-supported",
+            Code.FORMAT_NOT_SUPPORTED,
             "{path} is a {format} file, which is not read: {advice}",
             path=path,
             format=name,
@@ -53,7 +56,7 @@ def head_of(path: Path) -> bytes:
 def cannot_open(path: Path, error: OSError) -> UnreadableError:
     """The error for a file that the system does not let one read."""
     return UnreadableError(
-        "file-unreadable",
+        Code.FILE_UNREADABLE,
         "{path} cannot be opened ({reason}): check its permissions",
         path=path,
         reason=error.strerror,

@@ -14,6 +14,7 @@ from gaussiancad_core.files.answer import outcome_of
 from gaussiancad_core.files.content import FileContent
 from gaussiancad_core.files.file_kinds import FileKind
 from gaussiancad_core.messages import filled
+from gaussiancad_protocol.codes import Code
 
 TIME_LIMIT = 60.0
 """Seconds.  A sheet takes one or two, the largest that are allowed some twenty."""
@@ -59,7 +60,7 @@ def read_isolated(
             answer, _ = child.communicate(timeout=time_limit)
         except subprocess.TimeoutExpired:
             raise LimitError(
-                "reading-takes-too-long",
+                Code.READING_TAKES_TOO_LONG,
                 "{path} is not read after {seconds:g} seconds: "
                 "save only the views, or export it as PNG",
                 path=path,
@@ -83,7 +84,7 @@ def _outcome(kind: FileKind, path: Path, answer: bytes) -> FileContent:
         ) from None
     if isinstance(outcome, FileContent):
         return outcome
-    if outcome.code == "out-of-memory":
+    if outcome.code == Code.OUT_OF_MEMORY:
         raise LimitError(
             outcome.code,
             "{path} takes too much memory to read: export it as PNG, of fewer pixels",

@@ -26,6 +26,7 @@ from gaussiancad_core.files.pdf_objects import PageMap, page_objects
 from gaussiancad_core.files.shown import shown_share
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi
 from gaussiancad_core.files.vectors import VectorDrawing
+from gaussiancad_protocol.codes import Code
 
 _POINTS = 72.0
 """An inch has so many."""
@@ -100,7 +101,7 @@ def _open(path: Path) -> pdfium.PdfDocument:
         code = getattr(error, "err_code", None)
         if code in (raw.FPDF_ERR_PASSWORD, raw.FPDF_ERR_SECURITY):
             raise UnreadableError(
-                "encrypted-pdf",
+                Code.ENCRYPTED_PDF,
                 "{path} is protected by a password: save it without one",
                 path=path,
             ) from error
@@ -111,7 +112,7 @@ def _open(path: Path) -> pdfium.PdfDocument:
 
 def _damaged(path: Path, error: Exception) -> UnreadableError:
     return UnreadableError(
-        "damaged-pdf",
+        Code.DAMAGED_PDF,
         "{path} is no PDF file, or is damaged ({reason}): export the drawing again",
         path=path,
         reason=error,

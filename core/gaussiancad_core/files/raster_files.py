@@ -22,6 +22,7 @@ from gaussiancad_core.files.content import (
 )
 from gaussiancad_core.files.paper import PICTURE_REACH, enlarged, even_paper, smaller
 from gaussiancad_core.messages import Message
+from gaussiancad_protocol.codes import Code
 
 _FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "WEBP")
 
@@ -83,7 +84,7 @@ def read_raster(path: Path, page: int) -> FileContent:
                 return FileContent(grey, resolution, tint=tint, pages=_pages_after(path, page))
     except UnidentifiedImageError as error:
         raise UnreadableError(
-            "not-an-image",
+            Code.NOT_AN_IMAGE,
             "{path} is not a PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF file: "
             "export the drawing as one of them",
             path=path,
@@ -95,7 +96,7 @@ def read_raster(path: Path, page: int) -> FileContent:
     except (OSError, ValueError, SyntaxError, EOFError, KeyError, TypeError) as error:
         # Pillow's decoders let the errors of their parsers through.
         raise UnreadableError(
-            "damaged-image",
+            Code.DAMAGED_IMAGE,
             "{path} is damaged ({reason}): export or scan the drawing again",
             path=path,
             reason=error,
@@ -259,7 +260,7 @@ def _squared(
     return FileContent(
         cv2.resize(grey, size, interpolation=cv2.INTER_CUBIC),
         _paper_resolution((dpi, dpi), max(size)),
-        notes=(Note("pixels-made-square", message),),
+        notes=(Note(Code.PIXELS_MADE_SQUARE, message),),
         tint=None if tint is None else cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST),
         pages=pages,
     )

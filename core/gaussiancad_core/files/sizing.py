@@ -13,6 +13,7 @@ from pathlib import Path
 from gaussiancad_core.files.content import MAX_PIXELS, MOST_WORKED_ON, VECTOR_DPI, Note
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
+from gaussiancad_protocol.codes import Code
 
 _SMALLEST, _LARGEST = 2.0, 104.0
 """Inches: longest side of what is taken for paper; twice A0 is 93.6 inches long."""
@@ -23,7 +24,7 @@ _FREE_SIDE = 3000.0
 MILLIMETRE = 1.0 / MM_PER_INCH
 """Inches."""
 
-UNIT_UNKNOWN = "paper-size-unknown"
+UNIT_UNKNOWN = Code.PAPER_SIZE_UNKNOWN
 """Code of the note that a file does not say its unit."""
 
 
@@ -91,7 +92,7 @@ def notes_on(path: Path, sizing: Sizing) -> tuple[Note, ...]:
         name=path.name,
         dpi=round(dpi),
     )
-    return (Note("resolution-lowered", message),)
+    return (Note(Code.RESOLUTION_LOWERED, message),)
 
 
 def _no_paper_size(path: Path) -> Note:

@@ -27,6 +27,7 @@ from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_tex
 from gaussiancad_core.files.vectors import VectorDrawing, bounds
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
+from gaussiancad_protocol.codes import Code
 
 _CSS_DPI = 96.0
 
@@ -76,7 +77,7 @@ def read_svg(path: Path, page: int) -> FileContent:
     except (ValueError, TypeError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
         # What svgelements and resvg raise on values that no drawing has.
         raise UnreadableError(
-            "damaged-svg",
+            Code.DAMAGED_SVG,
             "{path} cannot be drawn ({reason}): export the drawing again",
             path=path,
             reason=error,
@@ -102,7 +103,7 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     strokes, texts = svg_strokes(elements, scale), svg_texts(elements, scale)
     if safe.external and not (strokes or texts or safe.pictures):
         raise UnreadableError(
-            "external-content",
+            Code.EXTERNAL_CONTENT,
             "{path} only refers to other files, which are never opened: embed the drawing in it",
             path=path,
         )
@@ -120,7 +121,7 @@ def _notes(path: Path, safe: SafeSvg) -> tuple[Note, ...]:
     if safe.external:
         notes.append(
             Note(
-                "external-left-out",
+                Code.EXTERNAL_LEFT_OUT,
                 Message(
                     "{name} refers to {count} other file(s), which are never opened: what they "
                     "hold is missing",
@@ -179,7 +180,7 @@ def _size_of_content(path: Path, safe: SafeSvg) -> _Size:
     box = bounds([stroke.curve for stroke in svg_strokes(svg_elements(safe.root), 1.0)])
     if box is None or box[2] <= 0.0 or box[3] <= 0.0:
         raise UnreadableError(
-            "empty-drawing",
+            Code.EMPTY_DRAWING,
             "{path} has no lines and no size: export the drawing again",
             path=path,
         )

@@ -28,6 +28,7 @@ from gaussiancad_core.files.content import (
     too_many_elements,
 )
 from gaussiancad_core.files.file_kinds import GZIP_MAGIC
+from gaussiancad_protocol.codes import Code
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK_HREF = "{http://www.w3.org/1999/xlink}href"
@@ -98,7 +99,7 @@ def load_svg(path: Path) -> SafeSvg:
         root = fromstring(data, forbid_entities=True, forbid_external=True)
     except DefusedXmlException as error:
         raise UnreadableError(
-            "svg-entities",
+            Code.SVG_ENTITIES,
             "{path} declares XML entities, which are never expanded: save it as plain SVG",
             path=path,
         ) from error
@@ -115,7 +116,7 @@ def load_svg(path: Path) -> SafeSvg:
 
 def _damaged(path: Path, reason: object) -> UnreadableError:
     return UnreadableError(
-        "damaged-svg",
+        Code.DAMAGED_SVG,
         "{path} is no SVG file, or is damaged ({reason}): export the drawing again",
         path=path,
         reason=reason,
@@ -133,7 +134,7 @@ def _bounded_bytes(path: Path) -> bytes:
             raise _damaged(path, error) from error
     if len(data) > _MAX_BYTES:
         raise LimitError(
-            "drawing-file-too-large",
+            Code.DRAWING_FILE_TOO_LARGE,
             "{path} has more than {most} MB: save only the views, or export it as PNG",
             path=path,
             most=_MAX_BYTES // 1_000_000,

@@ -30,7 +30,7 @@ from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.cameras import Camera, CameraModel
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import View, ViewSet
-from gaussiancad_core.modes import Status
+from gaussiancad_protocol.modes import Status
 
 if TYPE_CHECKING:
     from gaussiancad_core.solid.exact import ExactResult

@@ -36,6 +36,7 @@ from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.cameras import Camera, CameraModel
 from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces, joined, make_mesh
 from gaussiancad_core.model.views import View, ViewSet
+from gaussiancad_protocol.codes import Code
 
 DEFAULT_CELLS = 160
 """Grid cells along the longest edge of the box."""
@@ -124,7 +125,7 @@ def visual_hull(
         _carve(field, carving, of_role[carving.view.role], coordinates, views.size)
     if not (field < 0.0).any():
         raise NoModelError(
-            "empty-hull",
+            Code.EMPTY_HULL,
             "the views have no part in common: check which view is which and the projection",
         )
     return _zero_level(field, coordinates, views.size)

@@ -45,6 +45,7 @@ from gaussiancad_core.errors import EngineError, UnreadableError
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.storage.plain_files import plain_bytes
 from gaussiancad_core.storage.single_file import write_whole
+from gaussiancad_protocol.codes import Code
 
 _STEP_MAGIC = b"ISO-10303-21"
 _BREP_MAGIC = (b"DBRep_DrawableShape", b"CASCADE Topology")
@@ -87,7 +88,7 @@ def read_solid(path: Path) -> TopoDS_Shape:
     solids = subshapes(read_shape(path), TopAbs_ShapeEnum.TopAbs_SOLID)
     if not solids:
         raise UnreadableError(
-            "not-a-solid",
+            Code.NOT_A_SOLID,
             "{path} holds no solid, only surfaces or curves: export a closed solid",
             path=path,
         )
@@ -113,7 +114,7 @@ def read_shape(path: Path) -> TopoDS_Shape:
     if any(magic in content[:_HEAD] for magic in _BREP_MAGIC):
         return _parse_brep(path, content)
     raise UnreadableError(
-        "not-a-solid", "{path} is neither STEP nor BREP: export the solid as STEP", path=path
+        Code.NOT_A_SOLID, "{path} is neither STEP nor BREP: export the solid as STEP", path=path
     )
 
 
@@ -122,18 +123,18 @@ def _read_bytes(path: Path) -> bytes:
         content = plain_bytes(path)
     except FileNotFoundError as error:
         raise UnreadableError(
-            "file-missing", "{path} does not exist: check the path", path=path
+            Code.FILE_MISSING, "{path} does not exist: check the path", path=path
         ) from error
     except OSError as error:
         reason = error.strerror or str(error)
         raise UnreadableError(
-            "file-not-readable",
+            Code.FILE_NOT_READABLE,
             "cannot read {path} ({reason}): check what and whose it is",
             path=path,
             reason=reason,
         ) from error
     if not content.strip():
-        raise UnreadableError("empty-file", "{path} is empty: export the solid again", path=path)
+        raise UnreadableError(Code.EMPTY_FILE, "{path} is empty: export the solid again", path=path)
     return content
 
 
@@ -152,7 +153,7 @@ def readable(path: Path) -> Iterator[None]:
 
 def _damaged(path: Path) -> UnreadableError:
     return UnreadableError(
-        "file-damaged", "{path} is cut off or damaged: export the solid again", path=path
+        Code.FILE_DAMAGED, "{path} is cut off or damaged: export the solid again", path=path
     )
 
 
@@ -225,11 +226,13 @@ def write_step(shape: TopoDS_Shape, path: Path) -> None:
     done = IFSelect_ReturnStatus.IFSelect_RetDone
     if writer.Transfer(shape, STEPControl_StepModelType.STEPControl_AsIs) != done:
         raise EngineError(
-            "step-not-written", "the solid for {path} cannot be expressed as STEP", path=path
+            Code.STEP_NOT_WRITTEN, "the solid for {path} cannot be expressed as STEP", path=path
         )
     _name_product(writer.Model(), path.stem if _PLAIN_NAME.fullmatch(path.stem) else "part")
     if writer.WriteStream(stream) != done:
-        raise EngineError("step-not-written", "the STEP text for {path} cannot be made", path=path)
+        raise EngineError(
+            Code.STEP_NOT_WRITTEN, "the STEP text for {path} cannot be made", path=path
+        )
     write_whole(path, stream.getvalue())
 
 

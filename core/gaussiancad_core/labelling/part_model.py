@@ -43,6 +43,7 @@ from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.model.section_planes import Cut
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_protocol.codes import Code
 
 MOST_STROKES = 900
 """Lines of a view, at most: all that is made of them looks at each beside the others."""
@@ -263,7 +264,7 @@ def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
         deadline.count(Counted.PIECE)
         if not deadline.left:
             raise LimitError(
-                "search-unfinished",
+                Code.SEARCH_UNFINISHED,
                 "the drawing has more lines than are understood with the work allowed for one "
                 "sheet: draw less in one sheet",
                 case="lines",
@@ -273,7 +274,7 @@ def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
 
 def _too_complex(what: str) -> LimitError:
     return LimitError(
-        "part-too-complex",
+        Code.PART_TOO_COMPLEX,
         "the drawing is too complex for an exact solid: {what}; draw less in one sheet",
         what=what,
     )

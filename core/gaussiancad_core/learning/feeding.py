@@ -21,6 +21,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import EngineError
 from gaussiancad_core.learning.training_samples import Sample
+from gaussiancad_protocol.codes import Code
 
 Stream = Callable[[int], Iterator[Sample]]
 """Samples without end of a worker, by its number."""
@@ -158,7 +159,7 @@ class Feed:
             lost = next((process for process in self._processes if not process.is_alive()), None)
             if lost is not None:
                 raise EngineError(
-                    "worker-lost",
+                    Code.WORKER_LOST,
                     "a process that makes sheets ended with {status}: what it printed says why",
                     status=lost.exitcode,
                 )
@@ -181,7 +182,7 @@ def feeding(plan: FeedPlan, stream: Stream) -> Iterator[Feed]:
     """
     if "fork" not in multiprocessing.get_all_start_methods():
         raise EngineError(
-            "engine-incomplete", "training forks its processes: use Linux, or WSL on Windows"
+            Code.ENGINE_INCOMPLETE, "training forks its processes: use Linux, or WSL on Windows"
         )
     rings = _Rings(plan)
     context = multiprocessing.get_context("fork")

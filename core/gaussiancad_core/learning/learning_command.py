@@ -10,6 +10,7 @@ from pathlib import Path
 from gaussiancad_core.errors import ExitCode, GaussianCadError, UsageError
 from gaussiancad_core.processes.library_behaviour import prepare_environment
 from gaussiancad_core.storage.extras import Extra, demand
+from gaussiancad_protocol.codes import Code
 
 _DESCRIPTION = """\
 Draw parts, compose sheets of them, train the labels network on them, calibrate and check it on
@@ -77,10 +78,12 @@ def _check(options: argparse.Namespace) -> None:
     for name, bound in least.items():
         value = getattr(options, name)
         if value is not None and not value >= bound:
-            raise UsageError("wrong-usage", "--{name} is {bound} at least", name=name, bound=bound)
+            raise UsageError(
+                Code.WRONG_USAGE, "--{name} is {bound} at least", name=name, bound=bound
+            )
     if options.size < _LEAST_PX or options.size % _MULTIPLE:
         raise UsageError(
-            "wrong-usage",
+            Code.WRONG_USAGE,
             "--size is a multiple of {multiple} px, and {least} at least",
             multiple=_MULTIPLE,
             least=_LEAST_PX,

@@ -11,6 +11,7 @@ from pathlib import Path
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.learning.calibration import Calibration
 from gaussiancad_core.learning.label_checking import Figure
+from gaussiancad_protocol.codes import Code
 
 SCHEMA = "gaussiancad-labels-card/1"
 
@@ -132,11 +133,11 @@ def read_card(path: Path) -> Card:
             raise ValueError(f"its schema is {card.schema}")
     except FileNotFoundError as error:
         raise UnreadableError(
-            "file-missing", "{path} does not exist: check the name of the card", path=path
+            Code.FILE_MISSING, "{path} does not exist: check the name of the card", path=path
         ) from error
     except (OSError, ValueError, msgspec.MsgspecError) as error:
         raise UnreadableError(
-            "file-unreadable",
+            Code.FILE_UNREADABLE,
             "{path} is no card of a labels network ({reason}): make it anew",
             path=path,
             reason=error,

@@ -20,6 +20,7 @@ from gaussiancad_core.learning.sheets.rendering import Rendered
 from gaussiancad_core.learning.sheets.spoiling import spoiled
 from gaussiancad_core.learning.training_samples import UNKNOWN, Bytes, Sample
 from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
+from gaussiancad_protocol.codes import Code
 
 LICENCES = "LICENCES.json"
 
@@ -79,12 +80,12 @@ def published_sheets(folder: Path) -> Published:
     """
     if not folder.is_dir():
         raise UnreadableError(
-            "file-missing", "{path} is no folder: check the name of the sheets'", path=folder
+            Code.FILE_MISSING, "{path} is no folder: check the name of the sheets'", path=folder
         )
     sheets = tuple(_sheet(path) for path in sorted(folder.glob(f"*{_PICTURE}")))
     if not sheets:
         raise UsageError(
-            "no-sheets",
+            Code.NO_SHEETS,
             "{path} has no sheet with the truth: name a folder of NAME.img.png and NAME.lab.png",
             path=folder,
         )
@@ -151,7 +152,7 @@ def _sheet(path: Path) -> PublishedSheet:
     extra = _read(adjacent_path) if adjacent_path.exists() else np.full_like(classes, UNKNOWN)
     if not grey.shape == classes.shape == extra.shape:
         raise UnreadableError(
-            "damaged-image",
+            Code.DAMAGED_IMAGE,
             "{path} and the truth beside it differ in size: make them anew",
             path=path,
         )
@@ -161,12 +162,12 @@ def _sheet(path: Path) -> PublishedSheet:
 def _read(path: Path) -> Bytes:
     if not path.exists():
         raise UnreadableError(
-            "file-missing", "{path} is missing: a sheet needs the truth beside it", path=path
+            Code.FILE_MISSING, "{path} is missing: a sheet needs the truth beside it", path=path
         )
     values = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
     if values is None:
         raise UnreadableError(
-            "damaged-image", "{path} is no picture that can be read: make it anew", path=path
+            Code.DAMAGED_IMAGE, "{path} is no picture that can be read: make it anew", path=path
         )
     return values
 
@@ -179,7 +180,7 @@ def _licences(path: Path) -> dict[str, str]:
         return {str(source): str(licence) for source, licence in stated.items()}
     except (OSError, ValueError, AttributeError) as error:
         raise UnreadableError(
-            "file-unreadable",
+            Code.FILE_UNREADABLE,
             "{path} does not map sources to licences ({reason}): correct it",
             path=path,
             reason=error,

@@ -19,6 +19,7 @@ from gaussiancad_core.learning.feeding import Batch
 from gaussiancad_core.learning.loss import labels_loss
 from gaussiancad_core.learning.schedule import Course, rate_at
 from gaussiancad_core.learning.unet import LabelsNetwork
+from gaussiancad_protocol.codes import Code
 
 Tell = Callable[[str], None]
 
@@ -99,7 +100,7 @@ def train(
                 tell(f"step {run.step}, {share:.0%}: loss {run.recent():.4f}, {samples} samples")
     except torch.OutOfMemoryError as error:
         raise LimitError(
-            "out-of-memory", "the memory of the GPU does not suffice: use a smaller --batch"
+            Code.OUT_OF_MEMORY, "the memory of the GPU does not suffice: use a smaller --batch"
         ) from error
     finally:
         prepared.stop()

@@ -6,6 +6,7 @@ from enum import Enum
 import torch
 
 from gaussiancad_core.errors import EngineError
+from gaussiancad_protocol.codes import Code
 
 
 class Place(Enum):
@@ -25,7 +26,7 @@ def device_of(place: Place) -> torch.device:
     there = torch.cuda.is_available()
     if place is Place.CUDA and not there:
         raise EngineError(
-            "cuda-unavailable", "PyTorch finds no GPU of NVIDIA: use --device auto or cpu"
+            Code.CUDA_UNAVAILABLE, "PyTorch finds no GPU of NVIDIA: use --device auto or cpu"
         )
     return torch.device("cuda" if there and place is not Place.CPU else "cpu")
 

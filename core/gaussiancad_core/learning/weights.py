@@ -7,6 +7,7 @@ import torch
 
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.learning.unet import LabelsNetwork, load_weights
+from gaussiancad_protocol.codes import Code
 
 
 def save_weights(network: LabelsNetwork, path: Path) -> None:
@@ -34,11 +35,11 @@ def starting_network(start: Path | None, seed: int) -> LabelsNetwork:
         load_weights(network, torch.load(start, map_location="cpu", weights_only=True))
     except FileNotFoundError as error:
         raise UnreadableError(
-            "file-missing", "{path} does not exist: check the name of the weights", path=start
+            Code.FILE_MISSING, "{path} does not exist: check the name of the weights", path=start
         ) from error
     except (OSError, RuntimeError, pickle.UnpicklingError, AttributeError, EOFError) as error:
         raise UnreadableError(
-            "file-unreadable",
+            Code.FILE_UNREADABLE,
             "{path} has no weights of this network: name a weights.pt that training wrote",
             path=start,
         ) from error

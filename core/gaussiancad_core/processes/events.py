@@ -18,6 +18,7 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol, TextIO
 
 from gaussiancad_core.errors import CancelledError
+from gaussiancad_protocol.codes import Code
 
 PROTOCOL = 1
 
@@ -167,7 +168,7 @@ class Cancellation:
             return
         self._is_due = False
         threading.Thread(target=self._insist, args=(number,), name="cancel", daemon=True).start()
-        self.raised = CancelledError("cancelled", f"cancelled by {signal.Signals(number).name}")
+        self.raised = CancelledError(Code.CANCELLED, f"cancelled by {signal.Signals(number).name}")
         raise self.raised
 
     def _insist(self, number: int) -> None:

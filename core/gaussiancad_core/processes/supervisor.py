@@ -17,6 +17,7 @@ import psutil
 
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.processes.process_start import Interpreters, Starter, starter
+from gaussiancad_protocol.codes import Code
 
 _LOOKS_EVERY = 0.1
 """s between looks at the processes."""
@@ -96,10 +97,10 @@ class _Child:
         self._peak = max(self._peak, self._memory())
         if self._peak > self._limits.memory:
             reason = f"it took more than {self._limits.memory / 2**30:.1f} GB of memory"
-            return self._ended_for("out-of-memory", f"{reason}: give it more with --memory")
+            return self._ended_for(Code.OUT_OF_MEMORY, f"{reason}: give it more with --memory")
         if self.seconds > self._limits.seconds:
             reason = f"it took more than {self._limits.seconds:g} s"
-            return self._ended_for("takes-too-long", f"{reason}: give it more with --seconds")
+            return self._ended_for(Code.TAKES_TOO_LONG, f"{reason}: give it more with --seconds")
         return None
 
     @property

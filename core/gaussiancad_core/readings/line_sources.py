@@ -10,6 +10,7 @@ from gaussiancad_core.readings.reading_files import open_corrections, open_readi
 from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
+from gaussiancad_protocol.codes import Code
 
 
 def given_reading(
@@ -42,7 +43,7 @@ def given_reading(
     corrections = open_corrections(path)
     if corrections.sheet_sha256 != sheet_sha256:
         raise UsageError(
-            "corrections-of-another-sheet",
+            Code.CORRECTIONS_OF_ANOTHER_SHEET,
             "{path} corrects another sheet, or another version of it: remove it, or correct the "
             "sheet again",
             path=path,
@@ -58,7 +59,7 @@ def _tell_lengths(pair: tuple[ToldLength, ToldLength] | None, notes: RunNotes) -
         return
     earlier, last = pair
     notes.doubt(
-        "told-lengths-disagree",
+        Code.TOLD_LENGTHS_DISAGREE,
         Message(
             "the lengths of {earlier_mm} mm and {last_mm} mm that were told contradict each other; "
             "the last one was taken: tell one of them again",
@@ -72,7 +73,7 @@ def _tell(found: Corrected, notes: RunNotes) -> None:
     taken = found.reading.corrected
     if taken:
         notes.warn(
-            "corrected",
+            Code.CORRECTED,
             Message(
                 "{count} correction(s) by hand were taken: the result is checked by them",
                 count=taken,
@@ -81,7 +82,7 @@ def _tell(found: Corrected, notes: RunNotes) -> None:
     if found.unmatched:
         names = ", ".join(map(str, found.unmatched[:10]))
         notes.doubt(
-            "corrections-unmatched",
+            Code.CORRECTIONS_UNMATCHED,
             Message(
                 "{count} correction(s) found nothing to correct any more (number {numbers}): look "
                 "at them again",

@@ -10,6 +10,7 @@ from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.readings.correction_operations import Corrections
 from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.storage.plain_files import check_plain
+from gaussiancad_protocol.codes import Code
 
 _MOST_BYTES = 64 * 2**20
 """Of such a file: a sheet of 200,000 strokes has less."""
@@ -31,10 +32,10 @@ def open_reading(path: Path) -> SheetReading:
             message names the place.
         LimitError: ``too-many-elements``: it has more strokes than are taken.
     """
-    reading = open_typed(path, SheetReading, "reading-not-read")
+    reading = open_typed(path, SheetReading, Code.READING_NOT_READ)
     if len(reading.strokes) > _MOST_STROKES:
         raise LimitError(
-            "too-many-elements",
+            Code.TOO_MANY_ELEMENTS,
             "{path} has {count:,} strokes, at most {most:,} are taken: read the views alone",
             case="reading",
             path=path,
@@ -45,7 +46,7 @@ def open_reading(path: Path) -> SheetReading:
         counts = Counter(entry.id for entry in entries)
         twice = next((name for name, count in counts.items() if count > 1), None)
         if twice is not None:
-            raise _wrong(path, f"{what}: two have the id {twice!r}", "reading-not-read")
+            raise _wrong(path, f"{what}: two have the id {twice!r}", Code.READING_NOT_READ)
     return reading
 
 
@@ -57,10 +58,10 @@ def open_corrections(path: Path) -> Corrections:
             form; the message names the place.
         LimitError: ``too-many-elements``: it has more corrections than are taken.
     """
-    corrections = open_typed(path, Corrections, "corrections-not-read")
+    corrections = open_typed(path, Corrections, Code.CORRECTIONS_NOT_READ)
     if len(corrections.ops) > _MOST_OPERATIONS:
         raise LimitError(
-            "too-many-elements",
+            Code.TOO_MANY_ELEMENTS,
             "{path} has {count:,} corrections, at most {most:,} are taken: remove those that no "
             "longer matter",
             case="corrections",

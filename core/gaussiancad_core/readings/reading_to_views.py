@@ -60,14 +60,15 @@ from gaussiancad_core.writing.scale_agreement import Measure, ReadDimension
 from gaussiancad_core.writing.section_titles import NamedSection, Trace
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
 from gaussiancad_core.writing.titles import Title, TitleKind
+from gaussiancad_protocol.codes import Code
 
 _CARRIED = (
-    "other-pen-lines",
-    "dimensions-disagree",
-    "unit-contradicts-note",
-    "size-contradicts-unit",
-    "full-scale-assumed",
-    "dimensions-not-read",
+    Code.OTHER_PEN_LINES,
+    Code.DIMENSIONS_DISAGREE,
+    Code.UNIT_CONTRADICTS_NOTE,
+    Code.SIZE_CONTRADICTS_UNIT,
+    Code.FULL_SCALE_ASSUMED,
+    Code.DIMENSIONS_NOT_READ,
 )
 """Codes of what only reading itself can tell."""
 
@@ -112,7 +113,7 @@ def taken_lines(
     image, clean = sheet.image, sheet.clean
     if reading.sheet.sha256 != image.sha256 or reading.sheet.page != job.page:
         raise UsageError(
-            "reading-of-another-sheet",
+            Code.READING_OF_ANOTHER_SHEET,
             "the reading belongs to another sheet or page than {sheet}: read that with "
             "`gaussiancad read`",
             sheet=image.path.name,
@@ -155,7 +156,7 @@ def _check_places(reading: SheetReading, size: tuple[int, int]) -> None:
         box = box_of(stroke) if stroke.kind in DRAWN else None
         if box is not None and (min(box) < -beyond or max(box) > max(size) + beyond):
             raise UnreadableError(
-                "reading-not-read",
+                Code.READING_NOT_READ,
                 "{path} was not taken: {reason}; write it with `gaussiancad read`, or mend that "
                 "place",
                 path="the reading",
@@ -201,7 +202,7 @@ def _principal(reading: SheetReading) -> dict[Role, ViewEntry]:
             continue
         if role in found:
             raise UsageError(
-                "role-repeated",
+                Code.ROLE_REPEATED,
                 "the reading has two {view} views, {first} and {second}: a part is seen from there "
                 "once",
                 view=role,
@@ -262,7 +263,7 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
     views = _principal(reading)
     if not views:
         raise NoModelError(
-            "no-views",
+            Code.NO_VIEWS,
             "the reading names no view of the part: give each its role, and a box around it",
         )
     strokes = {role: _strokes_of(reading, view, clean.turn) for role, view in views.items()}
@@ -275,7 +276,7 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
     for role in empty:
         if views[role].id in known:
             raise NoModelError(
-                "empty-view",
+                Code.EMPTY_VIEW,
                 "the {view} view at {place} px has no visible line",
                 view=role,
                 place="({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*views[role].box),

@@ -50,6 +50,7 @@ from gaussiancad_core.writing.note_texts import SheetNote
 from gaussiancad_core.writing.scale_agreement import ReadDimension
 from gaussiancad_core.writing.section_titles import NamedSection, Trace
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
+from gaussiancad_protocol.codes import Code
 
 READING_FILE = "reading.json"
 
@@ -81,18 +82,18 @@ _KINDS = {
 }
 
 _OFFERS = {
-    "open-outline": ("draw", "view"),
-    "scale-assumed": ("scale",),
-    "full-scale-assumed": ("scale",),
-    "unit-contradicts-note": ("scale",),
-    "size-contradicts-unit": ("scale",),
-    "dimensions-disagree": ("dimension", "scale"),
-    "unused-view": ("view",),
-    "lines-left-out": ("view",),
-    "other-pen-lines": ("kind",),
-    "labels-doubtful": ("kind",),
-    "views-disagree": ("view", "erase"),
-    "symbol-contradicts-lines": ("projection",),
+    Code.OPEN_OUTLINE: ("draw", "view"),
+    Code.SCALE_ASSUMED: ("scale",),
+    Code.FULL_SCALE_ASSUMED: ("scale",),
+    Code.UNIT_CONTRADICTS_NOTE: ("scale",),
+    Code.SIZE_CONTRADICTS_UNIT: ("scale",),
+    Code.DIMENSIONS_DISAGREE: ("dimension", "scale"),
+    Code.UNUSED_VIEW: ("view",),
+    Code.LINES_LEFT_OUT: ("view",),
+    Code.OTHER_PEN_LINES: ("kind",),
+    Code.LABELS_DOUBTFUL: ("kind",),
+    Code.VIEWS_DISAGREE: ("view", "erase"),
+    Code.SYMBOL_CONTRADICTS_LINES: ("projection",),
 }
 """Corrections that may help, by the code of what is in doubt."""
 
@@ -162,7 +163,7 @@ def sheet_reading(
 def refusal(code: str, message: str) -> Problem:
     """Why no part follows from a sheet."""
     offers = _offers(code) or _NO_VIEWS
-    if code == "one-view" and "axis" in args_of(message):
+    if code == Code.ONE_VIEW and "axis" in args_of(message):
         # A length along an axis that no view shows is the thickness.
         offers = ("scale", *offers)
     return Problem(**event_fields(code, message), severity="refused", offers=offers)

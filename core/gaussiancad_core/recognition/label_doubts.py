@@ -10,8 +10,9 @@ from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.labels.label_evidence import SheetLabels, meets
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_protocol.codes import Code
 
-DOUBTFUL = "labels-doubtful"
+DOUBTFUL = Code.LABELS_DOUBTFUL
 """Code of lines that may be edges or annotation."""
 
 _MOST_PLACES = 5

@@ -22,6 +22,7 @@ from gaussiancad_core.writing.dimension_texts import Span
 from gaussiancad_core.writing.note_texts import SheetNote
 from gaussiancad_core.writing.numbers import Sign
 from gaussiancad_core.writing.sheet_scale import SheetScale
+from gaussiancad_protocol.codes import Code
 
 _ALIKE = 0.97
 """Share of a view that its mirror image has, if it is a turned part's: of its lines, or, of a half
@@ -79,14 +80,14 @@ def told_unseen(
     about = _turned_about(view, scale) if scale is not None else None
     thickness = _thickness(axis, notes, options)
     if about is not None and options.length_along(axis) is None:
-        run.doubt("second-view-assumed", _TURNED)
+        run.doubt(Code.SECOND_VIEW_ASSUMED, _TURNED)
         return Unseen(axis, about=about)
     if thickness is not None and _is_scaled(axis, options):
-        run.doubt("second-view-assumed", _PLATE)
+        run.doubt(Code.SECOND_VIEW_ASSUMED, _PLATE)
         return Unseen(axis, thickness)
     if thickness is not None:
         raise NoModelError(
-            "one-view",
+            Code.ONE_VIEW,
             "the sheet has one view and a thickness, and nothing tells its scale: tell --length "
             "AXIS=MM along an axis that the view shows, or --mm-per-pixel",
             boxes=[view.box],
@@ -94,7 +95,7 @@ def told_unseen(
             case="scale",
         )
     raise NoModelError(
-        "one-view",
+        Code.ONE_VIEW,
         "only one view was found, at {places} px, and neither diameters across an axis nor a "
         "thickness tell the part: a model needs two orthogonal views or more, or --length "
         "{axis}=MM for its thickness",

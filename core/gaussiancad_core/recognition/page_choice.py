@@ -7,6 +7,7 @@ from gaussiancad_core.messages import Message, args_of, boxes_of, filled
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
+from gaussiancad_protocol.codes import Code
 
 
 def naming_pages(error: NoModelError, image: SheetImage) -> NoModelError:
@@ -33,7 +34,7 @@ def page_instead(job: Job, image: SheetImage) -> Job | None:
 def tell_page(notes: RunNotes, page: int, image: SheetImage) -> None:
     """Say that another page than the first was taken."""
     notes.warn(
-        "other-page-taken",
+        Code.OTHER_PAGE_TAKEN,
         Message(
             "page 1 of {pages} shows no views that belong together: page {page} was taken, the "
             "layout that brings them together; tell --page if another one is meant",

@@ -26,6 +26,7 @@ from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_core.sheet.views.view_search import STUB, arranged, lone_view, with_symbol
 from gaussiancad_core.writing.captions import captions_of
 from gaussiancad_core.writing.sheet_scale import WrittenSheet, read_texts
+from gaussiancad_protocol.codes import Code
 
 _MOST_PIECES = 15_000
 """Pieces of ink of a sheet: crowded screenshots and scans have 3,000, letters among them."""
@@ -85,7 +86,7 @@ def picture_views(
         found = arranged(sheet, separated, request)
     except NoModelError as error:
         alone = None
-        if error.code == "one-view" and not given:
+        if error.code == Code.ONE_VIEW and not given:
             alone = lone_view(sheet, separated, replace(request, captions=()))
         if alone is None:
             raise as_pictorial(error, separated) from error
@@ -102,7 +103,7 @@ def _check_pieces(ink: npt.NDArray[np.bool_]) -> None:
     count = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)[0] - 1
     if count > _MOST_PIECES:
         raise NoModelError(
-            "part-too-complex",
+            Code.PART_TOO_COMPLEX,
             "the sheet has {count:,} separate strokes, at most {most:,} are followed: draw less in "
             "one sheet, or cut the views out of it",
             case="pieces",

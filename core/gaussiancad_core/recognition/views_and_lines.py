@@ -11,7 +11,6 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.recognition.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.recognition.one_view import shown_extents, told_unseen
 from gaussiancad_core.recognition.sheet_views import SheetViews, sheet_views
@@ -46,6 +45,8 @@ from gaussiancad_core.writing.sheet_scale import (
     SheetScale,
     find_scale,
 )
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import ResultKind
 
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
@@ -300,7 +301,7 @@ def tell_scale(
     stated = reading.scaling_length(shown_extents(drawn))
     if reading.mm_per_pixel is not None and stated is not None:
         raise UsageError(
-            "wrong-usage",
+            Code.WRONG_USAGE,
             "--mm-per-pixel and --length along {axis} both tell the scale: leave one out",
             axis=stated[0].name.lower(),
         )
@@ -318,7 +319,7 @@ def _views(sheet: OpenedSheet, reading: ReadingOptions, notes: RunNotes) -> Shee
     given = {role: sheet.turn.box_to_upright(box) for role, box in reading.views}
     found = sheet_views(sheet, given, reading.projection, reading.finder)
     if found.labels_problem is not None:
-        notes.warn("labels-missing", found.labels_problem)
+        notes.warn(Code.LABELS_MISSING, found.labels_problem)
     tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, sheet.turn)
     _tell_doubtful(notes, found.other_pens)
     return found
@@ -332,7 +333,7 @@ def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:
             for box in boxes[:_MOST_PLACES]
         )
         notes.doubt(
-            "other-pen-lines",
+            Code.OTHER_PEN_LINES,
             Message(
                 "{count} line(s) run from edge to edge in another pen than the part's and were not "
                 "used, at {places} px: if they show the part, what they show is missing",
@@ -385,7 +386,7 @@ def tell_layout(
     view_like = [turn.box_to_stored(box) for box in may_be_views(layout.left_out)]
     if left_out:
         notes.warn(
-            "lines-left-out",
+            Code.LINES_LEFT_OUT,
             Message(
                 "{count} group(s) of lines belong to no view and were left out: {places} px",
                 boxes=left_out,
@@ -409,7 +410,7 @@ def tell_layout(
     frame = [turn.box_to_stored(layout.frame)] if layout.frame is not None else []
     if frame and frame_guessed:
         notes.doubt(
-            "frame-left-out",
+            Code.FRAME_LEFT_OUT,
             Message(
                 "the lines around everything at {places} px were taken for a frame; they may be "
                 "the part's outline, and what was taken for its view a pocket in it",
@@ -420,7 +421,7 @@ def tell_layout(
         )
     elif frame:
         notes.warn(
-            "frame-left-out",
+            Code.FRAME_LEFT_OUT,
             Message(
                 "the lines around everything at {places} px were taken for a frame, not for the "
                 "part's outline",

@@ -13,6 +13,7 @@ from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.report.run_report import Assumption
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_protocol.codes import Code
 
 _SAME = 0.02
 """Share of its radius within which a circle is one of which a note speaks."""
@@ -62,7 +63,7 @@ def assumed_holes(reading: Reading, shape: TopoDS_Shape, turn: Turn) -> Iterator
 
 def _assumed(circle: Arc, role: Role, boxes: tuple[Box, ...]) -> Assumption:
     return Assumption(
-        "hole-through",
+        Code.HOLE_THROUGH,
         Message(
             "the hole of {diameter_mm:.4g} mm in the {view} view was taken to go through, as "
             "nothing tells its depth",

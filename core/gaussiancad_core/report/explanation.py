@@ -9,6 +9,7 @@ from math import hypot
 
 from gaussiancad_core.report.pointing import Values, distance, holds
 from gaussiancad_core.report.stroke_sentences import percent, stroke_in_words
+from gaussiancad_protocol.codes import Code
 
 _MOST = 6
 """Places that one sentence names at most."""
@@ -26,7 +27,7 @@ _SIZE_UNKNOWN = "Size unknown: tell it with --length AXIS=MM, or between two poi
 
 _MEASURES_UNKNOWN = "How exact its measures are is not known: the views fit no one scale."
 
-_NO_ONE_SCALE = ("photographed-at-a-slant", "views-disagree")
+_NO_ONE_SCALE = (Code.PHOTOGRAPHED_AT_A_SLANT, Code.VIEWS_DISAGREE)
 """Reasons and warnings which say that no scale is that of all views."""
 
 _MODELS = {
@@ -77,7 +78,7 @@ def is_size_known(report: Values) -> bool:
     if report.get("scale_source") == "default":
         return False
     return not any(
-        item["code"] == "full-scale-assumed" and item.get("args", {}).get("case") != "file"
+        item["code"] == Code.FULL_SCALE_ASSUMED and item.get("args", {}).get("case") != "file"
         for item in report.get("warnings", ())
     )
 

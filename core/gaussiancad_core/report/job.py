@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.files.file_opening import head_of
-from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, SolidWay
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.storage.foreign_files import check_no_foreign
 from gaussiancad_core.storage.outputs import check_writable
 from gaussiancad_core.storage.resume_check import sha256
+from gaussiancad_protocol.modes import Device, Preset, Recipe, ResultKind, SolidWay
 
 _CORRECTIONS = ".corrections.json"
 """Ends the name of the file beside a sheet, after the sheet's whole name, and the page where that

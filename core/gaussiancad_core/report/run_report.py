@@ -13,11 +13,11 @@ from gaussiancad_core import __version__
 from gaussiancad_core.lines.line_agreement import Agreement
 from gaussiancad_core.messages import event_fields
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.modes import Status
 from gaussiancad_core.report.explanation import are_measures_told, explained, is_size_known, verdict
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
 from gaussiancad_core.writing.scale_agreement import ReadDimension
+from gaussiancad_protocol.modes import Status
 
 SCHEMA = 2
 

@@ -12,6 +12,7 @@ from gaussiancad_core.report.run_report import Assumption, PlaneReport, SectionR
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.special_views.adjacent_sections import overlap
 from gaussiancad_core.writing.section_titles import NamedSection
+from gaussiancad_protocol.codes import Code
 
 if TYPE_CHECKING:
     from gaussiancad_core.solid.verify import Verification
@@ -77,7 +78,7 @@ def assumed_planes(sections: Sequence[SectionReport]) -> tuple[Assumption, ...]:
     """Sections without a cutting line: where they cut was assumed."""
     return tuple(
         Assumption(
-            "section-through-middle",
+            Code.SECTION_THROUGH_MIDDLE,
             Message(
                 "the {view} section {label} was taken to cut through the middle of the part, as "
                 "nothing tells where",

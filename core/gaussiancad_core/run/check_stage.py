@@ -22,6 +22,7 @@ from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 from gaussiancad_core.solid.verify import matching_tolerance
+from gaussiancad_protocol.codes import Code
 
 SURFACE_TOLERANCE_PX = 3.0
 """px of the sheet within which a line of a surface is the sheet's line.
@@ -37,7 +38,7 @@ _PREVIEW_DEFLECTION = 5e-4
 """Deviation of the preview's triangles, as a share of the longest extent."""
 
 _NO_SOLID = (
-    "no-exact-solid",
+    Code.NO_EXACT_SOLID,
     "the model is a surface around the space that the outlines, and depths where they are known, "
     "leave, not an exact solid: measure nothing from it that the sheet dimensions",
 )
@@ -107,7 +108,7 @@ def check_surface(
     if unexplained:
         reasons.append(
             (
-                "lines-unexplained",
+                Code.LINES_UNEXPLAINED,
                 Message(
                     "the surface does not show all lines of the {views} view(s), or shows others: "
                     "see overlay.png",

@@ -17,7 +17,6 @@ from functools import cached_property
 from gaussiancad_core.evidence.projected_reading import Reading
 from gaussiancad_core.labelling.cell_labelling import Effort
 from gaussiancad_core.messages import Message
-from gaussiancad_core.modes import SolidWay, Status
 from gaussiancad_core.sketch.projection_by_sketch import Weighed, weigh
 from gaussiancad_core.sketch.sketch_check import checked
 from gaussiancad_core.sketch.sketching import Sketch
@@ -26,9 +25,11 @@ from gaussiancad_core.solid.limits import Limits, Modelled
 from gaussiancad_core.solid.reasons import UNBUILT, has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import SolidWay, Status
 
 _UNSETTLED = (
-    "search-unfinished",
+    Code.SEARCH_UNFINISHED,
     Message(
         "whether the views fit a solid in the other projection as well is not certain: "
         "tell --projection",
@@ -36,7 +37,7 @@ _UNSETTLED = (
     ),
 )
 
-OPEN_ENDED = ("search-unfinished",)
+OPEN_ENDED = (Code.SEARCH_UNFINISHED,)
 """Codes of searches that a limit ended: there may be a solid."""
 
 _KEPT = 0.9
@@ -46,7 +47,7 @@ _MORE_USUAL = 0.8
 """Share of what is unusual about one solid that there is about a clearly more usual one."""
 
 _AMBIGUOUS = (
-    "ambiguous",
+    Code.AMBIGUOUS,
     Message(
         "the views fit different solids in first and in third angle: tell --projection",
         case="projection",
@@ -339,7 +340,7 @@ def _kept(result: ExactResult) -> ExactResult:
     if share >= _KEPT and result.verification.sound:
         return result
     reason = (
-        "no-exact-solid",
+        Code.NO_EXACT_SOLID,
         Message(
             "the exact solid that fits best agrees with {percent} % of the lines only and was not "
             "kept: lines were misread, or the part has surfaces that are not supported yet",

@@ -2,12 +2,12 @@
 
 from gaussiancad_core.evidence.ink_offsets import ink_offsets
 from gaussiancad_core.evidence.projected_reading import APART_PX
-from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.reasons import beside_ink
+from gaussiancad_protocol.modes import Status
 
 
 def compared_with_ink(

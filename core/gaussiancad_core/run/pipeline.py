@@ -15,7 +15,6 @@ from gaussiancad_core.errors import (
     out_of_files,
 )
 from gaussiancad_core.messages import Message
-from gaussiancad_core.modes import Device, Recipe, ResultKind, SolidWay, Status
 from gaussiancad_core.processes.events import Listener, Progress, cancellation_behind
 from gaussiancad_core.recognition.load_sheet import open_image, tell_image
 from gaussiancad_core.recognition.page_choice import naming_pages, page_instead, tell_page
@@ -29,6 +28,8 @@ from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.storage.extras import Extra, demand, lacking
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.storage.resume_check import finished_report
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import Device, Recipe, ResultKind, SolidWay, Status
 
 if TYPE_CHECKING:
     from gaussiancad_core.model.meshes import TriangleMesh
@@ -116,7 +117,7 @@ def _failure(error: Exception, job: Job) -> GaussianCadError:
         return no_files
     if is_out_of_memory(error):
         return LimitError(
-            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
+            Code.OUT_OF_MEMORY, "the memory does not suffice: use --preset draft or a smaller sheet"
         )
     from gaussiancad_core.storage.crash_reports import unforeseen
 
@@ -182,7 +183,7 @@ class _Run:
 
     def _tell_surface_left_out(self) -> None:
         self.notes.warn(
-            "surface-left-out",
+            Code.SURFACE_LEFT_OUT,
             Message(
                 'no surface was made, as the extra "{extra}" is not installed: {command}; '
                 "--result solid asks for none",
@@ -338,7 +339,7 @@ class _Run:
 
     def _tell_left_out(self) -> None:
         self.notes.doubt(
-            "solid-way-left-out",
+            Code.SOLID_WAY_LEFT_OUT,
             "a library broke down in one of the ways in which the solid is looked for: that way "
             "was left out; this is a fault of ours, please report it with the sheet",
         )
@@ -441,7 +442,7 @@ class _Run:
         if outlined.closed:
             names = " and ".join(role.value for role in outlined.closed)
             self.notes.warn(
-                "outline-of-solid",
+                Code.OUTLINE_OF_SOLID,
                 Message(
                     "the lines around the {views} view leave gaps: the surface was made with the "
                     "exact solid's outline there",
@@ -456,7 +457,7 @@ class _Run:
 
         if surface_stage.takes_long(self.job):
             self.notes.warn(
-                "training-takes-long",
+                Code.TRAINING_TAKES_LONG,
                 "so many iterations on images of this size take an hour or more on a processor: "
                 "use --preset draft, --scale-down N, or a GPU; with --resume a run that is broken "
                 "off goes on",
@@ -465,7 +466,7 @@ class _Run:
         training = surface_stage.train_on(hull, self.job, views, self.progress, place)
         if training.passed_over:
             self.notes.warn(
-                "checkpoint-ignored",
+                Code.CHECKPOINT_IGNORED,
                 "the checkpoint in the output folder belongs to another sheet, other options or "
                 "another version: the training began anew",
             )
@@ -484,7 +485,7 @@ class _Run:
         if self.notes.report.projection_alternatives:
             taken = self.notes.report.projection
             self.notes.warn(
-                "projection-assumed",
+                Code.PROJECTION_ASSUMED,
                 Message(
                     "the lines fit first and third angle alike: {taken} angle was taken; tell "
                     "--projection {other} if the sheet is drawn in {other} angle",

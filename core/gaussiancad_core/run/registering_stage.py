@@ -9,7 +9,6 @@ from gaussiancad_core.evidence.projection_choice import both_readings, opposite
 from gaussiancad_core.evidence.section_evidence import cuts_of, sections_of
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, mutually_orthogonal
-from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.recognition.views_and_lines import SheetLines
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
@@ -22,6 +21,8 @@ from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 from gaussiancad_core.writing.section_titles import NamedSection
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import Recipe, ResultKind
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +101,7 @@ def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> Non
         if not found.contradicted:
             return
     notes.doubt(
-        "symbol-contradicts-lines",
+        Code.SYMBOL_CONTRADICTS_LINES,
         Message(
             "the projection symbol says {symbol} angle, but the visible and hidden lines fit "
             "{other} angle better: {taken} angle was taken; tell --projection if it is the other",
@@ -145,7 +146,7 @@ def _with_measures(
     """The readings with what the dimensions say of lengths, where they fit the scale."""
     if contradicts(found.assumed.registered, scale):
         notes.doubt(
-            "scale-contradicts-dimensions",
+            Code.SCALE_CONTRADICTS_DIMENSIONS,
             Message(
                 "the dimensions on the sheet agree on {sheet:.4g} mm a pixel, but {told:.4g} was "
                 "told: check --length or --mm-per-pixel; their numbers were not used",
@@ -223,7 +224,7 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
     )
     if notes.report.scale_source == ScaleSource.DEFAULT.value:
         notes.warn(
-            "scale-assumed",
+            Code.SCALE_ASSUMED,
             "the scale is not known: the longest edge was made 100 mm; "
             "tell --length AXIS=MM or --mm-per-pixel",
         )
@@ -231,7 +232,7 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
         spread = registered.extents.spread[axis]
         residual = registered.extents.residuals[axis]
         notes.warn(
-            "views-disagree",
+            Code.VIEWS_DISAGREE,
             Message(
                 "the views differ by {spread:.1f} px in the part's extent along {axis}, and by up "
                 "to {largest:.1f} px from the coordinates that they share: their mean was taken",
@@ -243,5 +244,5 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
         )
     if registered.unseen is None and not mutually_orthogonal(registered.views.roles):
         notes.doubt(
-            "two-views", "only two directions of view: what a third would show is not known"
+            Code.TWO_VIEWS, "only two directions of view: what a third would show is not known"
         )

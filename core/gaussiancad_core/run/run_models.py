@@ -9,9 +9,9 @@ import numpy as np
 
 from gaussiancad_core.model.cameras import Camera, orthographic_camera, paper_camera
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Recipe
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
+from gaussiancad_protocol.modes import Recipe
 
 if TYPE_CHECKING:
     from gaussiancad_core.solid.exact import ExactResult

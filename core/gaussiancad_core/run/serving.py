@@ -10,7 +10,6 @@ import cv2
 import msgspec
 
 from gaussiancad_core.errors import GaussianCadError, UsageError
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.pictures.preview import png_bytes
 from gaussiancad_core.processes.events import Listener, Progress, Silence
 from gaussiancad_core.readings.correcting import Ink, corrected
@@ -31,6 +30,8 @@ from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage, read_sheet
 from gaussiancad_core.storage.outputs import os_error
 from gaussiancad_core.storage.single_file import write_whole
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import ResultKind
 
 
 class Request(msgspec.Struct, frozen=True, kw_only=True):
@@ -108,7 +109,7 @@ class Desk:
         """
         asked = _REQUESTS.get(request.do)
         if asked is None:
-            raise UsageError("unknown-request", f"there is no request {request.do!r}")
+            raise UsageError(Code.UNKNOWN_REQUEST, f"there is no request {request.do!r}")
         self._listener = listener
         try:
             return asked(self, request)

@@ -13,7 +13,6 @@ from gaussiancad_core.labelling.conflict_lines import Conflict
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.section_planes import SectionRole
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.modes import Status
 from gaussiancad_core.pictures.overlay import view_to_sheet
 from gaussiancad_core.report.assumed_holes import assumed_holes
 from gaussiancad_core.report.run_report import (
@@ -33,6 +32,8 @@ from gaussiancad_core.solid.measure_bounds import Measures
 from gaussiancad_core.solid.reasons import ASSUMED
 from gaussiancad_core.solid.search_trace import Attempt
 from gaussiancad_core.solid.verify import Flaw
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import Status
 
 _INSIDE = "bores, pockets or cavities that would show in hidden lines only"
 """What else there may be where a solid rests on hidden lines that no view has."""
@@ -48,7 +49,7 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
         measures=_measures(result.measures) if result.measures and report.measures_told else None,
         assumptions=(
             *(
-                Assumption("nothing-hidden", message, None, _INSIDE)
+                Assumption(Code.NOTHING_HIDDEN, message, None, _INSIDE)
                 for code, message in result.reasons
                 if code == ASSUMED
             ),
@@ -119,9 +120,9 @@ def _of_sheet(report: Report, model: ExactModel, turn: Turn) -> Iterator[Assumpt
 def _second_view(report: Report) -> Iterator[Assumption]:
     """That a second view would have shown what was taken for it."""
     yield from (
-        Assumption("second-view", reason.message, None, "another part with the same view")
+        Assumption(Code.SECOND_VIEW, reason.message, None, "another part with the same view")
         for reason in report.reasons
-        if reason.code == "second-view-assumed"
+        if reason.code == Code.SECOND_VIEW_ASSUMED
     )
 
 

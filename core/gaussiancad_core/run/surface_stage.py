@@ -8,7 +8,6 @@ from gaussiancad_core.hull.space_carving import CarvedHull, carved_hull
 from gaussiancad_core.model.cameras import Camera
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_report import GaussiansReport, HullReport, SurfaceReport
 from gaussiancad_core.run.exact_stage import ExactModel
@@ -28,6 +27,7 @@ from gaussiancad_core.splatting.targets import mean_colour, targets_of
 from gaussiancad_core.splatting.torch_devices import backend_for
 from gaussiancad_core.surface.nearness import WeighedSurface
 from gaussiancad_core.surface.poisson import DENSE, PoissonSettings, gaussian_surface
+from gaussiancad_protocol.modes import Preset
 
 _MUCH_WORK = 1e9
 """Pixels times iterations from which on a processor takes many minutes."""

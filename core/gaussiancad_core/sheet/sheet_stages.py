@@ -45,6 +45,7 @@ from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, v
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
 from gaussiancad_core.sheet.views.outside_strokes import without_outside
 from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_protocol.codes import Code
 
 _MOST_STROKES = 3000
 """Of a view: each is looked at beside the others, and parts have some hundred."""
@@ -199,7 +200,7 @@ def _check_outline(view: ReadView) -> None:
         fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
     if fault:
         raise NoModelError(
-            "open-outline",
+            Code.OPEN_OUTLINE,
             "the outline of the {view} view at {place} px {fault}",
             boxes=[view.box],
             view=view.role,
@@ -269,7 +270,7 @@ def register_views(
 def _check_amount(view: ReadView) -> None:
     if len(view.strokes) > _MOST_STROKES:
         raise NoModelError(
-            "part-too-complex",
+            Code.PART_TOO_COMPLEX,
             "the {view} view has {count:,} lines, more than the {most:,} that a part is made from: "
             "draw less in one sheet",
             boxes=[view.box],
@@ -282,7 +283,7 @@ def _check_amount(view: ReadView) -> None:
 def _check_size(longest: float) -> None:
     if not SHORTEST_MM <= longest <= LONGEST_MM:
         raise NoModelError(
-            "size-out-of-range",
+            Code.SIZE_OUT_OF_RANGE,
             "by its scale the part is {longest:.3g} mm long, and parts of {least:g} to {most:g} mm "
             "are built: tell its true size with --length AXIS=MM",
             longest=longest,

@@ -6,13 +6,14 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import is_valid, soundness
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.messages import Message
-from gaussiancad_core.modes import Status
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.measure_bounds import measures_of
 from gaussiancad_core.solid.reasons import Reason, has_hidden_lines, reasons_of
 from gaussiancad_core.solid.search_trace import Attempt, ModelKind, Outcome
 from gaussiancad_core.solid.verify import Verification, verify
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import Status
 
 
 def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
@@ -43,10 +44,10 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
     reasons = [_sketched(sketch, verification)]
     if facts.valid and facts.closed and not is_one_body:
         reasons.append(
-            ("several-bodies", Message("the part is {count} bodies", count=facts.solids))
+            (Code.SEVERAL_BODIES, Message("the part is {count} bodies", count=facts.solids))
         )
     stated_reasons = reasons_of(verification, 1, True, views)
-    reasons += [pair for pair in stated_reasons if is_one_body or pair[0] != "solid-unsound"]
+    reasons += [pair for pair in stated_reasons if is_one_body or pair[0] != Code.SOLID_UNSOUND]
     outcome = Outcome.ALL_LINES if verification.explains else Outcome.DEVIATES
     attempt = Attempt(
         ModelKind.SKETCH,
@@ -71,7 +72,7 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
 def _sketched(sketch: Sketch, verification: Verification) -> Reason:
     if verification.explains:
         return (
-            "sketched",
+            Code.SKETCHED,
             Message(
                 "this part, slabs along {axis}, has all lines; it was sketched, and nothing "
                 "proves that no other part has them",
@@ -80,7 +81,7 @@ def _sketched(sketch: Sketch, verification: Verification) -> Reason:
             ),
         )
     return (
-        "sketched",
+        Code.SKETCHED,
         Message(
             "no solid has all lines as they were read: this part, slabs along {axis}, explains "
             "them best, {percent} % of them",

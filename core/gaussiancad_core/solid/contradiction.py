@@ -5,8 +5,9 @@ import numpy as np
 from gaussiancad_core.labelling.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_protocol.codes import Code
 
-CODE = "lines-contradict"
+CODE = Code.LINES_CONTRADICT
 
 _MOST = 4
 """Lines that are named; the others are counted."""

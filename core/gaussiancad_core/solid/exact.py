@@ -17,7 +17,6 @@ from gaussiancad_core.labelling.conflict_lines import Conflict
 from gaussiancad_core.labelling.counted_work import Deadline, Meter
 from gaussiancad_core.labelling.minimal_conflicts import find_conflict
 from gaussiancad_core.labelling.part_model import model_part
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.candidates import Candidate, Found, candidates_of
 from gaussiancad_core.solid.limits import Limits, Modelled, Work
 from gaussiancad_core.solid.measure_bounds import Measures, measures_of
@@ -43,6 +42,7 @@ from gaussiancad_core.solid.undrawn_variants import (
     views_that_may_lack_lines,
 )
 from gaussiancad_core.solid.verify import Verification
+from gaussiancad_protocol.modes import Status
 
 _PATIENT = 0.25
 """Share of the work after which it is not asked any more which lines contradict each other."""

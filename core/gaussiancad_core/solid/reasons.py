@@ -8,24 +8,25 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role, mutually_orthogonal
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.solid.verify import Verification
+from gaussiancad_protocol.codes import Code
 
 Reason = tuple[str, str]
 """A kebab-case code, and a sentence: a :class:`.Message` where it has values."""
 
-ASSUMED = "assumed"
+ASSUMED = Code.ASSUMED
 """Code of what rests on something that no line says."""
 
-NONE: Reason = "no-solid-fits", "no solid has these lines: they contradict each other"
+NONE: Reason = Code.NO_SOLID_FITS, "no solid has these lines: they contradict each other"
 UNBUILT: Reason = (
-    "no-valid-solid",
+    Code.NO_VALID_SOLID,
     "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
 )
 UNFINISHED: Reason = (
-    "search-unfinished",
+    Code.SEARCH_UNFINISHED,
     "the search for solids with these lines was not completed",
 )
 GUARDED: Reason = (
-    "search-unfinished",
+    Code.SEARCH_UNFINISHED,
     Message(
         "the clock ended the search, after many times as long as it takes on an ordinary machine: "
         "run the sheet again where less else is running",
@@ -50,12 +51,12 @@ def undrawn_in(roles: Sequence[Role]) -> Reason:
 
 
 _RETOLD: Reason = (
-    "linetypes-retold",
+    Code.LINETYPES_RETOLD,
     "hidden lines no longer than a dash look like visible ones: some are taken for the other kind, "
     "as the other views have it",
 )
 _THIN: Reason = (
-    "faces-thin",
+    Code.FACES_THIN,
     "long faces narrower than two pixels, which no view can show: they may be left between lines "
     "that belong together",
 )
@@ -82,10 +83,10 @@ def reasons_of(
     reasons: list[Reason] = []
     if len(views.roles) > 1 and not mutually_orthogonal(views.roles):
         reasons.append(
-            ("two-views", "only two directions of view: what a third would show is not known")
+            (Code.TWO_VIEWS, "only two directions of view: what a third would show is not known")
         )
     if not verification.sound:
-        reasons.append(("solid-unsound", "the solid is not one valid closed body"))
+        reasons.append((Code.SOLID_UNSOUND, "the solid is not one valid closed body"))
     if verification.flaws:
         reasons.append(_unexplained(verification))
     if verification.retold:
@@ -99,7 +100,7 @@ def reasons_of(
     if agreeing > 1:
         reasons.append(
             (
-                "ambiguous",
+                Code.AMBIGUOUS,
                 Message(
                     "{count} different solids have these lines: see alternatives/", count=agreeing
                 ),
@@ -119,7 +120,7 @@ def beside_ink(offset: InkOffset, pixel: float) -> Reason:
     """
     right, up = offset.place
     return (
-        "lines-apart",
+        Code.LINES_APART,
         Message(
             "the ink lies {distance_mm:.2g} mm beside the solid's line at ({right:.1f}, {up:.1f}) "
             "mm of the {view} view: a curve may have been misread there",
@@ -137,7 +138,7 @@ def _unexplained(verification: Verification) -> Reason:
     others = len(verification.flaws) - 1
     right, up = worst.place
     return (
-        "lines-unexplained",
+        Code.LINES_UNEXPLAINED,
         Message(
             "the solid {what} a line of {length_mm:.1f} mm that the {view} view {has}, at "
             "({right:.1f}, {up:.1f}) mm{more}",
@@ -164,4 +165,4 @@ def _apart(verification: Verification) -> Reason:
     else:
         case, where = "line", "a line of the sheet lies {distance_mm:.2g} mm beside the solid's"
     template = where + ": a small step may be missing"
-    return "lines-apart", Message(template, case=case, distance_mm=max(misfit, spread))
+    return Code.LINES_APART, Message(template, case=case, distance_mm=max(misfit, spread))

@@ -15,6 +15,7 @@ from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.splatting.gaussians import Gaussians, rotation_matrices
 from gaussiancad_core.storage.plain_files import plain_bytes
 from gaussiancad_core.storage.single_file import write_whole
+from gaussiancad_protocol.codes import Code
 
 SH_CONSTANT = 0.28209479177387814
 """Value of the constant spherical harmonic, 1 / (2 sqrt(pi))."""
@@ -131,7 +132,7 @@ def _gaussians(table: np.ndarray) -> Gaussians:
 
 def _unreadable(path: Path, reason: str) -> UnreadableError:
     return UnreadableError(
-        "gaussians-unreadable",
+        Code.GAUSSIANS_UNREADABLE,
         "cannot read Gaussians from {path}: {reason}; choose another file",
         path=path,
         reason=reason,

@@ -20,9 +20,9 @@ from gaussiancad_core.model.cameras import (
     orthographic_camera,
     paper_camera,
 )
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.losses import LossWeights
 from gaussiancad_core.splatting.rasterizer import Backend, Optics
+from gaussiancad_protocol.modes import Preset, Recipe
 
 
 @dataclass(frozen=True)

@@ -3,9 +3,10 @@
 from importlib import metadata
 
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.modes import Device
 from gaussiancad_core.splatting.rasterizer import Backend
 from gaussiancad_core.storage.extras import Extra
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import Device
 
 
 def backend_for(device: Device) -> Backend:
@@ -21,7 +22,7 @@ def backend_for(device: Device) -> Backend:
         return Backend.GSPLAT
     if device is Device.CUDA:
         raise EngineError(
-            "cuda-unavailable", "{reason}, or use --device auto or cpu", reason=problem
+            Code.CUDA_UNAVAILABLE, "{reason}, or use --device auto or cpu", reason=problem
         )
     return Backend.TILES
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from gaussiancad_core import __version__
 from gaussiancad_core.errors import EngineError
 from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
+from gaussiancad_protocol.codes import Code
 
 _PREFIX = "gaussiancad-fault-"
 
@@ -36,13 +37,13 @@ def unforeseen(error: BaseException, files: Iterable[Path] = ()) -> EngineError:
     path = _written(_told(error, files))
     if path is None:
         return EngineError(
-            "unforeseen",
+            Code.UNFORESEEN,
             "the engine met something that it does not foresee ({kind}): this is a fault of ours, "
             "please report it with the sheet",
             kind=kind,
         )
     return EngineError(
-        "unforeseen",
+        Code.UNFORESEEN,
         "the engine met something that it does not foresee ({kind}): this is a fault of ours, "
         "please report it with the file {path}",
         case="file",

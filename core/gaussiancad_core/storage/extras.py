@@ -9,7 +9,8 @@ from enum import Enum
 from importlib.util import find_spec
 
 from gaussiancad_core.errors import EngineError
-from gaussiancad_core.modes import ResultKind
+from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.modes import ResultKind
 
 PACKAGE = "gaussiancad-core"
 """The distribution whose extras they are."""
@@ -71,7 +72,7 @@ def demand(extra: Extra, purpose: str) -> None:
     missing = lacking(extra)
     if missing:
         raise EngineError(
-            "extra-missing",
+            Code.EXTRA_MISSING,
             '{purpose} needs the extra "{extra}", which lacks {packages}: {command}',
             purpose=purpose,
             extra=extra,

@@ -7,6 +7,7 @@ from typing import Any
 
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.storage.outputs import PUBLISHED_FILE, READ_FILES, REPORT_FILE
+from gaussiancad_protocol.codes import Code
 
 _MOST_BYTES = 64 << 20
 """Of a report or a reading."""
@@ -33,7 +34,7 @@ def check_no_foreign(folder: Path, names: Iterable[str]) -> None:
     foreign = [name for name in there if name not in known]
     if foreign:
         raise UsageError(
-            "foreign-files",
+            Code.FOREIGN_FILES,
             "{folder} holds {names} that no run of GaussianCAD made: choose another output folder, "
             "or --overwrite",
             folder=folder,

@@ -22,6 +22,7 @@ from filelock import FileLock, Timeout
 from gaussiancad_core.errors import GaussianCadError, LimitError, UsageError
 from gaussiancad_core.storage.plain_files import plain_bytes
 from gaussiancad_core.storage.resume_check import file_facts
+from gaussiancad_protocol.codes import Code
 
 STAGING_PREFIX = ".gaussiancad-"
 
@@ -233,11 +234,11 @@ def os_error(path: Path, error: OSError) -> GaussianCadError:
 def _folder_error(path: Path, error: OSError) -> GaussianCadError:
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
         return LimitError(
-            "disk-full", "no space left on the disk of {path}: free some, then retry", path=path
+            Code.DISK_FULL, "no space left on the disk of {path}: free some, then retry", path=path
         )
     reason = error.strerror or str(error)
     return UsageError(
-        "output-not-writable",
+        Code.OUTPUT_NOT_WRITABLE,
         "cannot write to {path} ({reason}): choose another output folder",
         path=path,
         reason=reason,

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from gaussiancad_core import __version__
-from gaussiancad_core.modes import Status
 from gaussiancad_core.storage.plain_files import check_plain, plain_bytes
 from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
+from gaussiancad_protocol.modes import Status
 
 
 def file_facts(entries: Iterable[Path]) -> dict[str, dict[str, Any]]:

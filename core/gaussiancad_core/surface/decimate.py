@@ -5,6 +5,7 @@ import numpy as np
 from gaussiancad_core.errors import EngineError
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.surface.repair import made_manifold
+from gaussiancad_protocol.codes import Code
 
 FACETED_LIMIT = 3_000
 """Triangles of a faceted solid: FreeCAD shows them with ease, and they lie within a thousandth of
@@ -46,7 +47,7 @@ def decimated(mesh: TriangleMesh, limit: int = FACETED_LIMIT) -> TriangleMesh:
             return repaired
         target *= _SHRINK
     raise EngineError(
-        "decimation-failed",
+        Code.DECIMATION_FAILED,
         "the surface cannot be closed with {limit} triangles: use the STL or a finer preset",
         limit=limit,
     )

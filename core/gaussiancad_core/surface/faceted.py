@@ -28,6 +28,7 @@ from gaussiancad_core.errors import EngineError
 from gaussiancad_core.kernel.brep import Soundness, soundness
 from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces
 from gaussiancad_core.surface.repair import simplified
+from gaussiancad_protocol.codes import Code
 
 _FLAT_ANGLE = 1e-5
 """Neighbouring triangles whose normals differ by less, in radians, lie in one plane."""
@@ -64,7 +65,7 @@ def faceted_solid(mesh: TriangleMesh) -> TopoDS_Shape:
 
 def _failed() -> EngineError:
     return EngineError(
-        "faceted-solid-failed",
+        Code.FACETED_SOLID_FAILED,
         "the surface does not become a valid solid: use surface.stl instead",
     )
 

@@ -12,6 +12,7 @@ from gaussiancad_core.surface.flatten import Flattening, flattened
 from gaussiancad_core.surface.points import OrientedPoints, disc_points
 from gaussiancad_core.surface.repair import made_manifold, simplified
 from gaussiancad_core.surface.sharpen import Sharpening, sharpened
+from gaussiancad_protocol.codes import Code
 
 _SCALE = 1.1
 """Edge of the octree, in longest edges of the points' box."""
@@ -43,7 +44,8 @@ class PoissonSettings:
 
 
 DENSE = PoissonSettings(sampling=DiscSampling(per_disc=12))
-"""A fifth nearer to the discs' surface, in twice the time (``benchmarks/poisson_settings.py``)."""
+"""A fifth nearer to the discs' surface, in twice the time (``python -m benchmarks
+poisson_settings``)."""
 
 
 def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> TriangleMesh:
@@ -109,6 +111,6 @@ def _large_pieces(mesh: TriangleMesh, settings: PoissonSettings) -> list[Triangl
 
 def _no_surface() -> NoModelError:
     return NoModelError(
-        "no-surface",
+        Code.NO_SURFACE,
         "the Gaussians bound no body: use a finer preset, or check that the views belong together",
     )

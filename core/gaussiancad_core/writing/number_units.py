@@ -9,6 +9,7 @@ from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.writing.numbers import Unit, parse_unit
 from gaussiancad_core.writing.sheet_texts import SheetText
+from gaussiancad_protocol.codes import Code
 
 _AGREE = 0.03
 """Share by which two scales may differ that are one: as of single dimensions and paper."""
@@ -52,7 +53,7 @@ class Units:
             noted=self.noted.value,
             taken=taken.value,
         )
-        return (Note("unit-contradicts-note", message),)
+        return (Note(Code.UNIT_CONTRADICTS_NOTE, message),)
 
 
 def other_size(drawing: VectorDrawing | None, written: float, drawn: float) -> tuple[Note, ...]:
@@ -71,7 +72,7 @@ def other_size(drawing: VectorDrawing | None, written: float, drawn: float) -> t
         "the unit that it states: the dimensions were taken",
         share=share,
     )
-    return (Note("size-contradicts-unit", message),)
+    return (Note(Code.SIZE_CONTRADICTS_UNIT, message),)
 
 
 def file_unit(drawing: VectorDrawing | None) -> Unit | None:

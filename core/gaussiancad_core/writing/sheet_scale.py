@@ -63,6 +63,7 @@ from gaussiancad_core.writing.sheet_texts import (
     framed,
     pixel_texts,
 )
+from gaussiancad_protocol.codes import Code
 
 _MOST_RULES = 5000
 """Lines of a sheet that are looked at, the longest first: more take too long."""
@@ -220,7 +221,7 @@ def find_scale(
     if paper_scale is None:
         return plain
     if assumed:
-        notes += (Note("full-scale-assumed", _IN_OWN_SIZE if in_file else _ON_PAPER),)
+        notes += (Note(Code.FULL_SCALE_ASSUMED, _IN_OWN_SIZE if in_file else _ON_PAPER),)
     return replace(plain, mm_per_pixel=paper_scale, source=ScaleSource.SHEET, notes=notes)
 
 
@@ -253,7 +254,7 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
         message = Message(
             "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
         )
-        return WrittenSheet(texts, (Note("dimensions-not-read", message),))
+        return WrittenSheet(texts, (Note(Code.DIMENSIONS_NOT_READ, message),))
     return WrittenSheet((*texts, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape)))
 
 
@@ -378,7 +379,7 @@ def _disagreement(found: Agreement) -> tuple[Note, ...]:
     )
     return (
         Note(
-            "dimensions-disagree",
+            Code.DIMENSIONS_DISAGREE,
             Message(
                 "{count} dimension(s) do not fit the scale of the others: {places} px; they may "
                 "have been misread, or the drawing is not to scale there",

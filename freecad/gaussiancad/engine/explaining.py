@@ -3,7 +3,8 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import Report
 from freecad.gaussiancad.engine.wording import alternative, drawing_name, role_name, worded
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 

@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any
 
+from freecad.gaussiancad.engine.protocol import Preset, Recipe, ResultKind
+
 MODULE_ARGUMENTS = ("-I", "-u", "-m", "gaussiancad_core")
 """How the engine's interpreter is told to run the engine, isolated and unbuffered."""
 
@@ -24,29 +26,6 @@ class Projection(Enum):
     AUTO = "auto"
     FIRST = "first"
     THIRD = "third"
-
-
-class Preset(Enum):
-    """How much work the engine does."""
-
-    DRAFT = "draft"
-    STANDARD = "standard"
-    FINE = "fine"
-
-
-class Outcome(Enum):
-    """Which models are made."""
-
-    BOTH = "both"
-    SOLID = "solid"
-    SURFACE = "surface"
-
-
-class Recipe(Enum):
-    """Which cameras train the Gaussians: parallel ones, or those of the paper."""
-
-    ORTHOGRAPHIC = "orthographic"
-    PAPER = "paper"
 
 
 class ScaleKind(Enum):
@@ -108,7 +87,7 @@ class ReconstructJob:
     output: str
     projection: Projection = Projection.AUTO
     preset: Preset = Preset.STANDARD
-    outcome: Outcome = Outcome.BOTH
+    outcome: ResultKind = ResultKind.BOTH
     recipe: Recipe = Recipe.ORTHOGRAPHIC
     scale: Scale = Scale()
     colour: str = "#78a0d2"
@@ -142,7 +121,7 @@ class ReconstructJob:
             usual,
             projection=Projection(settings.get("projection", usual.projection)),
             preset=Preset(settings.get("preset", usual.preset)),
-            outcome=Outcome(settings.get("result", usual.outcome)),
+            outcome=ResultKind(settings.get("result", usual.outcome)),
             recipe=Recipe(settings.get("recipe", usual.recipe)),
             scale=scale,
             colour=str(settings.get("colour", usual.colour)),
@@ -195,7 +174,7 @@ class ReconstructJob:
             *("--projection", self.projection.value),
             *("--preset", self.preset.value),
             # All that the engine is installed for needs no word: it says what it left out.
-            *(() if self.outcome is Outcome.BOTH else ("--result", self.outcome.value)),
+            *(() if self.outcome is ResultKind.BOTH else ("--result", self.outcome.value)),
             *("--recipe", self.recipe.value),
             *("--colour", self.colour),
             *("--page", str(self.page)),

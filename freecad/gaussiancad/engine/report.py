@@ -7,10 +7,10 @@ is no report at all is an error.
 import json
 import math
 from dataclasses import dataclass, field
-from enum import Enum
 from pathlib import Path
 from typing import Any
 
+from freecad.gaussiancad.engine.protocol import Status
 from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
@@ -19,14 +19,6 @@ _NO_ONE_SCALE = ("photographed-at-a-slant", "views-disagree")
 """Reasons and warnings which say that no scale is that of all views."""
 
 ViewBox = tuple[float, float, float, float]
-
-
-class Status(Enum):
-    """How far the result can be trusted."""
-
-    VERIFIED = "verified"
-    APPROXIMATE = "approximate"
-    FAILED = "failed"
 
 
 @dataclass(frozen=True)

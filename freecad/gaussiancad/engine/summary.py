@@ -2,7 +2,8 @@
 
 from collections.abc import Mapping
 
-from freecad.gaussiancad.engine.report import Report, Status, are_measures_told
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import Report, are_measures_told
 from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import translate
 

@@ -20,7 +20,8 @@ from freecad.gaussiancad.canvas.keeping import (
     read_corrections,
     write_corrections,
 )
-from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
+from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.engine.protocol import ResultKind
 from freecad.gaussiancad.engine.report import read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
@@ -63,7 +64,7 @@ def open_in(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.Docum
     _, found = read_corrections(corrections_path(sheet, page))
     with transaction(document, translate("GaussianCAD", "Open Drawing")):
         if known is None:
-            job = ReconstructJob(str(sheet), "", page=page, outcome=Outcome.SOLID)
+            job = ReconstructJob(str(sheet), "", page=page, outcome=ResultKind.SOLID)
             known = new_reconstruction(document, job)
         add_properties(known, _properties(found))
         if find_part(known) is None:

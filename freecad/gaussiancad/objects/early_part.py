@@ -12,7 +12,7 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.report import Status
+from freecad.gaussiancad.engine.protocol import Status
 from freecad.gaussiancad.objects.loading import LoadedPart, LoadedRun, PartSource, read_shape
 from freecad.gaussiancad.objects.reconstruction import (
     put_part_of_run,

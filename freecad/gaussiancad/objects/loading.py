@@ -9,7 +9,8 @@ import Mesh
 import Part
 
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.report import Report, Status, read_report
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import Report, read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.gaussians import GaussianCloud, read_gaussians

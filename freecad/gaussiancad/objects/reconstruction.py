@@ -10,7 +10,8 @@ import FreeCAD
 import Part
 
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import Report
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.known_sheets import group_of
 from freecad.gaussiancad.objects.loading import LoadedPart, LoadedRun

@@ -7,7 +7,8 @@ they are, with their place, so that whatever was built on them lives.
 import FreeCAD
 import Part
 
-from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import Report
 from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.bodies_of_parts import set_shape

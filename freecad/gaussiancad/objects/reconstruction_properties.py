@@ -5,7 +5,8 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.report import AlternativeReport, Report, Status
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import AlternativeReport, Report
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
 from freecad.gaussiancad.objects.loading import LoadedRun
 from freecad.gaussiancad.objects.properties import Access, PropertySpec, text_lines, text_map

@@ -6,7 +6,8 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.explaining import explanation_lines
-from freecad.gaussiancad.engine.report import Status, parse_report
+from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.report import parse_report
 from freecad.gaussiancad.engine.summary import report_lines, status_text, verdict_text
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.known_sheets import sheet_of

@@ -1,6 +1,7 @@
 """The combo boxes of a reconstruction's settings."""
 
-from freecad.gaussiancad.engine.job import Outcome, Preset, Projection, Recipe, ScaleKind
+from freecad.gaussiancad.engine.job import Projection, ScaleKind
+from freecad.gaussiancad.engine.protocol import Preset, Recipe, ResultKind
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.widgets import ModeBox
 from freecad.gaussiancad.qt import QtWidgets
@@ -62,13 +63,13 @@ def preset_box(start: Preset) -> ModeBox[Preset]:
     return box
 
 
-def outcome_box(start: Outcome) -> ModeBox[Outcome]:
+def outcome_box(start: ResultKind) -> ModeBox[ResultKind]:
     """What is made."""
     box = ModeBox(
         [
-            (Outcome.BOTH, translate("GaussianCAD", "Solid and surface")),
-            (Outcome.SOLID, translate("GaussianCAD", "Solid only")),
-            (Outcome.SURFACE, translate("GaussianCAD", "Surface only")),
+            (ResultKind.BOTH, translate("GaussianCAD", "Solid and surface")),
+            (ResultKind.SOLID, translate("GaussianCAD", "Solid only")),
+            (ResultKind.SURFACE, translate("GaussianCAD", "Surface only")),
         ],
         "outcome",
     )

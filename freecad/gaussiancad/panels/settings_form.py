@@ -2,14 +2,8 @@
 
 import FreeCADGui
 
-from freecad.gaussiancad.engine.job import (
-    Outcome,
-    Projection,
-    Recipe,
-    ReconstructJob,
-    Scale,
-    ScaleKind,
-)
+from freecad.gaussiancad.engine.job import Projection, ReconstructJob, Scale, ScaleKind
+from freecad.gaussiancad.engine.protocol import Recipe, ResultKind
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.more_settings import MoreSettings, narrow_rows
 from freecad.gaussiancad.panels.setting_boxes import (
@@ -94,7 +88,7 @@ class SettingsForm(QtWidgets.QWidget):
     @property
     def wants_body(self) -> bool:
         """Whether an exact solid becomes a body."""
-        return self.body.isChecked() and self.outcome.mode is not Outcome.SURFACE
+        return self.body.isChecked() and self.outcome.mode is not ResultKind.SURFACE
 
     def job(self, sheet: str, output: str) -> ReconstructJob:
         """The job that the widgets describe.
@@ -181,12 +175,12 @@ class SettingsForm(QtWidgets.QWidget):
     @property
     def _perspective(self) -> bool:
         """Whether Gaussians are trained with the paper's cameras."""
-        return self.recipe.mode is Recipe.PAPER and self.outcome.mode is not Outcome.SOLID
+        return self.recipe.mode is Recipe.PAPER and self.outcome.mode is not ResultKind.SOLID
 
     def _show_images(self) -> None:
         self._images_label.setVisible(self._perspective)
         self.images.setVisible(self._perspective)
-        self.body.setEnabled(self.outcome.mode is not Outcome.SURFACE)
+        self.body.setEnabled(self.outcome.mode is not ResultKind.SURFACE)
 
     def _lay_out(self) -> None:
         self._page_label = QtWidgets.QLabel(translate("GaussianCAD", "Page"))

@@ -1,11 +1,11 @@
 """How large the images are that the paper's cameras train on, with what that costs."""
 
-from freecad.gaussiancad.engine.job import Preset
 from freecad.gaussiancad.engine.paper_effort import (
     LARGEST_SCALE_DOWN,
     paper_effort,
     usual_scale_down,
 )
+from freecad.gaussiancad.engine.protocol import Preset
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtWidgets
 

@@ -10,7 +10,7 @@ from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import job_of
 from gaussiancad_core.errors import LimitError, UsageError
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.modes import ResultKind
+from gaussiancad_protocol.modes import ResultKind
 
 
 def _collected(named: list[str], *options: str) -> list[BatchSheet]:

@@ -9,9 +9,9 @@ from gaussiancad_core.cli import main
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import job_of
 from gaussiancad_core.model.axes import Axis, Projection, Role
-from gaussiancad_core.modes import Preset, Recipe, ResultKind
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.sheet.reading_options import Finder, ReadingOptions
+from gaussiancad_protocol.modes import Preset, Recipe, ResultKind
 
 
 def test_options_give_the_same_job_again() -> None:

@@ -7,13 +7,13 @@ import pytest
 from PIL import Image, ImageDraw
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.readings.reading_files import open_typed
 from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run.pipeline import reconstruct
 from gaussiancad_core.run.read_run import read_to_file
+from gaussiancad_protocol.modes import ResultKind
 
 _VIEWS = (
     ((0.0, 0.0), (60.0, 20.0)),

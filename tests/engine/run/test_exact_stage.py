@@ -13,13 +13,13 @@ from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.part_model import PartModel
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.views import Linetype, Segment, View, ViewSet
-from gaussiancad_core.modes import Status
 from gaussiancad_core.run.exact_stage import ExactModel, find_exact, find_for_hull
 from gaussiancad_core.sheet.registration.axis_residuals import Residual
 from gaussiancad_core.sheet.registration.view_registration import AxisExtents
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, StrokesSource
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.same import same_solid
+from gaussiancad_protocol.modes import Status
 
 Strokes = dict[Role, list[Segment]]
 

@@ -13,11 +13,11 @@ from ezdxf.layouts import Modelspace
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, read_solid
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run.pipeline import reconstruct
 from gaussiancad_core.sheet.reading_options import FileUnit, ReadingOptions
+from gaussiancad_protocol.modes import ResultKind
 
 _MM = 4
 _INCH = 1

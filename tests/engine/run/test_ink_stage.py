@@ -12,7 +12,6 @@ from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.evidence.projected_reading import Reading
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.views import Arc
-from gaussiancad_core.modes import Status
 from gaussiancad_core.recognition.sheet_views import sheet_views
 from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.run.ink_stage import compared_with_ink
@@ -22,6 +21,7 @@ from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, read_views, register_views
 from gaussiancad_core.solid.exact import ExactResult
+from gaussiancad_protocol.modes import Status
 
 Read = tuple[ExactResult, RegisteredSheet, OpenedSheet]
 

@@ -28,7 +28,6 @@ from gaussiancad_core.evidence.projected_reading import Reading
 from gaussiancad_core.kernel.brep import moved_to_origin, read_solid, soundness, tessellate
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.meshes import TriangleMesh
-from gaussiancad_core.modes import Preset, ResultKind, SolidWay, Status
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run import exact_stage, surface_stage
@@ -37,6 +36,7 @@ from gaussiancad_core.run.pipeline import STAGES, reconstruct, stages_of
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.storage.outputs import PUBLISHED_FILE, STAGING_PREFIX
+from gaussiancad_protocol.modes import Preset, ResultKind, SolidWay, Status
 
 FILES = {
     "report.json",

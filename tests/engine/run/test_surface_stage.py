@@ -9,7 +9,6 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.evidence.drawn_views import views_as_read
 from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Recipe, ResultKind, Status
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_report import HullReport
 from gaussiancad_core.run.exact_stage import ExactModel
@@ -18,6 +17,7 @@ from gaussiancad_core.run.surface_stage import hull_report, make_hull
 from gaussiancad_core.samples.modelling import box, cut
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import verify
+from gaussiancad_protocol.modes import Recipe, ResultKind, Status
 
 BLOCK = box((0, 0, 0), (40, 30, 20))
 POCKETED = cut(BLOCK, box((10, 8, 12), (30, 22, 21)))

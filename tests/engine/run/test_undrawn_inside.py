@@ -7,12 +7,12 @@ import pytest
 import shapely
 
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.modes import ResultKind, Status
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.run.pipeline import reconstruct
 from gaussiancad_core.sheet.reading_options import ReadingOptions
+from gaussiancad_protocol.modes import ResultKind, Status
 
 Line = tuple[float, float, float, float]
 

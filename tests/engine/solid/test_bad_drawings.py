@@ -17,13 +17,13 @@ from gaussiancad_core.labelling.cell_labelling import Effort
 from gaussiancad_core.labelling.conflict_lines import ConflictLine
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.contradiction import conflict_reason
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.reasons import ASSUMED
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.search_trace import ModelKind
+from gaussiancad_protocol.modes import Status
 
 Views = Callable[[str], DrawnViews]
 

@@ -38,7 +38,6 @@ from gaussiancad_core.labelling.cell_labelling import Effort, Labelling, Others,
 from gaussiancad_core.labelling.counted_work import Deadline
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.modes import Status
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.solid import candidates, exact
@@ -48,6 +47,7 @@ from gaussiancad_core.solid.labelled_cells import LabelledSpace
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import verify
+from gaussiancad_protocol.modes import Status
 
 Solid = Callable[[str], TopoDS_Shape]
 Views = Callable[[str], DrawnViews]

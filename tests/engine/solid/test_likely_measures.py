@@ -6,11 +6,11 @@ import pytest
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid import exact
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.measure_bounds import Measures, MeasureSource
+from gaussiancad_protocol.modes import Status
 
 _VIEWS = DrawnViews({}, (50.0, 40.0, 30.0), 0.1, noise=0.02)
 _DOUBT = ("ambiguous", "there are others")

@@ -14,11 +14,11 @@ from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumb
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import faces_of, volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.known_faces import axes_of, is_known
 from gaussiancad_core.solid.known_measures import ToldMeasures
 from gaussiancad_core.solid.measure_bounds import MeasureSource
+from gaussiancad_protocol.modes import Status
 
 Draw = Callable[..., DrawnViews]
 

@@ -6,9 +6,9 @@ import pytest
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid import relaxed_models
 from gaussiancad_core.solid.exact import exact_solid
+from gaussiancad_protocol.modes import Status
 
 
 def test_arcs_that_follow_a_curve_are_taken_for_it(

@@ -13,9 +13,9 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.same import same_solid
+from gaussiancad_protocol.modes import Status
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]
 

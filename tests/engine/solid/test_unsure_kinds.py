@@ -16,8 +16,8 @@ from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.lines.line_points import lines_of_strokes
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import exact_solid
+from gaussiancad_protocol.modes import Status
 
 V, H = Linetype.VISIBLE, Linetype.HIDDEN
 

@@ -12,7 +12,6 @@ import pytest
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.checkpoints import CheckpointPlace
 from gaussiancad_core.splatting.gaussian_training import TrainingResult, train
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
@@ -24,6 +23,7 @@ from gaussiancad_core.splatting.settings import (
     training_settings,
 )
 from gaussiancad_core.splatting.targets import targets_of
+from gaussiancad_protocol.modes import Preset, Recipe
 
 BUSY = DensityControl(start=2, until=40, every=5, pull=1e-5, reset_every=12)
 RECIPES = pytest.mark.parametrize("recipe", list(Recipe))

@@ -9,7 +9,6 @@ import torch
 from gaussiancad_core.model.cameras import Camera
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.gaussian_training import TrainingResult, train
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
 from gaussiancad_core.splatting.losses import Targets
@@ -20,6 +19,7 @@ from gaussiancad_core.splatting.settings import (
     training_settings,
 )
 from gaussiancad_core.splatting.targets import targets_of
+from gaussiancad_protocol.modes import Preset, Recipe
 
 Scene = tuple[Gaussians, tuple[Camera, ...], Targets, TrainingSettings]
 

@@ -8,11 +8,11 @@ import trimesh
 
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.residuals import ResidualRegion, ViewResidual, residuals_of
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.splatting.targets import targets_of
+from gaussiancad_protocol.modes import Preset, Recipe
 
 SETTINGS = replace(training_settings(Recipe.ORTHOGRAPHIC, Preset.DRAFT), pixels=128)
 

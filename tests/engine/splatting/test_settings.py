@@ -6,8 +6,8 @@ import pytest
 
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.cameras import CameraModel
-from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
+from gaussiancad_protocol.modes import Preset, Recipe
 
 SIZE = (20.0, 12.0, 16.0)
 ROLES = (Role.FRONT, Role.LEFT, Role.BOTTOM)

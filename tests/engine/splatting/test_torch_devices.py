@@ -8,10 +8,10 @@ import pytest
 import torch
 
 from gaussiancad_core.errors import EngineError, ExitCode
-from gaussiancad_core.modes import Device
 from gaussiancad_core.splatting import torch_devices
 from gaussiancad_core.splatting.rasterizer import Backend
 from gaussiancad_core.splatting.torch_devices import backend_for, cuda_problem
+from gaussiancad_protocol.modes import Device
 
 
 def _machine(

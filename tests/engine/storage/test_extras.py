@@ -13,8 +13,8 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from gaussiancad_core.errors import EngineError, ExitCode
-from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.storage.extras import MODULES, Extra, demand, lacking, result_kind
+from gaussiancad_protocol.modes import ResultKind
 
 ROOT = Path(__file__).resolve().parents[2]
 SHEET = ROOT / "resources" / "samples" / "wedge-block.png"

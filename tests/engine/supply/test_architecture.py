@@ -13,7 +13,7 @@ def test_the_page_is_up_to_date() -> None:
 
 def test_all_packages_are_in_order_and_no_module_is_loose() -> None:
     loose = {path.stem for path in picture.ENGINE.glob("*.py")} - {"__init__", "__main__"}
-    assert loose == {"errors", "messages", "modes"}
+    assert loose == {"errors", "messages"}
     assert set(picture.layers()) == PACKAGES | loose
 
 

@@ -31,6 +31,7 @@ from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, Special
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_core.sheet.views.view_search import STUB, arranged, lone_view, with_symbol
+from gaussiancad_protocol.codes import Code
 
 _MARKS = {
     Label.CENTRE: AnnotationKind.CENTRE_LINE,
@@ -94,7 +95,7 @@ def graph_views(
         separated, layout = arranged(sheet, separated, request)
     except NoModelError as error:
         alone = None
-        if error.code == "one-view" and not given:
+        if error.code == Code.ONE_VIEW and not given:
             alone = lone_view(sheet, separated, request)
         if alone is None:
             return None

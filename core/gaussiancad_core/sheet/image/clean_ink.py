@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.image.pale_strokes import mean_stroke_width, with_pa
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL
 from gaussiancad_core.sheet.tracing.ridges import ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_straight
+from gaussiancad_protocol.codes import Code
 
 _SHORTEST_DASH = 7.0
 """Length in px from which a piece of ink is a dash; specks of noise are seldom as long."""
@@ -104,10 +105,10 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
         ink = _without_specks(ink, filtered)
     share = float(ink.mean())
     if share < 1e-5:
-        raise NoModelError("blank-sheet", "the sheet is blank: there are no lines to read")
+        raise NoModelError(Code.BLANK_SHEET, "the sheet is blank: there are no lines to read")
     if share > _MAX_INK:
         raise NoModelError(
-            "not-a-line-drawing",
+            Code.NOT_A_LINE_DRAWING,
             "{percent} % of the sheet is dark, which no line drawing is: "
             "use an export or a scan of the drawing, not a photograph",
             percent=round(100 * share),
@@ -162,7 +163,7 @@ def _seen_turn(sheet: CleanSheet) -> Turn:
     pieces, _ = cv2.connectedComponents(sheet.ink.astype(np.uint8), connectivity=8)
     if pieces > _MOST_PIECES and along_lines < _LEAST_LINES * len(ridges.points):
         raise NoModelError(
-            "not-a-line-drawing",
+            Code.NOT_A_LINE_DRAWING,
             "the sheet has {pieces} pieces of ink and hardly a line: use an export or a scan of "
             "the drawing, not a photograph",
             pieces=pieces,

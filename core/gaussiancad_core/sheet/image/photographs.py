@@ -24,6 +24,7 @@ from gaussiancad_core.sheet.image.perspective import (
     segments_of,
 )
 from gaussiancad_core.sheet.image.roundness import proportion
+from gaussiancad_protocol.codes import Code
 
 Floats = npt.NDArray[np.float64]
 Grey = npt.NDArray[np.uint8]
@@ -77,7 +78,7 @@ class Straightened:
     def note(self) -> Note:
         """What the reader of the sheet should know of that."""
         if not self.slant:
-            return Note("surroundings-left-out", "what surrounds the paper was left out")
+            return Note(Code.SURROUNDINGS_LEFT_OUT, "what surrounds the paper was left out")
         template = (
             "the sheet was photographed at a slant of about {degrees} degrees and was straightened "
             "by its lines: places are told in px of the straightened picture"
@@ -86,7 +87,7 @@ class Straightened:
         if not self.true_width:
             template += ", and how wide it is for its height may be some per cent off"
             values["case"] = "width"
-        return Note("photographed-at-a-slant", Message(template, **values), is_doubt=True)
+        return Note(Code.PHOTOGRAPHED_AT_A_SLANT, Message(template, **values), is_doubt=True)
 
 
 def straightened(grey: Grey, tint: Grey | None) -> Straightened | None:

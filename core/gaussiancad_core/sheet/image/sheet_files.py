@@ -19,6 +19,7 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_core.sheet.image.photographs import straightened
 from gaussiancad_core.sheet.image.working_scale import resampled, working_factor
+from gaussiancad_protocol.codes import Code
 
 __all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]
 
@@ -150,7 +151,7 @@ def _at_working_scale(image: SheetImage) -> SheetImage:
             read_width=size[0],
             read_height=size[1],
         )
-        notes = (*notes, Note("resolution-lowered", message))
+        notes = (*notes, Note(Code.RESOLUTION_LOWERED, message))
     return replace(
         image,
         grey=resampled(image.grey, size),

@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.registration.axis_residuals import Residual
 from gaussiancad_core.sheet.registration.shared_axes import ViewMap
 from gaussiancad_core.sheet.registration.view_masks import Outline
+from gaussiancad_protocol.codes import Code
 
 DEFAULT_LONGEST_MM = 100.0
 """Longest edge of the bounding box when the sheet's scale is not known."""
@@ -209,7 +210,7 @@ def axis_extents(boxes: dict[Role, Box], unseen: Axis | None = None) -> AxisExte
     missing = [axis.name for axis in Axis if axis not in seen and axis is not unseen]
     if missing:
         raise NoModelError(
-            "views-parallel",
+            Code.VIEWS_PARALLEL,
             "the views show nothing of the {axis} axis: two orthogonal views are needed",
             axis=missing[0],
         )
@@ -218,7 +219,7 @@ def axis_extents(boxes: dict[Role, Box], unseen: Axis | None = None) -> AxisExte
         if longest - shortest > max(_CONTRADICTION * longest, 3.0):
             text = ", ".join(f"{role.value} {px:.0f} px" for role, px in by_role.items())
             raise NoModelError(
-                "views-contradict",
+                Code.VIEWS_CONTRADICT,
                 "the views disagree about the part's extent along {axis} ({extents}): "
                 "check that they show one part at one scale, or name them with --view",
                 boxes=[boxes[role] for role in by_role],

@@ -7,6 +7,7 @@ from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.drawing_names import inside, special_kind
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
 from gaussiancad_core.sheet.views.sheet_layout import find_clusters
+from gaussiancad_protocol.codes import Code
 
 
 def as_pictorial(error: NoModelError, separated: SeparatedSheet) -> NoModelError:
@@ -23,7 +24,7 @@ def as_pictorial(error: NoModelError, separated: SeparatedSheet) -> NoModelError
         return error
     places = "; ".join("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in found)
     return NoModelError(
-        "pictorial-alone",
+        Code.PICTORIAL_ALONE,
         "the sheet shows the part in a pictorial view alone, at {places} px, from which no "
         "measures follow: add or export views at right angles, such as front, top and side",
         boxes=found,

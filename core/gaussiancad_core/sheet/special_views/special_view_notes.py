@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.view_kinds import SECTIONS, SpecialKind, SpecialView
+from gaussiancad_protocol.codes import Code
 
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
 
-UNUSED = "unused-view"
+UNUSED = Code.UNUSED_VIEW
 """Code of whatever shows the part and was not used."""
 
 
@@ -56,7 +57,11 @@ def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
         code = UNUSED if doubt else _ILLUSTRATIONS[kind][0]
         template, why = "{what} at {places} px was not used: {why}", why_unused(kind)
     elif kind in SECTIONS:
-        code, template, why = "section-used", "{what} at {places} px stands for a view: {why}", _CUT
+        code, template, why = (
+            Code.SECTION_USED,
+            "{what} at {places} px stands for a view: {why}",
+            _CUT,
+        )
     else:
         code, template, why = _USED[kind], "{what} at {places} px: {why}", _DOUBTS[kind]
     values = {"kind": kind, "count": len(boxes), "places": places, "why": why}
@@ -89,9 +94,9 @@ _NAMES = {
 }
 
 _ILLUSTRATIONS = {
-    SpecialKind.PICTORIAL: ("pictorial-left-out", "it illustrates what the views show"),
+    SpecialKind.PICTORIAL: (Code.PICTORIAL_LEFT_OUT, "it illustrates what the views show"),
     SpecialKind.THREAD: (
-        "thread-left-out",
+        Code.THREAD_LEFT_OUT,
         "the model has the plain cylinder that the wide lines show",
     ),
 }
@@ -100,8 +105,8 @@ _ILLUSTRATIONS = {
 _CUT = "what was cut away before it no line shows"
 
 _USED = {
-    SpecialKind.BROKEN: "broken-view",
-    SpecialKind.HALF: "half-view",
+    SpecialKind.BROKEN: Code.BROKEN_VIEW,
+    SpecialKind.HALF: Code.HALF_VIEW,
 }
 
 _DOUBTS = {

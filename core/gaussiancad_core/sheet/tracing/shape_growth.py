@@ -22,6 +22,7 @@ from gaussiancad_core.sheet.tracing.corner_fits import is_corner
 from gaussiancad_core.sheet.tracing.line_kernels import grow_lines, line_worth
 from gaussiancad_core.sheet.tracing.ovals import OvalRules, grow_ovals
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
+from gaussiancad_protocol.codes import Code
 
 Floats = npt.NDArray[np.float64]
 
@@ -191,7 +192,7 @@ def _all_lines(ridges: RidgePoints, rules: GrowthRules) -> list[Grown]:
     found = grow_lines(*_inputs(ridges, rules), (_MOST_LINES, _MOST_MEMBERS))
     if len(found[0]) > _MOST_LINES or len(found[2]) > _MOST_MEMBERS:
         raise NoModelError(
-            "part-too-complex",
+            Code.PART_TOO_COMPLEX,
             "the lines of the sheet are too many, or cross each other too often, to be told apart: "
             "draw less in one sheet, or cut the views out of the picture",
             case="picture",

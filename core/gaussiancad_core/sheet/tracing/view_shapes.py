@@ -57,6 +57,7 @@ from gaussiancad_core.sheet.tracing.offset_lines import (
 from gaussiancad_core.sheet.tracing.ridges import ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.tracing.tangent_runs import without_tangent_ends, without_tangents
+from gaussiancad_protocol.codes import Code
 
 MIN_SAGITTA = 1.2
 """Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
@@ -176,7 +177,7 @@ def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Geometry], set[
 def _check_amount(count: int) -> None:
     if count > _MOST_LINES:
         raise NoModelError(
-            "part-too-complex",
+            Code.PART_TOO_COMPLEX,
             "a view of the picture has {count:,} lines, more than the {most:,} that a part is made "
             "from: draw less in one sheet, or box the view alone",
             count=count,

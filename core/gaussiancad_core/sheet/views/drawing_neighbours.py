@@ -6,6 +6,7 @@ from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.views.sheet_layout import alignment_tolerance
+from gaussiancad_protocol.codes import Code
 
 
 def nearest(front: Box, boxes: Sequence[Box], role: Role, projection: Projection) -> list[Box]:
@@ -47,7 +48,7 @@ def box_inside(boxes: Sequence[Box], box: Box, role: Role) -> Box:
     found = [c for c in boxes if x0 <= (c[0] + c[2]) / 2 <= x1 and y0 <= (c[1] + c[3]) / 2 <= y1]
     if not found:
         raise UsageError(
-            "empty-view-box",
+            Code.EMPTY_VIEW_BOX,
             "--view {view}: there are no lines in the box {box}",
             view=role,
             box=f"{x0:g},{y0:g},{x1:g},{y1:g}",

@@ -11,6 +11,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
+from gaussiancad_protocol.codes import Code
 
 _REACH = 6
 """Ink closer than this many px belongs to the same cluster."""
@@ -199,17 +200,18 @@ def no_views(clusters: list[Box]) -> NoModelError:
     places = ", ".join("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in clusters[:4])
     if not clusters:
         return NoModelError(
-            "no-views", "no views were found: the sheet has no drawing of a part that can be read"
+            Code.NO_VIEWS,
+            "no views were found: the sheet has no drawing of a part that can be read",
         )
     if len(clusters) < 2:
         return NoModelError(
-            "one-view",
+            Code.ONE_VIEW,
             "only one view was found, at {places} px: a model needs two orthogonal views or more",
             boxes=clusters,
             places=places,
         )
     return NoModelError(
-        "views-not-aligned",
+        Code.VIEWS_NOT_ALIGNED,
         "{count} groups of lines were found ({places} px), but none is aligned with two others as "
         "views are: name the views with --view ROLE=X0,Y0,X1,Y1",
         boxes=clusters,

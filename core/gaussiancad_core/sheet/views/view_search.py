@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.registration.view_registration import axis_extents
 from gaussiancad_core.sheet.special_views.principal_views import LayoutRequest, find_named_layout
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_protocol.codes import Code
 
 _LARGEST_LEFT_OUT = 10.0
 """Size of a figure that is no view, in that of all views, at most."""
@@ -92,7 +93,7 @@ def _require_largest(layout: Layout) -> None:
     if figure is not None and _area(figure) > _LARGEST_LEFT_OUT * _size(layout):
         x0, y0, x1, y1 = (round(value) for value in figure)
         raise NoModelError(
-            "views-not-aligned",
+            Code.VIEWS_NOT_ALIGNED,
             "the largest figure on the sheet, from {place} px, has no aligned neighbour: name the "
             "views with --view ROLE=X0,Y0,X1,Y1",
             boxes=[figure],

@@ -11,9 +11,9 @@ from benchmarks.run.workers import Row
 from benchmarks.sheets.benchmark_parts import Part, SheetKind, given_parts, make_sheet
 from gaussiancad_core.kernel.brep import write_step
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.modes import Preset
 from gaussiancad_core.samples.modelling import box, cut
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
+from gaussiancad_protocol.modes import Preset
 
 EFFORT = Effort(points=200, preset=Preset.DRAFT)
 

@@ -8,9 +8,9 @@ from benchmarks.sheets.sheet_policies import POLICIES, as_drawn, same_drawing
 from benchmarks.verified.verified_grids import alike_in_grid, confusable, pair_of, with_thin_box
 from gaussiancad_core.evidence.drawn_views import exact_views
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.same import same_solid
+from gaussiancad_protocol.modes import Status
 
 _PLACES = ((0.0, 7.0, 20.0, 29.0), (0.0, 4.0, 15.0, 24.0), (0.0, 9.0, 14.0, 30.0))
 _POLICIES = {policy.name: policy for policy in POLICIES}
