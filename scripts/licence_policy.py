@@ -36,6 +36,7 @@ STATEMENTS = {
     "apache 2.0": "Apache-2.0",
     "apache software license": "Apache-2.0",
     "3-clause bsd license": "BSD-3-Clause",
+    "bsd 2-clause license": "BSD-2-Clause",
     "bsd": "BSD License",
     "bsd license": "BSD License",
     "isc license (iscl)": "ISC",

@@ -83,7 +83,7 @@ class Explaining(unittest.TestCase):
 
     def test_every_model_and_outcome_of_the_engine_has_a_name(self) -> None:
         text = TRACE.read_text(encoding="utf-8")
-        for name, names in (("ModelKind", MODELS), ("ResultKind", OUTCOMES)):
+        for name, names in (("ModelKind", MODELS), ("Outcome", OUTCOMES)):
             body = text.partition(f"class {name}(")[2].partition("\nclass ")[0]
             known = set(re.findall(r'^    [A-Z_]+ = "([a-z-]+)"', body, re.MULTILINE))
             self.assertEqual(known, set(names))

@@ -106,7 +106,7 @@ def test_it_describes_itself(facts: Message) -> None:
 
 
 def test_type_checkers_find_the_types(wheel: ZipFile) -> None:
-    for package in ("gaussiancad", "gaussiancad_core"):
+    for package in ("gaussiancad", "gaussiancad_core", "gaussiancad_protocol"):
         assert f"{package}/py.typed" in wheel.namelist()
 
 
@@ -114,7 +114,7 @@ def test_what_is_for_a_checkout_is_not_inside(wheel: ZipFile) -> None:
     names = wheel.namelist()
     assert not [name for name in names if name.startswith(LEFT_OUT)]
     places = {name.partition("/")[0] for name in names if ".dist-info/" not in name}
-    assert places == {"freecad", "gaussiancad", "gaussiancad_core"}
+    assert places == {"freecad", "gaussiancad", "gaussiancad_core", "gaussiancad_protocol"}
 
 
 def test_nothing_that_is_inside_needs_that(wheel: ZipFile) -> None:
@@ -126,7 +126,7 @@ def test_nothing_that_is_inside_needs_that(wheel: ZipFile) -> None:
 def test_each_module_of_the_engine_is_inside(wheel: ZipFile) -> None:
     core = ROOT / "core"
     inside = {name for name in wheel.namelist() if name.startswith("gaussiancad")}
-    for package in ("gaussiancad", "gaussiancad_core"):
+    for package in ("gaussiancad", "gaussiancad_core", "gaussiancad_protocol"):
         for path in (core / package).rglob("*.py"):
             name = path.relative_to(core).as_posix()
             assert name in inside or name.startswith(LEFT_OUT), name
