@@ -44,7 +44,7 @@ def read_preferences() -> Preferences:
         group.GetString("EnginePython", ""),
         _mode(Preset, group.GetInt("Preset", 1), Preset.STANDARD),
         _mode(Projection, group.GetInt("Projection", 0), Projection.AUTO),
-        _mode(ResultKind, group.GetInt("ResultKind", 0), ResultKind.BOTH),
+        _mode(ResultKind, group.GetInt("Outcome", 0), ResultKind.BOTH),
         group.GetString("OutputFolder", ""),
         group.GetBool("ViewPlanes", True),
     )

@@ -54,7 +54,7 @@ def starting_choices(preferences: Preferences) -> Choices:
     return Choices(
         _mode(_word("Projection", preferences.projection.value), preferences.projection),
         _mode(_word("Preset", preferences.preset.value), preferences.preset),
-        _mode(_word("ResultKind", preferences.outcome.value), preferences.outcome),
+        _mode(_word("Outcome", preferences.outcome.value), preferences.outcome),
         _mode(group.GetString("Recipe", ""), Recipe.ORTHOGRAPHIC),
         scale_down if 1 <= scale_down <= LARGEST_SCALE_DOWN else None,
         colour if _is_colour(colour) else ReconstructJob.colour,
@@ -69,7 +69,7 @@ def remember(choices: Choices, preferences: Preferences) -> None:
     for name, chosen, preferred in (
         ("Projection", choices.projection.value, preferences.projection.value),
         ("Preset", choices.preset.value, preferences.preset.value),
-        ("ResultKind", choices.outcome.value, preferences.outcome.value),
+        ("Outcome", choices.outcome.value, preferences.outcome.value),
         ("OutputFolder", choices.output_folder, preferences.output_folder),
     ):
         group.SetString(name, chosen)

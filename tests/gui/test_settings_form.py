@@ -115,14 +115,14 @@ class Settings(WindowCase):
         chosen = form_choices(ResultKind.SURFACE, Projection.FIRST, "#405060")
         remember(chosen, read_preferences())
         self.assertEqual(starting_choices(read_preferences()), chosen)
-        group.SetInt("ResultKind", 1)
+        group.SetInt("Outcome", 1)
         expected = form_choices(ResultKind.SOLID, Projection.FIRST, "#405060")
         self.assertEqual(starting_choices(read_preferences()), expected)
 
     def test_what_is_damaged_counts_as_never_chosen(self) -> None:
         remember(form_choices(ResultKind.SOLID, Projection.FIRST, "#102030"), read_preferences())
         last = FreeCAD.ParamGet(LAST)
-        last.SetString("ResultKind", "everything")
+        last.SetString("Outcome", "everything")
         last.SetString("Recipe", "cake")
         last.SetString("Colour", "red")
         last.SetInt("ScaleDown", -4)

@@ -64,7 +64,7 @@ class Registration(WindowCase):
         group = FreeCAD.ParamGet(GROUP)
         group.SetInt("Preset", 17)
         group.SetInt("Projection", -1)
-        group.SetInt("ResultKind", 3)
+        group.SetInt("Outcome", 3)
         preferences = read_preferences()
         self.assertEqual(
             (preferences.preset.value, preferences.projection.value, preferences.outcome.value),
