@@ -14,4 +14,4 @@ if find_spec("gaussiancad_protocol") is None:
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import Preset, Recipe, ResultKind, Status
 
-__all__ = ["Code", "Preset", "Recipe", "Outcome", "Status"]
+__all__ = ["Code", "Preset", "Recipe", "ResultKind", "Status"]
