@@ -3,7 +3,6 @@
 import FreeCAD
 
 from freecad.gaussiancad.objects.appearance import dress
-from freecad.gaussiancad.objects.migrating import migrate
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.qt import QtCore
 
@@ -68,9 +67,7 @@ class GroupProxy:
             dress(target, texts_of(target, "Settings").get("colour"))
 
     def onDocumentRestored(self, target: FreeCAD.DocumentObject) -> None:
-        """Bring what an older version made up to date, and dress what ``freecadcmd`` made, once
-        the window has restored what it knows of it."""
-        migrate(target, self.schema_version)
+        """Dress what ``freecadcmd`` made, once the window has restored what it knows of it."""
         if FreeCAD.GuiUp:
             QtCore.QTimer.singleShot(0, lambda: self._show_if_bare(target))
 
