@@ -157,6 +157,9 @@ class Engine(QtCore.QObject):
         process.start(program, [*first, "serve"])
 
     def _hear(self) -> None:
+        if self._process is None:
+            # It was said before the process was ended, and is heard after.
+            return
         *lines, self._rest = (self._rest + bytes(self._process.readAll())).split(b"\n")
         for line in lines:
             try:
@@ -180,6 +183,8 @@ class Engine(QtCore.QObject):
         self._send()
 
     def _note(self) -> None:
+        if self._process is None:
+            return
         text = bytes(self._process.readAllStandardError()).decode("utf-8", "replace")
         self._complaints.extend(item for item in text.splitlines() if item.strip())
 
