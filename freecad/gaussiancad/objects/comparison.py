@@ -16,7 +16,6 @@ from freecad.gaussiancad.objects.appearance import show_vertex_colours
 from freecad.gaussiancad.objects.comparison_colours import recolour
 from freecad.gaussiancad.objects.comparison_properties import (
     RANGE,
-    SCHEMA_VERSION,
     add_links,
     fixed_properties,
     range_mm,
@@ -56,7 +55,6 @@ class ComparisonGroup(GroupProxy):
     """Proxy of the group.  Documents name this class: it keeps its name and place."""
 
     view_proxy = ComparisonView
-    schema_version = SCHEMA_VERSION
 
     def execute(self, target: FreeCAD.DocumentObject) -> None:
         """See whether what was compared has changed; the engine never runs within a recompute."""

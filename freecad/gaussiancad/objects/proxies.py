@@ -52,7 +52,6 @@ class GroupProxy:
     """
 
     view_proxy = GroupViewProxy
-    schema_version = 0
 
     def __init__(self, target: FreeCAD.DocumentObject) -> None:
         target.Proxy = self

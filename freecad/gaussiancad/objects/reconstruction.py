@@ -24,7 +24,6 @@ from freecad.gaussiancad.objects.reconstruction_features import (
     put_part_alone,
 )
 from freecad.gaussiancad.objects.reconstruction_properties import (
-    SCHEMA_VERSION,
     clear_report,
     drawing_properties,
     engine_properties,
@@ -53,7 +52,6 @@ class Reconstruction(GroupProxy):
     """Proxy of the group.  Documents name this class: it keeps its name and place."""
 
     view_proxy = ReconstructionView
-    schema_version = SCHEMA_VERSION
 
 
 def undo_step() -> str:
