@@ -38,13 +38,13 @@ _LOCK_FILE = ".gaussiancad-batch.lock"
 _MODULES = tuple(
     f"gaussiancad_core.{name}"
     for name in (
-        "pipeline",
-        "reading_stage",
-        "exact_stage",
-        "ink_stage",
-        "solid_reports",
-        "check_stage",
-        "models",
+        "run.pipeline",
+        "recognition.views_and_lines",
+        "run.exact_stage",
+        "run.ink_stage",
+        "run.solid_report",
+        "run.check_stage",
+        "run.run_models",
     )
 )
 """What every sheet needs: most of its start-up."""

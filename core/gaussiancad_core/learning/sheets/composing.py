@@ -8,9 +8,9 @@ from gaussiancad_core.learning.sheets.board import Board
 from gaussiancad_core.learning.sheets.canvas import Canvas
 from gaussiancad_core.learning.sheets.centre_marks import bend_lines
 from gaussiancad_core.learning.sheets.cut_hatching import hatch
-from gaussiancad_core.learning.sheets.extras import litter
 from gaussiancad_core.learning.sheets.inset_drawings import draw_detail, draw_picture
 from gaussiancad_core.learning.sheets.letter_fonts import system_fonts
+from gaussiancad_core.learning.sheets.loose_marks import litter
 from gaussiancad_core.learning.sheets.part_lines import (
     TANGENT_ODDS,
     Tangents,
