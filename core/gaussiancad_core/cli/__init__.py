@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
         if options.events:
             listener = open_event_stream()
             if not options.serves:
-                cancel_on_stdin()
+                cancel_on_stdin(cancellation)
         elif (shown := terminal(verbose=options.verbose)) is not None:
             listener = shown
         if heard is not None:

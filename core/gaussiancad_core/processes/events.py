@@ -149,6 +149,7 @@ class Cancellation:
     def __init__(self) -> None:
         self._arrived = threading.Event()
         self._is_due = True
+        self._because = ""
         self.raised: CancelledError | None = None
         """What was raised, if anything was."""
         for number in ending_signals():
@@ -159,6 +160,11 @@ class Cancellation:
         if hasattr(signal, "pthread_sigmask"):
             signal.pthread_sigmask(signal.SIG_UNBLOCK, ending_signals())
 
+    def stop(self, cause: str) -> None:
+        """Stop the run from another thread; ``cause`` follows the word "cancelled"."""
+        self._because = cause
+        stop_main_thread()
+
     def end(self) -> None:
         """The run has ended, however it did: nothing is raised any more."""
         self._arrived.set()
@@ -168,7 +174,8 @@ class Cancellation:
             return
         self._is_due = False
         threading.Thread(target=self._insist, args=(number,), name="cancel", daemon=True).start()
-        self.raised = CancelledError(Code.CANCELLED, f"cancelled by {signal.Signals(number).name}")
+        cause = self._because or f"by {signal.Signals(number).name}"
+        self.raised = CancelledError(Code.CANCELLED, f"cancelled {cause}")
         raise self.raised
 
     def _insist(self, number: int) -> None:
@@ -201,13 +208,15 @@ def stop_main_thread() -> None:
     _signal_main_thread(signal.SIGTERM)
 
 
-def cancel_on_stdin() -> None:
+def cancel_on_stdin(cancellation: Cancellation) -> None:
     """Stop the run when a line ``cancel`` comes on stdin, or stdin ends (the parent is gone)."""
 
     def watch() -> None:
+        cause = "as standard input ended, which stops a run with --events"
         for line in sys.stdin:
             if line.strip() == "cancel":
+                cause = "on standard input"
                 break
-        stop_main_thread()
+        cancellation.stop(cause)
 
     threading.Thread(target=watch, name="stdin", daemon=True).start()

@@ -355,6 +355,8 @@ def test_a_cancelled_run_leaves_nothing(sheet: Path, tmp_path: Path, way: str) -
     assert process.wait() == 130
     assert events[-1]["event"] == "error" and events[-1]["code"] == "cancelled"
     assert "lines (3 of 10): nothing was written" in events[-1]["message"]
+    causes = {"line": "on standard input", "end": "standard input ended", "signal": "by SIGTERM"}
+    assert causes[way] in events[-1]["message"]
     assert not output.exists()
 
 
