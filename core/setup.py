@@ -10,7 +10,6 @@ WINDOW = {
     "freecad.gaussiancad": {"__init__", "errors", "language", "qt"},
     "freecad.gaussiancad.engine": {
         "__init__",
-        "events",
         "protocol",
         "report",
         "summary",

@@ -29,7 +29,7 @@ def make_importable() -> None:
 
 make_importable()
 
-from freecad.gaussiancad.engine.events import Event, EventKind  # noqa: E402
+from freecad.gaussiancad.engine.protocol import Event, EventKind  # noqa: E402
 from freecad.gaussiancad.panels.reconstruct import ReconstructPanel  # noqa: E402
 from freecad.gaussiancad.qt import QtCore, QtWidgets  # noqa: E402
 

@@ -21,9 +21,9 @@ from freecad.gaussiancad.batch_documents import complete_sheet, make_documents, 
 from freecad.gaussiancad.batch_options import BatchOptions, parse_options
 from freecad.gaussiancad.batch_report import SheetRow, write_report
 from freecad.gaussiancad.batch_stop import BatchStopped, StopOnSignals
-from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.protocol import Event, EventKind
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.preferences import read_preferences

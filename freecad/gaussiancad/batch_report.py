@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from freecad.gaussiancad.engine.events import Event
+from freecad.gaussiancad.engine.protocol import Event
 from freecad.gaussiancad.staging import put_in_place, staging
 
 SCHEMA = 2

@@ -117,7 +117,16 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     # The window is the workbench's, which goes along in the wheel.
-    known = {"gaussiancad_core", "freecad", *sys.stdlib_module_names, *CUDA}
+    known = {
+        "gaussiancad",
+        "gaussiancad_core",
+        "gaussiancad_protocol",
+        "freecad",
+        *sys.stdlib_module_names,
+        *CUDA,
+    }
+    # Whoever asks for its shapes has it.
+    known.add("build123d")
     known |= {name for package in of_here(declared) for name in provided(package.name)}
     # Scripts of a folder import each other; those of make are tested and measured, too, as is the
     # package of benchmarks, beside what helps their tests.

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import fake_part
 
-from freecad.gaussiancad.engine.events import Event
 from freecad.gaussiancad.engine.locate import Engine, EngineSource
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.protocol import Event
 from freecad.gaussiancad.qt import QtCore, QtGui
 
 FAKE_ENGINE = Engine(str(Path(__file__).parent / "fake_engine.py"), EngineSource.VARIABLE)

@@ -8,9 +8,8 @@ import fake_part
 import FreeCAD
 from support import FolderCase, draw_sheet, run_fake
 
-from freecad.gaussiancad.engine.events import EventKind
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.protocol import EventKind, Status
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
 from freecad.gaussiancad.objects.loading import LoadedRun, load_run

@@ -7,10 +7,10 @@ import time
 
 from support import FAKE_ENGINE, FolderCase, alive, draw_sheet, run_fake
 
-from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import CompareJob, ReconstructJob
 from freecad.gaussiancad.engine.locate import Engine, EngineSource
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.protocol import Event, EventKind
 from freecad.gaussiancad.engine.verdict import RunState
 
 

@@ -13,11 +13,10 @@ import Part
 from support import HARD_NAME, FolderCase
 
 from freecad.gaussiancad.batch import main
-from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import CompareJob, ReconstructJob, Scale, ScaleKind
 from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
-from freecad.gaussiancad.engine.protocol import Preset
+from freecad.gaussiancad.engine.protocol import Event, EventKind, Preset
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.comparison import (

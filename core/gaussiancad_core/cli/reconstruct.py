@@ -13,12 +13,13 @@ from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.processes.events import PROTOCOL, Listener
+from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.report.job import Job, corrections_beside
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
 from gaussiancad_core.storage.extras import Extra, lacking, result_kind
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.event_lines import PROTOCOL
 from gaussiancad_protocol.modes import Device, Preset, Recipe, ResultKind, SolidWay
 
 SOLID_WAY = "--solid-way"

@@ -20,8 +20,6 @@ from typing import Any, Protocol, TextIO
 from gaussiancad_core.errors import CancelledError
 from gaussiancad_protocol.codes import Code
 
-PROTOCOL = 1
-
 
 class Listener(Protocol):
     """Where the events of a run go."""

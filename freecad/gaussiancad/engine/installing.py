@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from freecad.gaussiancad.engine.environment import clean_environment
-from freecad.gaussiancad.engine.events import LineBuffer
 from freecad.gaussiancad.engine.locate import MARKER, interpreter_of
 from freecad.gaussiancad.engine.locks import EngineBuild, entries, normalised, pins
 from freecad.gaussiancad.engine.managed import digest_of
+from freecad.gaussiancad.engine.protocol import LineBuffer
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.paths import CORE
 from freecad.gaussiancad.qt import QtCore

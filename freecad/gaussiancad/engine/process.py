@@ -13,9 +13,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from freecad.gaussiancad.engine.environment import clean_environment
-from freecad.gaussiancad.engine.events import Event, EventKind, LineBuffer, parse_event
 from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS
 from freecad.gaussiancad.engine.locate import Engine
+from freecad.gaussiancad.engine.protocol import Event, EventKind, LineBuffer, parse_event
 from freecad.gaussiancad.engine.verdict import Ending, RunState, Verdict, judge, not_started
 from freecad.gaussiancad.qt import QtCore
 

@@ -12,6 +12,22 @@ if find_spec("gaussiancad_protocol") is None:
     sys.path.append(str(Path(__file__).resolve().parents[3] / "core"))
 
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.event_lines import (
+    Event,
+    EventKind,
+    LineBuffer,
+    parse_event,
+)
 from gaussiancad_protocol.modes import Preset, Recipe, ResultKind, Status
 
-__all__ = ["Code", "Preset", "Recipe", "ResultKind", "Status"]
+__all__ = [
+    "Code",
+    "Event",
+    "EventKind",
+    "LineBuffer",
+    "Preset",
+    "Recipe",
+    "ResultKind",
+    "Status",
+    "parse_event",
+]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
 
-from freecad.gaussiancad.engine.events import Event
+from freecad.gaussiancad.engine.protocol import Event
 from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.language import translate
 

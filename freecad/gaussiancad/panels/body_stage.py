@@ -11,10 +11,10 @@ from pathlib import Path
 
 import FreeCAD
 
-from freecad.gaussiancad.engine.events import Event
 from freecad.gaussiancad.engine.features_job import FeaturesJob
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.protocol import Event
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate

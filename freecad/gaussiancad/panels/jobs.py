@@ -14,9 +14,9 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.protocol import Event, EventKind
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate

@@ -6,9 +6,9 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import PAGED_SUFFIXES
 from freecad.gaussiancad.engine.process import RunResult
+from freecad.gaussiancad.engine.protocol import Event, EventKind
 from freecad.gaussiancad.engine.read_job import READING_FILE, ReadJob
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError

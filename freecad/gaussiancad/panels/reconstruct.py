@@ -9,10 +9,9 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, ReconstructJob, Scale
 from freecad.gaussiancad.engine.process import RunResult
-from freecad.gaussiancad.engine.protocol import Status
+from freecad.gaussiancad.engine.protocol import Event, EventKind, Status
 from freecad.gaussiancad.engine.summary import report_lines, verdict_text
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Iterable
 
-from freecad.gaussiancad.engine.events import Event, EventKind
+from freecad.gaussiancad.engine.protocol import Event, EventKind
 from freecad.gaussiancad.engine.wording import stage_name, worded
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.widgets import bring_into_sight

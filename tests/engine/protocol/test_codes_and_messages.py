@@ -18,7 +18,7 @@ from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.readings.views_to_reading import refusal
 from gaussiancad_protocol.codes import Code
 
-ENGINE = Path(__file__).resolve().parents[2] / "core"
+ENGINE = Path(__file__).resolve().parents[3] / "core"
 SOURCES = [
     path
     for package in ("gaussiancad", "gaussiancad_core")

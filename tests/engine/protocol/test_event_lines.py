@@ -4,7 +4,7 @@ import json
 import random
 import unittest
 
-from freecad.gaussiancad.engine.events import (
+from gaussiancad_protocol.event_lines import (
     LONGEST_LINE,
     Event,
     EventKind,

@@ -9,6 +9,9 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
 
+PROTOCOL = 1
+"""Version of the events; fields and events may be added to it, none changes its meaning."""
+
 LONGEST_LINE = 1 << 20
 """Bytes without a line's end after which the rest of the line is dropped."""
 
