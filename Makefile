@@ -49,10 +49,10 @@ licences: ## the locked packages with their licences; fails if one is not allowe
 	@python3 scripts/licences.py
 
 sbom: ## bills of materials of the locks (CycloneDX) in build/sbom/
-	@python3 scripts/sbom.py build/sbom
+	@sh scripts/supply.sh sbom
 
 vulnerabilities: ## asks a public database for known vulnerabilities of the locked packages
-	@python3 scripts/vulnerabilities.py
+	@sh scripts/supply.sh vulnerabilities
 
 clean: ## remove what demo and the tests wrote, but keep .venv
 	@rm -rf build demo .pytest_cache .ruff_cache .hypothesis
