@@ -6,9 +6,10 @@ else that escapes the engine is a defect of the engine and ends in :attr:`ExitCo
 """
 
 import errno
+from collections.abc import Iterable
 from enum import IntEnum
 
-from gaussiancad_core.messages import Message
+from gaussiancad_core.messages import Box, Message
 from gaussiancad_protocol.codes import Code
 
 
@@ -31,13 +32,16 @@ class GaussianCadError(Exception):
     Args:
         code: kebab-case identifier, stable between versions.
         message: what happened, where, what to do; no trailing newline.
+        boxes: where on the sheet that is of which it speaks, px.
         values: what fills the places ``{name}`` of the message.
     """
 
     exit_code: ExitCode = ExitCode.ENGINE
 
-    def __init__(self, code: str, message: str, /, **values: object) -> None:
-        known = message if isinstance(message, Message) else Message(message, **values)
+    def __init__(
+        self, code: str, message: str, /, boxes: Iterable[Box] = (), **values: object
+    ) -> None:
+        known = message if isinstance(message, Message) else Message(message, boxes, **values)
         super().__init__(str(known))
         self.code = code
         self.message = known

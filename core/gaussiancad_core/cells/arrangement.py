@@ -226,8 +226,8 @@ class Arrangement:
             (x, y), radius = curve.centre, curve.radius
             for first, last in pairwise(cuts):
                 side = 1 if sin((first + last) / 2.0) > 0.0 else -1
-                start, end = sorted((curve.at(first)[0], curve.at(last)[0]))
-                pieces.append(_Bow(x, y, radius, side, start, end, index))
+                left, right = sorted((curve.at(first)[0], curve.at(last)[0]))
+                pieces.append(_Bow(x, y, radius, side, left, right, index))
         return pieces, uprights
 
     def _add_chain(self, chain: Chain) -> None:

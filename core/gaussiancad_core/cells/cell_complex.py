@@ -86,13 +86,11 @@ _BESIDE = {normal: side_views(normal) for normal in Axis}
 
 
 class SeenColumns(Protocol):
-    """Columns along one axis that were looked at.
+    """Columns along one axis that were looked at."""
 
-    Attributes:
-        normal: the axis.
-    """
-
-    normal: Axis
+    @property
+    def normal(self) -> Axis:
+        """The axis."""
 
     def longest(self) -> Iterator[tuple[Cell, float]]:
         """Cells, each with its longest stretch along the axis."""
@@ -252,9 +250,10 @@ class Space:
             for position, flat, support, region in zip(
                 trace.positions, trace.normals, trace.supports, trace.regions[1:], strict=True
             ):
-                direction = [0.0, 0.0, 0.0]
-                direction[axes[0]], direction[axes[1]] = flat
-                steps.append((position, tuple(direction), (plane.value, support), region))
+                along = [0.0, 0.0, 0.0]
+                along[axes[0]], along[axes[1]] = flat
+                direction = along[0], along[1], along[2]
+                steps.append((position, direction, (plane.value, support), region))
             found = trace.regions[0], tuple(_without_slivers(steps)), CHAIN in trace.supports
             self._steps[key] = found
         return found

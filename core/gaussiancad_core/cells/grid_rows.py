@@ -10,8 +10,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from gaussiancad_core.cells.arrangement import CHAIN, Arrangement
-from gaussiancad_core.cells.arrangement_kernels import traces
+from gaussiancad_core.cells.arrangement import Arrangement
+from gaussiancad_core.cells.arrangement_kernels import CHAIN, traces
 from gaussiancad_core.cells.cell_complex import Space
 from gaussiancad_core.coordinates.carrier_curves import LineCurve, PlaneCurve
 from gaussiancad_core.coordinates.drawn_intervals import Support

@@ -100,7 +100,9 @@ class Seen:
         depths = np.zeros(cells.size)
         np.maximum.at(depths, numbers, found.depths[places + 1] - found.depths[places])
         for key, depth in zip(cells.tolist(), depths.tolist(), strict=True):
-            yield self.keys.cell(key), depth
+            cell = self.keys.cell(key)
+            if cell is not None:
+                yield cell, depth
 
     def crossed(self) -> Iterator[tuple[Cell | None, Cell | None, Surface]]:
         """Pairs of cells that follow each other, and the surfaces between them; each once."""
@@ -201,15 +203,14 @@ def body_table(bodies: Sequence[Body]) -> npt.NDArray[np.float64] | None:
             row[:5] = HALF_SPACE, *body.normal, body.offset
         elif isinstance(body, RevolvedBody):
             profile = body.profile
-            is_round = isinstance(profile, ArcProfile)
             row[:PROFILE] = (
-                ROUND if is_round else CONE,
+                ROUND if isinstance(profile, ArcProfile) else CONE,
                 body.axis.value,
                 *body.centre,
                 profile.low,
                 profile.high,
             )
-            if is_round:
+            if isinstance(profile, ArcProfile):
                 arc = profile.z, profile.r, profile.radius_of_arc, profile.side
                 row[PROFILE : PROFILE + 4] = arc
             else:

@@ -154,6 +154,8 @@ class RevolvedBody:
 
     def _inward(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Normals of the sector's two sides that point into it."""
+        if self.sector is None:
+            raise ValueError("the body has no sector")
         start, sweep = self.sector
         end = start + sweep
         return (-sin(start), cos(start)), (sin(end), -cos(end))
@@ -267,8 +269,9 @@ class RevolvedBody:
                 end[along], end[1 - along] = z, middle + side * profile.radius(z)
                 ends.append((end[0], end[1]))
             if isinstance(profile, LineProfile):
-                line = line_through(*ends)
-                found.append((line, tuple(sorted(line.parameter(end) for end in ends))))
+                line = line_through(ends[0], ends[1])
+                first, last = sorted(line.parameter(end) for end in ends)
+                found.append((line, (first, last)))
                 continue
             centre = [0.0, 0.0]
             centre[along], centre[1 - along] = profile.z, middle + side * profile.r

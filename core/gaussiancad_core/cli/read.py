@@ -55,7 +55,8 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     )
     job.check(READ_FILES)
 
-    from gaussiancad_core.run.read_run import READING_FILE, read_to_file
+    from gaussiancad_core.readings.views_to_reading import READING_FILE
+    from gaussiancad_core.run.read_run import read_to_file
 
     reading = read_to_file(job, listener)
     path = (options.output / READING_FILE).resolve()

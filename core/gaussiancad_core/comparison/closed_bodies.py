@@ -59,8 +59,9 @@ def united(bodies: Sequence[TriangleMesh]) -> TriangleMesh | None:
     """
     import manifold3d
 
-    solids = [manifold_of(untangled(body)) for body in bodies]
-    if any(solid is None for solid in solids):
+    made = [manifold_of(untangled(body)) for body in bodies]
+    solids = [solid for solid in made if solid is not None]
+    if len(solids) < len(made):
         return None
     whole = manifold3d.Manifold.batch_boolean(solids, manifold3d.OpType.Add)
     if whole.status() != manifold3d.Error.NoError:

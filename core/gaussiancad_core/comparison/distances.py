@@ -135,13 +135,13 @@ def _occupied(surface: SurfaceQueries, points: Points) -> npt.NDArray[np.bool_]:
 def _boolean_iou(first: TriangleMesh, second: TriangleMesh) -> float | None:
     import manifold3d
 
-    solids = [manifold_of(mesh) for mesh in (first, second)]
-    if any(solid is None for solid in solids):
+    one, other = (manifold_of(mesh) for mesh in (first, second))
+    if one is None or other is None:
         return None
-    both = solids[0] ^ solids[1]
+    both = one ^ other
     if both.status() != manifold3d.Error.NoError:
         return None
     common = both.volume()
     # What is united follows, and a second Boolean of large meshes takes long.
-    united = solids[0].volume() + solids[1].volume() - common
+    united = one.volume() + other.volume() - common
     return float(np.clip(common / united, 0.0, 1.0))

@@ -135,8 +135,10 @@ def measure_engineering(
     scale = float(np.linalg.norm(matrix[:3, 0]))
     own_volume, own_area = _measures(result, scale)
     true_volume, true_area = _measures(reference, 1.0)
-    known = own_volume is not None and true_volume is not None
-    volume = own_volume - true_volume if known else None
+    volume = share = None
+    if own_volume is not None and true_volume is not None:
+        volume = own_volume - true_volume
+        share = volume / true_volume if true_volume else None
     return EngineeringResult(
         forth,
         home,
@@ -148,7 +150,7 @@ def measure_engineering(
             if model.exact is not None
         ),
         volume,
-        volume / true_volume if known and true_volume else None,
+        share,
         own_area - true_area,
         (own_area - true_area) / true_area,
         volume_iou(first, second, streams[2]),

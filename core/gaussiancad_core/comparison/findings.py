@@ -95,4 +95,5 @@ def worst_points(
 def _vertex_areas(mesh: TriangleMesh) -> npt.NDArray[np.float64]:
     """(n,) a third of the area of the triangles around each vertex."""
     thirds = np.repeat(mesh.areas / 3.0, 3)
-    return np.bincount(mesh.triangles.ravel(), weights=thirds, minlength=len(mesh.vertices))
+    sums = np.bincount(mesh.triangles.ravel(), weights=thirds, minlength=len(mesh.vertices))
+    return np.asarray(sums, dtype=np.float64)

@@ -61,9 +61,8 @@ class SurfaceQueries:
 
         self.mesh = mesh
         self._scene = open3d.t.geometry.RaycastingScene()
-        self._scene.add_triangles(
-            mesh.vertices.astype(np.float32), mesh.triangles.astype(np.uint32)
-        )
+        vertices, triangles = mesh.vertices.astype(np.float32), mesh.triangles.astype(np.uint32)
+        self._scene.add_triangles(vertices, triangles)  # type: ignore[call-overload] # stub: Tensor
 
     @cached_property
     def closed(self) -> bool:
@@ -176,4 +175,5 @@ class _Slivers:
 def _tensor(values: npt.NDArray[np.floating]) -> "open3d.core.Tensor":
     from gaussiancad_core.kernel.bare_open3d import open3d
 
-    return open3d.core.Tensor(np.ascontiguousarray(values, dtype=np.float32))
+    plain = np.ascontiguousarray(values, dtype=np.float32)
+    return open3d.core.Tensor(plain)  # type: ignore[call-overload] # the stub has another's array

@@ -150,4 +150,4 @@ def _numbered(model: str, betti: tuple[int, int, int]) -> dict[str, int]:
 
 
 def _warned(code: str, message: str, /, **values: object) -> Remark:
-    return Remark(code, Message(message, **values))
+    return Remark(code, Message(message, boxes=(), **values))

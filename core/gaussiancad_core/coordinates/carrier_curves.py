@@ -132,12 +132,12 @@ def axis_line(axis: int, value: float) -> LineCurve:
 
 def meetings(one: PlaneCurve, other: PlaneCurve) -> list[Point]:
     """The points that two different curves share; a touching counts once."""
-    if isinstance(one, CircleCurve) and isinstance(other, LineCurve):
-        one, other = other, one
     if isinstance(one, LineCurve):
         if isinstance(other, LineCurve):
             return _lines_meet(one, other)
         return _line_meets_circle(one, other)
+    if isinstance(other, LineCurve):
+        return _line_meets_circle(other, one)
     return _circles_meet(one, other)
 
 

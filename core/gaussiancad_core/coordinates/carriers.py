@@ -176,7 +176,8 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     tolerance = views.tolerance * scale
     views = with_pieces_of_arcs(without_askew_dashes(views))
     planes = _sorted_strokes(views, scale, tolerance)
-    size = tuple(extent * scale for extent in views.size)
+    width, depth, height = views.size
+    size = width * scale, depth * scale, height * scale
     apart = None if views.apart is None else views.apart * scale
     noise = views.noise * scale if views.likely else 0.0
     stated = None if views.dimensions is None else views.dimensions.scaled(scale)
@@ -199,8 +200,8 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     }
     snapped = known.snap
     if views.known is not None:
-        stated = size[views.known.value], views.size[views.known.value]
-        scale = designed_scale(snapped.step, stated, scale)
+        known_size = size[views.known.value], views.size[views.known.value]
+        scale = designed_scale(snapped.step, known_size, scale)
     return PartSupports(
         found,
         snapped.values,
@@ -255,12 +256,13 @@ def _take_arcs(plane: _Plane, near: float) -> None:
     drawn, chains = [this_circle.circle for this_circle in plane.circles], plane.chains
     plane.chains = []
     for role, chain, linetype in chains:
-        found = ((circle, arc_along(chain, circle, near)) for circle in drawn)
-        circle, arc = next(((c, a) for c, a in found if a is not None), (None, None))
-        if arc is None:
-            plane.chains.append((role, chain, linetype))
+        for circle in drawn:
+            arc = arc_along(chain, circle, near)
+            if arc is not None:
+                plane.circles.append(_Circle(role, circle, *arc, linetype, 1.0))
+                break
         else:
-            plane.circles.append(_Circle(role, circle, *arc, linetype, 1.0))
+            plane.chains.append((role, chain, linetype))
 
 
 def _line(stroke: Segment, role: Role, scale: float) -> _Line:

@@ -74,7 +74,8 @@ def _runs(role: Role, strokes: Sequence[Curve]) -> list[Chords]:
         if go_on:
             continue
         if last - first + 1 >= _FEWEST:
-            ends = [strokes[first].start, *(stroke.end for stroke in strokes[first : last + 1])]
+            pieces = [stroke for stroke in strokes[first : last + 1] if isinstance(stroke, Segment)]
+            ends = [pieces[0].start, *(stroke.end for stroke in pieces)]
             found.append(Chords(role, first, last, np.array(ends, dtype=np.float64)))
         first = last + 1
     return found

@@ -29,13 +29,10 @@ def circle_relations(
     for normal, x, y, radius in circles:
         for index, centre in zip(IN_PLANE[normal], (x, y), strict=True):
             axis = Axis(index)
-            items = [(centre, 1.0)]
+            candidates: list[list[tuple[int, float]]] = [[(centre, 1.0)]]
             if observed[radius] > _TOO_SMALL * tolerance:
-                low: list[tuple[int, float]] = [(centre, 1.0), (radius, -1.0)]
-                high: list[tuple[int, float]] = [(centre, 1.0), (radius, 1.0)]
-                candidates = (items, low, high)
-            else:
-                candidates = (items,)
+                candidates.append([(centre, 1.0), (radius, -1.0)])
+                candidates.append([(centre, 1.0), (radius, 1.0)])
             for terms in candidates:
                 at = sum(factor * observed[column] for column, factor in terms)
                 for value in values[axis]:

@@ -177,8 +177,8 @@ def snapped(
     for reading in merged:
         (x, y), radius = reading.circle.centre, reading.circle.radius
         weight = reading.weight
-        columns = (variables.add(number, weight) for number in (x, y, radius))
-        items.append((reading.normal, *columns))
+        x_at, y_at, radius_at = (variables.add(number, weight) for number in (x, y, radius))
+        items.append((reading.normal, x_at, y_at, radius_at))
     relations = circle_relations(variables.observed, clusters, items, tolerance)
     read, known = variables.weights, None
     if stated is not None:

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.coordinates.carrier_curves import LineCurve, Point, line_through, meetings
-from gaussiancad_core.coordinates.linear_constraints import Terms
+from gaussiancad_core.coordinates.linear_constraints import Numbers, Terms
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class OnSlant:
     first: int
     slant: Slant
 
-    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         (dx, dy), length = direction_of(self.slant)
         x, y = numbers[self.a] - self.slant.start[0], numbers[self.b] - self.slant.start[1]
@@ -69,7 +69,7 @@ class OnCircle:
     b: int
     circle: int
 
-    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         x, y = numbers[self.a] - numbers[self.circle], numbers[self.b] - numbers[self.circle + 1]
         away = hypot(x, y) or 1.0
@@ -91,7 +91,7 @@ class Touches:
     slant: Slant
     side: float
 
-    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         value, terms = OnSlant(self.circle, self.circle + 1, self.first, self.slant).at(numbers)
         _, length = direction_of(self.slant)
@@ -115,7 +115,7 @@ class TouchesCircle:
     other: int
     inside: bool
 
-    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         x = numbers[self.other] - numbers[self.one]
         y = numbers[self.other + 1] - numbers[self.one + 1]
@@ -147,7 +147,7 @@ class OnFacet:
     frame: npt.NDArray[np.float64]
     origin: npt.NDArray[np.float64]
 
-    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         corner = np.array([numbers[at] for at in self.at_axes])
         along, across, out = self.frame @ (corner - self.origin)

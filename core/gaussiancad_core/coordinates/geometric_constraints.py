@@ -290,8 +290,9 @@ class _Network:
         """Its corners on one plane, as far as their coordinates are values."""
         known = {}
         for corner in facet.corners:
-            values = [self._snap.value(axis, x) for axis, x in zip(Axis, corner, strict=True)]
-            if None not in values:
+            snapped = [self._snap.value(axis, x) for axis, x in zip(Axis, corner, strict=True)]
+            values = [value for value in snapped if value is not None]
+            if len(values) == len(snapped):
                 x, y, z = (self._values[axis][x] for axis, x in zip(Axis, values, strict=True))
                 known[x, y, z] = np.array(values)
         if len(known) <= _SPANNING:
@@ -314,8 +315,9 @@ class _Network:
         axes = [Axis(index) for index in IN_PLANE[normal]]
         found: dict[tuple[int, int], _Corner] = {}
         for end in ends:
-            values = [self._snap.value(axis, x) for axis, x in zip(axes, end, strict=True)]
-            if None in values:
+            snapped = [self._snap.value(axis, x) for axis, x in zip(axes, end, strict=True)]
+            values = [value for value in snapped if value is not None]
+            if len(values) < len(snapped):
                 continue
             weight = min(self._snap.weights[key] for key in zip(axes, values, strict=True))
             a, b = (self._values[axis][x] for axis, x in zip(axes, values, strict=True))

@@ -42,7 +42,7 @@ _INDEPENDENT = 1e-12
 class Relation(Protocol):
     """An equation: something that is to be zero."""
 
-    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """What it is for some numbers, in units, and its gradient, of the same numbers always."""
 
 
@@ -53,12 +53,12 @@ class Linear:
     terms: tuple[tuple[int, float], ...]
     constant: float = 0.0
 
-    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """See :class:`Relation`."""
         total = sum((factor * numbers[column] for column, factor in self.terms), self.constant)
         return float(total), self.terms
 
-    def holds(self, numbers: Sequence[float]) -> bool:
+    def holds(self, numbers: Numbers) -> bool:
         """Whether it is fulfilled, but for rounding errors."""
         return abs(self.at(numbers)[0]) <= _FULFILLED
 
@@ -186,7 +186,7 @@ def _multipliers(gram: Numbers, wanted: Numbers) -> Numbers:
     if len(missed):
         # Each of the other rows is a combination of the independent ones; those stand in for it.
         others = np.pad(factor[rank:, :rank], ((0, 0), (0, len(missed)))).T
-        factor[rank:] = np.eye(*factor[rank:].shape, k=rank)
+        factor[rank:] = np.eye(len(factor) - rank, factor.shape[1], k=rank)
         shares, _ = dtrtrs(factor, others, lower=True, trans=1)
         given[rank:] = 0.0
         missed = missed - given @ shares

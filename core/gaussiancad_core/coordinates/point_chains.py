@@ -100,7 +100,8 @@ def crossings_with_curves(chain: Chain, curves: Sequence[PlaneCurve]) -> list[fl
             if np.hypot(*(end - start)) < 1e-12:
                 continue
             low, high = sorted((float(start[0]), float(end[0])))
-            line = line_through(tuple(map(float, start)), tuple(map(float, end)), 0.0)
+            (x, y), (a, b) = map(float, start), map(float, end)
+            line = line_through((x, y), (a, b), 0.0)
             found += [a for a, _ in meetings(line, curve) if low <= a <= high]
     return found
 

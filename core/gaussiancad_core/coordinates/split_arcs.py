@@ -99,7 +99,7 @@ def _piece(stroke: Curve, arcs: Sequence[Arc], tolerance: float) -> Arc | None:
     aways = np.abs(np.hypot(*offs.transpose(2, 1, 0)) - [arc.radius for arc in arcs])
     ends_away = np.maximum(aways[0], aways[-1])
     near = (ends_away <= least) & (aways.max(axis=0) <= _BESIDE * tolerance)
-    for number in np.flatnonzero(near):
+    for number in np.flatnonzero(near).tolist():
         arc, off, ends = arcs[number], offs[number], ends_away[number]
         if ends > least:
             continue

@@ -68,7 +68,10 @@ class Label:
         down = 0.5 * self.height * np.array([-np.sin(self.angle), np.cos(self.angle)])
         middle = np.array(self.centre)
         ways = (-along - down, along - down, along + down, -along + down)
-        return tuple((float(x), float(y)) for x, y in (middle + way for way in ways))
+        first, second, third, fourth = (
+            (float(x), float(y)) for x, y in (middle + way for way in ways)
+        )
+        return first, second, third, fourth
 
 
 @dataclass(frozen=True)

@@ -45,7 +45,7 @@ def finished(ink: Ink, style: SheetStyle, seed: int) -> Image:
     if style.specks > 0.0:
         ink = _speckled(ink, style.specks, _stream(seed, _Stream.SPECKS))
     if style.blur > 0.0:
-        ink = cv2.GaussianBlur(ink, (0, 0), style.blur)
+        ink = np.asarray(cv2.GaussianBlur(ink, (0, 0), style.blur), dtype=np.float32)
     if style.contrast > 1.0:
         ink = _copied(ink, style.contrast, _stream(seed, _Stream.TONER))
     paper, colour = (np.array(value, dtype=np.float32) for value in (style.paper, style.ink))
@@ -82,7 +82,8 @@ def _shifted(ink: Ink, right: float, down: float) -> Ink:
     between = cv2.filter2D(ink, -1, kernel, anchor=(1, 1), borderType=cv2.BORDER_CONSTANT)
     height, width = ink.shape
     motion = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
-    return cv2.warpAffine(between, motion, (width, height), flags=cv2.INTER_NEAREST)
+    moved = cv2.warpAffine(between, motion, (width, height), flags=cv2.INTER_NEAREST)
+    return np.asarray(moved, dtype=np.float32)
 
 
 def _smooth_field(

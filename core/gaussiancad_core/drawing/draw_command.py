@@ -94,7 +94,7 @@ def write_image(image: Image, path: Path, quality: int = 95, dpi: float | None =
     """
     stream = io.BytesIO()
     name = image_format(path)
-    options = {
+    options: dict[str, dict[str, object]] = {
         "JPEG": {"quality": quality, "subsampling": 0},
         "WEBP": {"quality": quality},
     }

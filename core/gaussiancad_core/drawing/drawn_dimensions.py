@@ -66,8 +66,7 @@ def draw_dimensions(board: Board, group: int) -> list[Annotation]:
         ends = direction.span(view.box)
         first, last = ends if direction is Direction.HORIZONTAL else ends[::-1]
         datum = border_station(view, direction, first)
-        wanted = _inner(view, direction, places, board)
-        wanted.sort(key=lambda station, first=first: abs(station.at - first))
+        wanted = _by_distance(_inner(view, direction, places, board), first)
         if axis not in whole:
             wanted.append(border_station(view, direction, last))
         neighbour = _Beside(view, direction, board)
@@ -107,6 +106,11 @@ def _fills(circle: Round, view: DrawnView, direction: Direction) -> bool:
     """Whether a view's extent is that of a circle, whose diameter is then said instead."""
     low, high = direction.span(view.box)
     return circle.whole and abs(2.0 * circle.radius - (high - low)) < _KNOWN
+
+
+def _by_distance(wanted: list[Station], first: float) -> list[Station]:
+    """Stations, those nearest to a place first."""
+    return sorted(wanted, key=lambda station: abs(station.at - first))
 
 
 def _inner(view: DrawnView, direction: Direction, places: _Places, board: Board) -> list[Station]:
@@ -189,5 +193,5 @@ class _Beside:
         """The extension lines outside of the view."""
         border = self._direction.other.span(self._view.box)[1 if line.side > 0 else 0]
         start = border + line.side * 0.5 * self._pen.gap
-        across = tuple(sorted((start, line.at)))
-        return [line.direction.box((end.at, end.at), across) for end in line.ends]
+        low, high = sorted((start, line.at))
+        return [line.direction.box((end.at, end.at), (low, high)) for end in line.ends]

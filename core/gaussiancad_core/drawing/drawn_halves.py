@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import shapely
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Rhythm
@@ -61,7 +62,7 @@ def _within(stroke: DrawnStroke, kept: shapely.Polygon, middle: float) -> list[D
         if stroke.start[0] <= middle and stroke.end[0] <= middle:
             along = min(stroke.start[0], stroke.end[0]) > middle - 1e-6
             return [] if along else [stroke]
-        points = [stroke.start, stroke.end]
+        points = np.array([stroke.start, stroke.end])
     else:
         points = stroke.sample(_STEP)
         if points[:, 0].max() <= middle:

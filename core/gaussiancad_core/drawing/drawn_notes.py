@@ -136,7 +136,7 @@ def _leader(
     left = min(elbow[0] + sign * pen.gap, end[0])
     top = elbow[1] - pen.gap - pen.height
     box = (float(left), float(top), float(left + width), float(elbow[1]))
-    return _Leader(*(tuple(point.tolist()) for point in (tip, elbow, end)), box)
+    return _Leader(tuple(tip.tolist()), tuple(elbow.tolist()), tuple(end.tolist()), box)
 
 
 def _is_free(leader: _Leader, pair: Box, others: list[Box], board: Board) -> bool:

@@ -166,7 +166,7 @@ def compose_sheet(
             f"style section={style.section.value}: name one of the views that are drawn",
         )
     plain = dict(lines.views)
-    if cut is not None:
+    if cut is not None and style.section is not None:
         plain[style.section] = cut.strokes
     views = tuple(drawn_view(place, _shown(plain[place.role], style)) for place in placements)
     scale = 1.0 / placements[0].scale

@@ -119,7 +119,7 @@ def _other_part(views: tuple[DrawnView, ...], room: Box, style: SheetStyle) -> l
     rounds = tuple(
         Arc(centre, radius, 0.0, 2.0 * np.pi, Linetype.VISIBLE) for radius in (flange, body, bore)
     )
-    strokes = (*outline, *shoulder, *rounds)
+    strokes: tuple[DrawnStroke, ...] = (*outline, *shoulder, *rounds)
     return [Annotation(AnnotationKind.OTHER_PART, 0, strokes, style.visible_width)]
 
 
@@ -148,10 +148,10 @@ def _points_of(stroke: DrawnStroke) -> npt.NDArray[np.float64]:
 
 def _visible_ends(strokes: Sequence[DrawnStroke]) -> list[Point]:
     return [
-        tuple(float(value) for value in point)
+        (float(x), float(y))
         for stroke in strokes
         if stroke.linetype is Linetype.VISIBLE
-        for point in _points_of(stroke)[[0, -1]]
+        for x, y in _points_of(stroke)[[0, -1]]
     ]
 
 

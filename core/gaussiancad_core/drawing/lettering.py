@@ -104,4 +104,6 @@ def _pieces(text: str) -> list[str]:
 
 @lru_cache(maxsize=16)
 def _font(size: float) -> ImageFont.FreeTypeFont:
-    return ImageFont.load_default(size)
+    font = ImageFont.load_default(size)
+    assert isinstance(font, ImageFont.FreeTypeFont)
+    return font

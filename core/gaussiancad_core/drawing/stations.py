@@ -101,6 +101,8 @@ def _marked(
     across = direction.other.value
     low, high = circle[0] - circle[1], circle[0] + circle[1]
     for stroke in centre_lines:
+        if not isinstance(stroke, Segment):
+            continue
         on = all(abs(point[direction.value] - at) < _ON for point in (stroke.start, stroke.end))
         first, last = sorted((stroke.start[across], stroke.end[across]))
         if on and first <= circle[0] <= last:

@@ -18,6 +18,7 @@ from gaussiancad_core.evidence.dimension_constraints import (
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import plane_points, role_plane
 from gaussiancad_core.model.unseen_extent import Unseen
+from gaussiancad_core.model.views import Arc
 from gaussiancad_core.sheet.registration.view_registration import Placement
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.writing.dimension_texts import Span
@@ -63,7 +64,7 @@ def told_numbers(
 def trusted(registered: RegisteredSheet, scale: SheetScale | None) -> tuple[Measure, ...]:
     """What dimensions say, where they are true at the scale that was taken."""
     apart = scale_apart(registered, scale)
-    return () if apart is None or apart > _SAME else scale.measures
+    return () if scale is None or apart is None or apart > _SAME else scale.measures
 
 
 def contradicts(registered: RegisteredSheet, scale: SheetScale | None) -> bool:
@@ -81,10 +82,11 @@ def scale_apart(registered: RegisteredSheet, scale: SheetScale | None) -> float 
 
 def _told(registered: RegisteredSheet, measure: Measure) -> Iterator[Told]:
     for role, placement in registered.placements.items():
+        found: Told | None
         if isinstance(measure.place, Span):
             found = _length(role, placement, measure.place, measure.value_mm)
         else:
-            found = _radius(role, placement, registered.mm_per_pixel, measure)
+            found = _radius(role, placement, registered.mm_per_pixel, measure, measure.place)
         if found is not None:
             # Views in one column, or row, show the same.
             yield found
@@ -110,11 +112,11 @@ def _thickness(unseen: Unseen | None) -> Iterator[ToldLength]:
 
 
 def _radius(
-    role: Role, placement: Placement, mm_per_pixel: float, measure: Measure
+    role: Role, placement: Placement, mm_per_pixel: float, measure: Measure, arc: Arc
 ) -> ToldRadius | None:
     x0, y0, x1, y1 = placement.box
-    x, y = measure.place.centre
-    radius = measure.place.radius
+    x, y = arc.centre
+    radius = arc.radius
     if not (x0 - radius <= x <= x1 + radius and y0 - radius <= y <= y1 + radius):
         return None
     ((a, b),) = plane_points(placement.to_plane(np.array([[x, y]])), role, 1.0)

@@ -166,8 +166,7 @@ def _circles(registered: RegisteredSheet) -> dict[Role, list[Arc]]:
     for view in registered.drawn:
         arcs = found.setdefault(view.role, [])
         for stroke in view.strokes if not view.hatched else ():
-            whole = isinstance(stroke, Arc) and stroke.is_full
-            if whole and stroke.linetype is Linetype.VISIBLE:
+            if isinstance(stroke, Arc) and stroke.is_full and stroke.linetype is Linetype.VISIBLE:
                 arcs.append(stroke)
     return found
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import cast
 
 from gaussiancad_core.evidence.dimension_evidence import told_numbers
 from gaussiancad_core.evidence.drawn_views import DrawnViews, views_as_read
@@ -59,8 +60,8 @@ class Reading:
         neighbour, unseen = self.adjacent_sections.items(), self.registered.unseen
         return replace(
             plain,
-            strokes={**plain.strokes, **{role: item.strokes for role, item in neighbour}},
-            cuts={**self.cuts, **{role: item.cut for role, item in neighbour}},
+            strokes={**plain.strokes, **{cast(Role, r): each.strokes for r, each in neighbour}},
+            cuts={**self.cuts, **{cast(Role, r): each.cut for r, each in neighbour}},
             holes=self.holes,
             about=unseen.about if unseen is not None else None,
         )

@@ -145,9 +145,9 @@ def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[O
             ),
             None,
         )
-        if depths is None or across is None:
+        places = None if across is None else _along(other.role, across, points)
+        if depths is None or across is None or places is None:
             continue
-        places = _along(other.role, across, points)
         runs = [
             (depth, start, end)
             for (depth, after), (start, end) in zip(pairwise(depths), pairwise(places), strict=True)

@@ -262,7 +262,8 @@ def _told(sketch: dict[str, Any]) -> Iterator[tuple[tuple[str, float], tuple[str
         if constraint["kind"] not in axes:
             continue
         axis, letter = axes[constraint["kind"]]
-        if any(abs(_coordinate(sketch, *each, axis)) < 1e-9 for each in constraint["of"]):
+        points = constraint["of"]
+        if any(abs(_coordinate(sketch, number, spot, axis)) < 1e-9 for number, spot in points):
             name = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", constraint["name"]).upper()
             yield (letter, round(constraint["value"], 6)), (name, constraint["source"])
 

@@ -36,6 +36,9 @@ _SAME_DIRECTION = 9
 """Decimal places within which components of unit vectors are one."""
 
 
+_FAILURES: tuple[type[Exception], ...] = (OpenLoopError, *KERNEL_FAILURES)
+
+
 @dataclass(frozen=True, eq=False)
 class Decomposition:
     """Bodies that make up a solid.
@@ -64,17 +67,17 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
     flat = [prism_plane(edges, faces, frame, _box_in(frame, box), rays) for frame in _frames(faces)]
     prisms = [found for found in flat if found is not None]
     turned = list(turned_planes(faces, box, rays))
-    planes = [found.plane for found, _ in [*prisms, *turned]]
+    planes = [*(found.plane for found, _ in prisms), *(found.plane for found, _ in turned)]
     if not planes:
         return None
-    seen = joined([samples for _, samples in [*prisms, *turned]])
+    seen = joined([*(samples for _, samples in prisms), *(samples for _, samples in turned)])
     best, before = None, None
     for _ in range(_ROUNDS):
         sweeps: list[Sweep] = []
         for number, (found, _) in enumerate(prisms):
             sweeps += prisms_of(found, number, seen)
-        for number, (found, _) in enumerate(turned, len(prisms)):
-            sweeps += turned_sweeps(found, number, seen)
+        for number, (turned_plane, _) in enumerate(turned, len(prisms)):
+            sweeps += turned_sweeps(turned_plane, number, seen)
         chosen = cheapest_cover(offered(sweeps, planes, seen), seen)
         if chosen is None or chosen == before:
             return best
@@ -82,7 +85,7 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
         try:
             bodies = in_order_of_making([_feature(sweep, planes) for sweep in chosen])
             made = combined(bodies)
-        except (OpenLoopError, *KERNEL_FAILURES):
+        except _FAILURES:
             return best
         apart = difference(shape, made)
         best = Decomposition(bodies, made, apart)

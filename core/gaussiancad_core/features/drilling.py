@@ -1,7 +1,7 @@
 """Bores as holes that a workbench drills: their sketches' planes, depths, counterbores and
 countersinks; and the bodies that they take away."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import astuple, dataclass, replace
 
 import numpy as np
@@ -63,7 +63,7 @@ def body_of_holes(holes: Holes, reach: float) -> TopoDS_Shape:
     """
     way = -1.0 if holes.is_downward else 1.0
     direction = gp_Dir(*(way * part for part in holes.frame.normal))
-    found = []
+    found: list[TopoDS_Shape] = []
     for centre in holes.centres:
         start = holes.frame.lift(np.array([centre]), holes.height)[0]
 
@@ -75,7 +75,7 @@ def body_of_holes(holes: Holes, reach: float) -> TopoDS_Shape:
     return fused(found)
 
 
-def _pieces(holes: Holes, at: object, reach: float) -> Iterator[TopoDS_Shape]:
+def _pieces(holes: Holes, at: Callable[[float], gp_Ax2], reach: float) -> Iterator[TopoDS_Shape]:
     radius = holes.diameter / 2.0
     depth = reach if holes.depth is None else holes.depth
     yield BRepPrimAPI_MakeCylinder(at(0.0), radius, depth).Shape()

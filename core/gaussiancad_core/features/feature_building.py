@@ -12,7 +12,7 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
 from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
-from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.feature_model import Extrusion, Sketch, Turning
@@ -109,7 +109,7 @@ def _wire(sketch: Sketch, loop: Loop) -> TopoDS_Wire:
     return made.Wire()
 
 
-def _edge(sketch: Sketch, edge: Edge):  # noqa: ANN202
+def _edge(sketch: Sketch, edge: Edge) -> TopoDS_Edge:
     start, end = _place(sketch, edge.start), _place(sketch, edge.end)
     if edge.centre is None or edge.radius is None:
         return BRepBuilderAPI_MakeEdge(start, end).Edge()

@@ -13,7 +13,7 @@ from gaussiancad_core.features.defeaturing import without_faces, without_holes
 from gaussiancad_core.features.difference import difference
 from gaussiancad_core.features.dressing import breaks_of, dressed
 from gaussiancad_core.features.drilling import body_of_holes
-from gaussiancad_core.features.feature_model import EdgeBreak, FeatureList, Holes
+from gaussiancad_core.features.feature_model import EdgeBreak, Feature, FeatureList, Holes
 from gaussiancad_core.features.solid_faces import solid_faces
 from gaussiancad_core.features.supporting_faces import beginning_on_faces
 from gaussiancad_core.features.unit_scaling import scaled, scaled_shape
@@ -61,10 +61,11 @@ def features_of(shape: TopoDS_Shape) -> FeatureList:
     solid = scaled_shape(shape, factor)
     over: _Stripped | None = None
     for stripped in _ways(solid):
-        last = (*stripped.breaks, *stripped.holes)
+        last: tuple[Feature, ...] = (*stripped.breaks, *stripped.holes)
         found = decomposed(stripped.body)
         if found is not None and _is_made(stripped, found.shape, solid):
-            features = tuple(scaled(each, 1.0 / factor) for each in (*found.bodies, *last))
+            every: tuple[Feature, ...] = (*found.bodies, *last)
+            features = tuple(scaled(each, 1.0 / factor) for each in every)
             return FeatureList(beginning_on_faces(features))
         if over is None and last and _is_made(stripped, stripped.body, solid):
             over = stripped

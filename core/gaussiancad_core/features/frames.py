@@ -54,5 +54,7 @@ def frame_across(normal: Vector) -> Frame:
     right /= np.linalg.norm(right)
     up = np.cross(along, right)
     name = "({:.4f}, {:.4f}, {:.4f})".format(*along)
-    vectors = (tuple(float(part) for part in vector) for vector in (right, up, along))
-    return Frame(name, *vectors)
+    (rx, ry, rz), (ux, uy, uz), (ax, ay, az) = (
+        (float(part) for part in vector) for vector in (right, up, along)
+    )
+    return Frame(name, (rx, ry, rz), (ux, uy, uz), (ax, ay, az))

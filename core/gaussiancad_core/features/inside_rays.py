@@ -36,7 +36,9 @@ class Rays:
         self._intersector.Load(shape, _TOLERANCE)
         self._reach = reach
 
-    def inside(self, point: Sequence[float], direction: Sequence[float]) -> Points | None:
+    def inside(
+        self, point: Points | Sequence[float], direction: Points | Sequence[float]
+    ) -> Points | None:
         """(n, 2) stretches of a line within the solid, ascending, units along its direction from a
         point; None where the line, and others close beside it, touch the solid so that crossings
         do not pair."""
@@ -47,7 +49,7 @@ class Rays:
                 return np.array(found).reshape(-1, 2)
         return None
 
-    def _crossings(self, point: Points, direction: Sequence[float]) -> list[float]:
+    def _crossings(self, point: Points, direction: Points | Sequence[float]) -> list[float]:
         line = gp_Lin(gp_Pnt(*point.tolist()), gp_Dir(*map(float, direction)))
         self._intersector.Perform(line, -self._reach, self._reach)
         found = sorted(

@@ -177,6 +177,8 @@ def _edge(run: Sequence[_Directed]) -> Edge:
 
 def _circle(link: _Directed) -> Edge:
     curve = link.piece.curve
+    if not isinstance(curve, CircleCurve):
+        raise ValueError("the piece is no circle")
     centre, radius = _rounded(curve.centre), round(curve.radius, _ROUNDED)
     start = (centre[0] + radius, centre[1])
     return Edge(start, start, centre, radius, link.is_forward)

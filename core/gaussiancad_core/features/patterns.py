@@ -5,7 +5,7 @@ rows and circles have three members at least, and a plane that mirrors two featu
 that the part begins with as well.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain, combinations
 
 import numpy as np
@@ -34,13 +34,14 @@ def patterns_of(features: Sequence[Feature]) -> tuple[Pattern, ...]:
     found: list[Pattern] = []
     for group in _alike(instances):
         left = group
-        for search in (
+        searches: tuple[Callable[[list[Instance]], Iterable[Pattern]], ...] = (
             # Around an axis that the part has, rather than on a grid of as many.
             lambda item: chain(circles(item, axes, near), grids(item, near)),
             lambda item: rows_of(item, near),
             lambda item: circles(item, middles(item), near, whole=True),
             lambda item: _mirrors(item, body, near),
-        ):
+        )
+        for search in searches:
             found += _largest_first(search(left))
             taken = {member for pattern in found for member in pattern.members}
             left = [instance for instance in group if instance.member not in taken]

@@ -107,8 +107,8 @@ def prisms_of(plane: PrismPlane, number: int, samples: Samples) -> Iterator[Swee
     seen: set[tuple[frozenset[int], int, int, bool]] = set()
     for low in range(layers):
         for high in range(low + 1, layers + 1):
-            full = inside[:, low:high].all(axis=1)
-            some = touched[:, low:high].any(axis=1)
+            full = np.all(inside[:, low:high], axis=1)
+            some = np.any(touched[:, low:high], axis=1)
             for group, adds in regions_of(cells, full, some):
                 if _goes_on(group, low, high, inside if adds else ~touched):
                     continue

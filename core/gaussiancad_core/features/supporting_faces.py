@@ -115,7 +115,7 @@ class _Faces:
     def is_entered(self, number: int) -> bool:
         """Whether a pad begins at a face of an earlier feature, or a pocket enters one."""
         feature, support = self._features[number], self.touching(number)
-        if support is None or feature.adds:
+        if support is None or not isinstance(feature, Extrusion) or feature.adds:
             return support is not None
         return self._outward(support, frame_of(feature)) * feature.length < 0.0
 
@@ -136,7 +136,7 @@ class _Faces:
             into = self._outward(support, frame) * length < 0.0
             if not self._shares(support, drawn):
                 outermost = outermost or (None if into else support)
-            elif not adds and into and self._features[support.feature].adds:
+            elif not adds and into and self._swept(support).adds:
                 return None
             else:
                 found = found or support
@@ -163,15 +163,22 @@ class _Faces:
                 if abs(height_of(self._features, support, frame) - height) < _SAME:
                     yield support
 
+    def _swept(self, support: Support) -> Extrusion | Turning:
+        """The feature that a face is of: only these have faces that others stand on."""
+        feature = self._features[support.feature]
+        assert isinstance(feature, Extrusion | Turning)
+        return feature
+
     def _outward(self, support: Support, frame: Frame) -> float:
         """Which way along a normal a face looks: positive or negative."""
-        feature = self._features[support.feature]
+        feature = self._swept(support)
         if support.side is Side.WALL:
             axis, way = along(feature.sketch.frame, frame.normal) or (0, 1.0)
             edge = edges_in(feature.sketch)[support.edge]
             # The region is on the left of its edges.
             across = edge.end[1] - edge.start[1], edge.start[0] - edge.end[0]
             return way * across[axis]
+        assert isinstance(feature, Extrusion)
         return feature.length if support.side is Side.END else -feature.length
 
     def _shares(self, support: Support, drawn: Sequence[Sketch]) -> bool:
@@ -189,12 +196,13 @@ class _Faces:
         return False
 
     def _face(self, support: Support) -> "_Face":
-        feature = self._features[support.feature]
+        feature = self._swept(support)
         if support not in self._made:
             sketch = feature.sketch
             if support.side is Side.WALL:
                 made = wall_of(feature, edges_in(sketch)[support.edge])
             else:
+                assert isinstance(feature, Extrusion)
                 end = feature.length if support.side is Side.END else 0.0
                 made = face_of(replace(sketch, height=sketch.height + end))
             self._made[support] = _Face(made)

@@ -4,6 +4,7 @@ Curves go by their types, as what is read back has to be of a known one.
 """
 
 import json
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -181,14 +182,12 @@ def _written(text: str) -> str:
 
 
 def _by_types(drawing: VectorDrawing) -> _Drawing:
-    curves: dict[str, list[Curve]] = {kind.__name__: [] for kind in Curve.__args__}
+    curves = [stroke.curve for stroke in drawing.strokes]
     strokes = []
     for stroke in drawing.strokes:
-        name = type(stroke.curve).__name__
-        curves[name].append(stroke.curve)
         strokes.append(
             _Stroke(
-                name,
+                type(stroke.curve).__name__,
                 stroke.width,
                 stroke.dashes,
                 stroke.role,
@@ -200,7 +199,10 @@ def _by_types(drawing: VectorDrawing) -> _Drawing:
         )
     return _Drawing(
         strokes,
-        *curves.values(),
+        [curve for curve in curves if isinstance(curve, Line)],
+        [curve for curve in curves if isinstance(curve, CircularArc)],
+        [curve for curve in curves if isinstance(curve, EllipticArc)],
+        [curve for curve in curves if isinstance(curve, Chain)],
         tuple(replace(text, text=_written(text.text)) for text in drawing.texts),
         drawing.complete,
         drawing.has_paper,
@@ -216,10 +218,11 @@ def _in_order(found: _Drawing) -> VectorDrawing:
     Raises:
         ValueError: there are fewer curves of a type than strokes have.
     """
-    lists = (found.lines, found.arcs, found.ellipses, found.chains)
-    curves = {
-        kind.__name__: iter(this_list)
-        for kind, this_list in zip(Curve.__args__, lists, strict=True)
+    curves: dict[str, Iterator[Curve]] = {
+        Line.__name__: iter(found.lines),
+        CircularArc.__name__: iter(found.arcs),
+        EllipticArc.__name__: iter(found.ellipses),
+        Chain.__name__: iter(found.chains),
     }
     try:
         strokes = tuple(

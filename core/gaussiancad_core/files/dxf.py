@@ -11,12 +11,12 @@ import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import ezdxf
 import numpy as np
 from ezdxf import recover
 from ezdxf.document import Drawing
-from ezdxf.entities import Viewport
-from ezdxf.layouts import Layout, Modelspace
+from ezdxf.entities.viewport import Viewport
+from ezdxf.filemanagement import readfile
+from ezdxf.layouts.layout import Layout, Modelspace, Paperspace
 
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.files.content import (
@@ -156,7 +156,7 @@ def _check_size(path: Path) -> None:
 def _load(path: Path) -> Drawing:
     logging.getLogger("ezdxf").setLevel(logging.CRITICAL)
     try:
-        return ezdxf.readfile(path)
+        return readfile(path)
     except BROKEN:
         return _recovered(path)
 
@@ -210,6 +210,7 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
         found.complete &= shown.complete
         found.unread += shown.unread
     inches = 1.0 if layout.dxf.get("plot_paper_units", 1) == 0 else MILLIMETRE
+    assert isinstance(layout, Paperspace)
     low, high = layout.get_paper_limits()
     return _Page(found, (low.x, low.y, high.x, high.y), inches, len(layouts))
 
@@ -225,7 +226,8 @@ def _views_of_model(layout: Layout) -> list[Viewport]:
     return [
         viewport
         for viewport in layout.query("VIEWPORT")
-        if viewport.dxf.get("id", 0) != 1
+        if isinstance(viewport, Viewport)
+        and viewport.dxf.get("id", 0) != 1
         and viewport.dxf.get("status", 0) != 0
         and viewport.is_top_view
         and viewport.get_scale() > 0.0

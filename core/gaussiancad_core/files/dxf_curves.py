@@ -4,8 +4,14 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 import numpy.typing as npt
-from ezdxf.entities import Arc, Circle, DXFGraphic, Ellipse, Face3d, Hatch, Solid, Spline
-from ezdxf.entities import Line as DxfLine
+from ezdxf.entities import Hatch
+from ezdxf.entities.arc import Arc
+from ezdxf.entities.circle import Circle
+from ezdxf.entities.dxfgfx import DXFGraphic
+from ezdxf.entities.ellipse import Ellipse
+from ezdxf.entities.line import Line as DxfLine
+from ezdxf.entities.solid import Face3d, Solid
+from ezdxf.entities.spline import Spline
 from ezdxf.math import Vec3
 from ezdxf.path import Path as BoundaryPath
 from ezdxf.path import from_hatch
@@ -142,8 +148,10 @@ def _sized(curves: Sequence[Curve]) -> list[Curve]:
     """Those of some curves that have a size."""
     sized = []
     for curve in curves:
-        is_line = isinstance(curve, Line)
-        points = np.array((curve.start, curve.end)) if is_line else curve.sample(np.inf)
+        if isinstance(curve, Line):
+            points = np.array((curve.start, curve.end))
+        else:
+            points = curve.sample(np.inf)
         _check_finite(points)
         if np.ptp(points, axis=0).max() > 0.0:
             sized.append(curve)

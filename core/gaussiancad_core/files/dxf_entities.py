@@ -4,9 +4,15 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Protocol, cast
 
 from ezdxf.document import Drawing
-from ezdxf.entities import DXFGraphic, Hatch, Insert, LWPolyline, MText, Text
+from ezdxf.entities import Hatch
+from ezdxf.entities.dxfgfx import DXFGraphic
+from ezdxf.entities.insert import Insert
+from ezdxf.entities.lwpolyline import LWPolyline
+from ezdxf.entities.mtext import MText
+from ezdxf.entities.text import Text
 from ezdxf.math import Matrix44
 
 from gaussiancad_core.errors import LimitError
@@ -142,7 +148,7 @@ class Exploder:
         elif entity.dxftype() in _ANNOTATIONS:
             if depth < _DEEPEST:
                 inner = replace(look, kind=_ANNOTATIONS[entity.dxftype()])
-                self._take_all(entity.virtual_entities(), inner, depth)
+                self._take_all(_parts(entity), inner, depth)
         elif entity.dxftype() in _COMPOSED:
             self._take_composed(entity, look, depth)
         else:
@@ -191,7 +197,7 @@ class Exploder:
     def _take_composed(self, entity: DXFGraphic, look: Look, depth: int) -> None:
         """Take an entity's parts; one that has none, as its program left no picture of it, is
         unread."""
-        parts = list(entity.virtual_entities())
+        parts = list(_parts(entity))
         if not parts:
             self._found.unread[entity.dxftype()] += 1
         self._take_all(parts, look, depth)
@@ -199,7 +205,7 @@ class Exploder:
     def _take_polyline(self, entity: DXFGraphic, look: Look) -> None:
         width = float(entity.dxf.get("const_width", 0.0)) if isinstance(entity, LWPolyline) else 0.0
         curves: list[Curve] = []
-        for part in entity.virtual_entities():
+        for part in _parts(entity):
             self._count()
             curves += entity_curves(part)
         self._add(curves, look, width or None)
@@ -228,3 +234,13 @@ def _mapped(entity: DXFGraphic, matrix: Matrix44) -> DXFGraphic | None:
     except BROKEN:
         return None
     return copy
+
+
+class _Composed(Protocol):
+    def virtual_entities(self) -> Iterable[DXFGraphic]:
+        """What an entity consists of."""
+
+
+def _parts(entity: DXFGraphic) -> Iterable[DXFGraphic]:
+    """What an entity consists of, of a type that consists of others."""
+    return cast(_Composed, entity).virtual_entities()

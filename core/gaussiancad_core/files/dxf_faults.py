@@ -4,14 +4,14 @@ import struct
 from collections.abc import Mapping
 from pathlib import Path
 
-import ezdxf
+from ezdxf.lldxf.const import DXFError
 
 from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
 from gaussiancad_protocol.codes import Code
 
 BROKEN = (
-    ezdxf.DXFError,
+    DXFError,
     struct.error,
     ArithmeticError,
     AssertionError,

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 
 from ezdxf import colors
 from ezdxf.document import Drawing
-from ezdxf.entities import DXFGraphic, Linetype
+from ezdxf.entities.dxfgfx import DXFGraphic
+from ezdxf.entities.ltype import Linetype
 
 from gaussiancad_core.files.file_linetypes import role_by_name, stroke_role
 from gaussiancad_core.files.vectors import Colour, StrokeKind, StrokeRole

@@ -68,5 +68,5 @@ def drawing_box(box: Box, texts: Sequence[PlacedText]) -> Box:
             low = np.minimum(low, np.maximum(first, farthest[0]))
             high = np.maximum(high, np.minimum(last, farthest[1]))
     margin = _MARGIN * float((high - low).max())
-    x0, y0, x1, y1 = (*(low - margin).tolist(), *(high + margin).tolist())
+    (x0, y0), (x1, y1) = (low - margin).tolist(), (high + margin).tolist()
     return x0, y0, x1, y1

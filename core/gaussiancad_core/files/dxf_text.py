@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from ezdxf.entities import MText, Text
+from ezdxf.entities.mtext import MText
+from ezdxf.entities.text import Text
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.tools.text import plain_text
 

@@ -206,8 +206,9 @@ def _askew(ends: Floats) -> npt.NDArray[np.bool_]:
 
 def _places(ends: Floats, finest: float) -> tuple[Floats, Floats]:
     """Different coordinates across and up, in order."""
-    across, up = (np.sort(ends[:, :, k].ravel()) for k in (0, 1))
-    return tuple(values[np.diff(values, prepend=-np.inf) > 0.5 * finest] for values in (across, up))
+    every = (np.sort(ends[:, :, k].ravel()) for k in (0, 1))
+    across, up = (values[np.diff(values, prepend=-np.inf) > 0.5 * finest] for values in every)
+    return across, up
 
 
 def _lengths(ends: Floats, finest: float) -> Floats:

@@ -179,11 +179,11 @@ def _path(curve: Curve) -> str:
     if isinstance(curve, Line):
         return _polygon((curve.start, curve.end))
     if isinstance(curve, Chain):
-        points, closed = curve.points, curve.points[0] == curve.points[-1]
-    else:
-        radius = curve.radius if isinstance(curve, CircularArc) else float(np.hypot(*curve.major))
-        points, closed = curve.sample(np.sqrt(8.0 * radius * _SAGITTA)), curve.is_full
-    return _polygon(points[:-1]) + "Z" if closed else _polygon(points)
+        closed = curve.points[0] == curve.points[-1]
+        return _polygon(curve.points[:-1]) + "Z" if closed else _polygon(curve.points)
+    radius = curve.radius if isinstance(curve, CircularArc) else float(np.hypot(*curve.major))
+    points = curve.sample(np.sqrt(8.0 * radius * _SAGITTA))
+    return _polygon(points[:-1]) + "Z" if curve.is_full else _polygon(points)
 
 
 def _polygon(points: Iterable[tuple[float, float]]) -> str:

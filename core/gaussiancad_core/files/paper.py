@@ -24,7 +24,7 @@ def smaller(picture: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
     """
     height, width = picture.shape[:2]
     size = (max(1, width // PAPER_SCALE), max(1, height // PAPER_SCALE))
-    return cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
 def even_paper(small: npt.NDArray[np.uint8], reach: int) -> npt.NDArray[np.float32]:
@@ -37,7 +37,8 @@ def even_paper(small: npt.NDArray[np.uint8], reach: int) -> npt.NDArray[np.float
     kernel = np.ones((reach, reach), np.uint8)
     # Closing dark strokes would take the brightest noise for paper: smooth before and after.
     closed = cv2.morphologyEx(cv2.GaussianBlur(small, (0, 0), 1.0), cv2.MORPH_CLOSE, kernel)
-    return cv2.GaussianBlur(closed.astype(np.float32), (0, 0), reach / 2)
+    smooth = cv2.GaussianBlur(closed.astype(np.float32), (0, 0), reach / 2)
+    return np.asarray(smooth, dtype=np.float32)
 
 
 def enlarged(paper: npt.NDArray[np.float32], size: tuple[int, int]) -> npt.NDArray[np.float32]:
@@ -47,4 +48,4 @@ def enlarged(paper: npt.NDArray[np.float32], size: tuple[int, int]) -> npt.NDArr
         paper: (h, w) or (h, w, 3), as small as it was found.
         size: width and height in px.
     """
-    return cv2.resize(paper, size, interpolation=cv2.INTER_LINEAR)
+    return np.asarray(cv2.resize(paper, size, interpolation=cv2.INTER_LINEAR), dtype=np.float32)

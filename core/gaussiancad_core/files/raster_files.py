@@ -149,9 +149,9 @@ def _to_grey(image: Image.Image) -> tuple[Grey, Grey | None]:
     paper = np.maximum(even_paper(np.concatenate(small), PICTURE_REACH), _LEAST_PAPER)
     rows = np.cumsum([0, *(len(values) for values in small)])
     for (top, bottom), start, end in zip(_bands(image), rows[:-1], rows[1:], strict=True):
-        rgb = np.asarray(_on_paper(image.crop((0, top, image.width, bottom))))
+        band = np.asarray(_on_paper(image.crop((0, top, image.width, bottom))))
         light = enlarged(paper[start:end], (image.width, bottom - top))
-        tint[top:bottom] = _tint(_on_white(rgb, light))
+        tint[top:bottom] = _tint(_on_white(band, light))
     return grey, tint if tint.any() else None
 
 
@@ -258,9 +258,11 @@ def _squared(
         dpi=round(dpi),
     )
     return FileContent(
-        cv2.resize(grey, size, interpolation=cv2.INTER_CUBIC),
+        np.asarray(cv2.resize(grey, size, interpolation=cv2.INTER_CUBIC), dtype=np.uint8),
         _paper_resolution((dpi, dpi), max(size)),
         notes=(Note(Code.PIXELS_MADE_SQUARE, message),),
-        tint=None if tint is None else cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST),
+        tint=None
+        if tint is None
+        else np.asarray(cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST), dtype=np.uint8),
         pages=pages,
     )

@@ -266,7 +266,7 @@ def _outlines(
         points = curve.points if isinstance(curve, Chain) else curve.sample(apart)
         if loops[-1] and np.hypot(*(np.array(points[0]) - loops[-1][-1])) > 1e-6:
             loops.append([])
-        loops[-1] += [to_point(point) for point in points]
+        loops[-1] += [to_point(point) for point in np.asarray(points)]
     return [Chain((*loop, loop[0])) for loop in loops if len(loop) > 2]
 
 

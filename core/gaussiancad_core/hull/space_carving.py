@@ -171,7 +171,7 @@ def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[Relief, ...]
             relief = relief_of(solids, view, behind)
             worth = _filled_regions(relief, coarse.fine_depths(view.role, behind), slack, _SPOT)
             if result.status is not Status.VERIFIED and worth:
-                sure = confidence(relief, view, result.verification.matched[view.role])
+                sure = confidence(relief, view, result.checked.matched[view.role])
                 relief = trusted(relief, sure, _LEAST_CONFIDENCE)
                 left = frozenset(n for n in worth if sure.shares[n] >= _LEAST_CONFIDENCE)
                 doubted += len(worth) - len(left)

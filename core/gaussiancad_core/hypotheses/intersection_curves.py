@@ -284,9 +284,12 @@ class _Sights:
         offsets = step * np.arange(-_LOOKS, _LOOKS + 1)
         gaps = [self._gap(point + off * way, pair) for off in offsets]
         roots = [
-            self._root(point, way, pair, low, high)
-            for low, high in pairwise(zip(offsets, gaps, strict=True))
-            if None not in (low[1], high[1]) and low[1] * high[1] <= 0.0 and low[1] != high[1]
+            self._root(point, way, pair, (low, before), (high, after))
+            for (low, before), (high, after) in pairwise(zip(offsets, gaps, strict=True))
+            if before is not None
+            and after is not None
+            and before * after <= 0.0
+            and before != after
         ]
         return point + min(roots, key=abs) * way if roots else None
 

@@ -35,10 +35,10 @@ def lost_slants(
     found: list[tuple[Point, Point]] = []
     for start, end in stated:
         flat = min(abs(a - b) for a, b in zip(start, end, strict=True)) <= near
-        ends = [_corner(corners, point, near) for point in (start, end)]
-        if flat or None in ends or ends[0] == ends[1]:
+        first, last = (_corner(corners, point, near) for point in (start, end))
+        if flat or first is None or last is None or first == last:
             continue
-        edge = min(ends), max(ends)
+        edge = min(first, last), max(first, last)
         if edge not in found and not any(shows(support, *edge, near) for support in plane.supports):
             found.append(edge)
     for start, end in found[:_MOST]:

@@ -76,7 +76,11 @@ def joining(
             yield _straight(one.point, other.point, near)
         elif one in known and other in known and _turn(one, other):
             slanted.append((hypot(*span), one.point, other.point))
-    edges = (ends for _, *ends in sorted(slanted) if _is_edge(supports, normal, *ends, near))
+    edges = (
+        (start, end)
+        for _, start, end in sorted(slanted)
+        if _is_edge(supports, normal, start, end, near)
+    )
     for start, end in islice(edges, _MOST_SLANTED):
         yield _straight(start, end, near)
 

@@ -38,6 +38,10 @@ _THIN = 0.05
 """Units of height or radius that a profile has at least."""
 
 
+_Round = tuple[CircleCurve, Support]
+"""A circle, and the support whose curve it is."""
+
+
 def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBody, ...]:
     """Bodies whose profile is seen beside an axis in every view that shows the axis lengthwise.
 
@@ -59,7 +63,8 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
             drawn = ([*_profiles(side, axis, centre, near)] for side in sides)
             # What was read exactly is not moved.
             exact = 1.5 * supports.tolerance
-            ends = ProfileEnds.of(supports.values[axis], concentric, exact)
+            rounds = [support for _, support in concentric]
+            ends = ProfileEnds.of(supports.values[axis], rounds, exact)
             by_side = [
                 _merged((ends.met_by(profile) for profile in items), near) for items in drawn
             ]
@@ -99,12 +104,13 @@ def _add(
 def _shown_by_all(by_side: list[list[Profile]], near: float) -> Iterator[Profile]:
     """Profiles of the first view that the others show as well."""
     for profile in by_side[0]:
-        shown = [_matching(profile, other, near) for other in by_side[1:]]
-        if all(match is not None for match in shown):
+        matches = [_matching(profile, other, near) for other in by_side[1:]]
+        shown = [match for match in matches if match is not None]
+        if len(shown) == len(matches):
             yield _joined([profile, *shown])
 
 
-def _is_anchored(profile: Profile, concentric: list[Support], near: float) -> bool:
+def _is_anchored(profile: Profile, concentric: list[_Round], near: float) -> bool:
     """Whether circles are drawn where a profile ends: at both ends of a line, at one of an arc.
 
     A fillet passes without an edge into the flat face that it ends at.
@@ -113,20 +119,20 @@ def _is_anchored(profile: Profile, concentric: list[Support], near: float) -> bo
     return any(ends) if isinstance(profile, ArcProfile) else all(ends)
 
 
-def _meets_circle(profile: Profile, concentric: list[Support], near: float) -> bool:
+def _meets_circle(profile: Profile, concentric: list[_Round], near: float) -> bool:
     """Whether a circle is drawn where a profile ends, or where it is widest."""
     if any(_ends_at_circles(profile, concentric, near)):
         return True
     if not isinstance(profile, ArcProfile) or not profile.low < profile.z < profile.high:
         return False
     widest = profile.radius(profile.z)
-    return any(abs(widest - support.curve.radius) <= near for support in concentric)
+    return any(abs(widest - circle.radius) <= near for circle, _ in concentric)
 
 
-def _ends_at_circles(profile: Profile, concentric: list[Support], near: float) -> list[bool]:
+def _ends_at_circles(profile: Profile, concentric: list[_Round], near: float) -> list[bool]:
     """Of both ends of a profile whether a circle is drawn there."""
     return [
-        any(abs(profile.radius(z) - support.curve.radius) <= near for support in concentric)
+        any(abs(profile.radius(z) - circle.radius) <= near for circle, _ in concentric)
         for z in (profile.low, profile.high)
     ]
 
@@ -141,9 +147,9 @@ def _centres(plane: PlaneSupports, near: float) -> list[tuple[float, float]]:
     return centres
 
 
-def _concentric(plane: PlaneSupports, centre: tuple[float, float], near: float) -> list[Support]:
+def _concentric(plane: PlaneSupports, centre: tuple[float, float], near: float) -> list[_Round]:
     return [
-        support
+        (support.curve, support)
         for support in plane.supports
         if isinstance(support.curve, CircleCurve)
         and abs(support.curve.centre[0] - centre[0]) <= near
@@ -160,15 +166,15 @@ def _sectors(
     """
     concentric = _concentric(plane, centre, near)
     ends = (profile.radius(profile.low), profile.radius(profile.high))
-    rims = [s for s in concentric if min(abs(s.curve.radius - end) for end in ends) <= near]
-    if any(sum(high - low for low, high in s.drawn()) > _WHOLE for s in rims or concentric):
+    rims = [pair for pair in concentric if min(abs(pair[0].radius - end) for end in ends) <= near]
+    if any(sum(high - low for low, high in s.drawn()) > _WHOLE for _, s in rims or concentric):
         return [None]
     found: list[Sector | None] = []
-    for support in rims:
+    for circle, support in rims:
         arcs = support.drawn()
         if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
             arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
-        found += [sector_of(support.curve, arc, plane.supports, near) for arc in arcs]
+        found += [sector_of(circle, arc, plane.supports, near) for arc in arcs]
     return [None] if None in found else found
 
 
@@ -185,7 +191,7 @@ def _profiles(
             continue
         for low, high in support.drawn():
             if isinstance(support.curve, CircleCurve):
-                yield from _arcs(support, (low, high), (along, middle), near)
+                yield from _arcs(support.curve, (low, high), (along, middle), near)
             else:
                 yield from _line(support, (low, high), (along, middle), near)
 
@@ -210,14 +216,13 @@ def _line(
 
 
 def _arcs(
-    support: Support,
+    circle: CircleCurve,
     stretch: tuple[float, float],
     frame: tuple[int, float],
     near: float,
 ) -> Iterator[ArcProfile]:
     """Parts of an arc between its farthest points along the axis, as profiles."""
     along, middle = frame
-    circle = support.curve
     off = circle.centre[1 - along] - middle
     sphere = abs(off) <= near
     # Angles at which the arc runs straight away from the axis or back, where profiles end.

@@ -40,7 +40,9 @@ def without_rough_arcs(views: DrawnViews) -> DrawnViews | None:
     levels = _levels(views)
     strokes = {
         role: tuple(
-            _curve(stroke) if _is_rough(stroke, role, views, levels) else stroke
+            _curve(stroke)
+            if isinstance(stroke, Arc) and _is_rough(stroke, role, views, levels)
+            else stroke
             for stroke in curves
         )
         for role, curves in views.strokes.items()
@@ -53,8 +55,8 @@ def _curve(arc: Arc) -> Polyline:
     return Polyline(tuple(map(tuple, points.tolist())), arc.linetype)
 
 
-def _is_rough(stroke: Curve, role: Role, views: DrawnViews, levels: dict[Axis, np.ndarray]) -> bool:
-    if not isinstance(stroke, Arc) or stroke.sweep > _ROUND:
+def _is_rough(stroke: Arc, role: Role, views: DrawnViews, levels: dict[Axis, np.ndarray]) -> bool:
+    if stroke.sweep > _ROUND:
         return False
     tolerance = views.tolerance
     (centre,) = plane_points(np.array([stroke.centre]), role, 1.0)

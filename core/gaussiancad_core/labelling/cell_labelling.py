@@ -239,9 +239,10 @@ class Search:
         return Model(self._rules)
 
     @cached_property
-    def _unusual(self) -> cp_model.LinearExprT:
+    def _unusual(self) -> cp_model.LinearExpr | int:
         """What is not usual, and surfaces."""
-        return self._strictly.surfaces + self._strictly.unusual(self._usual)
+        surfaces = self._strictly.surfaces
+        return surfaces if self._usual is None else surfaces + self._strictly.unusual(self._usual)
 
     @cached_property
     def _but_kinds(self) -> Model:
@@ -291,15 +292,15 @@ class Search:
         if found.labels is None or not most or not deadline.left:
             return Others((), False)
         if found.given_up and all(rule.says is Says.KIND for rule in found.given_up):
-            held, solver_of = self._retelling(found), solver_for
+            held, relaxes = self._retelling(found), False
         elif found.given_up:
-            held, solver_of = self._within(found), relaxing_solver
+            held, relaxes = self._within(found), True
         else:
-            held, solver_of = self._strictly, solver_for
+            held, relaxes = self._strictly, False
             if likely and self._usual is not None:
                 # What comes next to the most usual is what may have been meant.
                 held.model.minimize(self._unusual)
-                solver_of = relaxing_solver
+                relaxes = True
         left = share * self._effort.hard
         known = set(held.cells)
         counting = [cell for cell in cells if cell in known and cell in found.labels]
@@ -309,7 +310,7 @@ class Search:
         latest = found.labels
         while len(others) < most:
             held.forbid(latest, counting)
-            solver = solver_of(left, deadline=deadline)
+            solver = (relaxing_solver if relaxes else solver_for)(left, deadline=deadline)
             status = solver.solve(held.model)
             left -= solver.response_proto.deterministic_time
             if status == cp_model.INFEASIBLE:

@@ -106,13 +106,13 @@ class Model:
         return [cell for cell in self._blocks.forms if cell is not None]
 
     @cached_property
-    def surfaces(self) -> cp_model.LinearExprT:
+    def surfaces(self) -> cp_model.LinearExpr | int:
         """How many pairs of neighbours differ."""
         counts = self._blocks.surfaces
         literals = [self._literal(form) for form in counts]
         return cp_model.LinearExpr.weighted_sum(literals, list(counts.values()))
 
-    def unusual(self, usual: Usual) -> cp_model.LinearExprT:
+    def unusual(self, usual: Usual) -> cp_model.LinearExpr | int:
         """What is not usual, in surfaces."""
         costs = [
             *self._holes_and_voids(usual),
@@ -144,13 +144,13 @@ class Model:
         for cell, seen in open_to.items():
             if cell not in forms:
                 continue
-            solid = self._literal(forms[cell])
-            usually = [solid]
+            filled = self._literal(forms[cell])
+            usually: list[cp_model.LiteralT] = [filled]
             if cell in usual.corners:
                 beyond = forms.get(usual.corners[cell], 0)
                 usually.append(~self._literal(beyond))
                 if cell in usual.squares:
-                    yield self._unless([~solid, self._literal(beyond)]), ROUND
+                    yield self._unless([~filled, self._literal(beyond)]), ROUND
             yield self._unless([*usually, *seen.values()]), UNSEEN
             yield self._unless([*usually, *through[cell]]), usual.bulks.get(cell, 1)
 
@@ -188,7 +188,7 @@ class Model:
                 kept.append(chosen)
             yield self._unless(kept), NOTED
 
-    def _unless(self, literals: Sequence[cp_model.IntVar]) -> cp_model.IntVar:
+    def _unless(self, literals: Sequence[cp_model.LiteralT]) -> cp_model.IntVar:
         """A literal that is true where none of some is."""
         found = self.model.new_bool_var("")
         self.model.add_bool_or([found, *literals])

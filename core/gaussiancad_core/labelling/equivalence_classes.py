@@ -147,13 +147,13 @@ def eliminated(equations: Iterable[int], count: int) -> tuple[list[int], list[Fo
     free: list[int] = []
     forms: list[Form] = []
     for number in range(count):
-        equation = leading.get(number)
-        if equation is None:
+        leader = leading.get(number)
+        if leader is None:
             forms.append(1 << len(free))
             free.append(number)
             continue
         form = 0
-        for lower in _bits(equation ^ 1 << number):
+        for lower in _bits(leader ^ 1 << number):
             form ^= forms[lower]
         forms.append(form)
     return free, forms

@@ -9,6 +9,7 @@ import numpy as np
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.cells.crossing_kernels import BESIDE
 from gaussiancad_core.cells.edge_fragments import Piece, find_pieces
 from gaussiancad_core.cells.grid_rows import count_pieces, find_rows
 from gaussiancad_core.cells.surfaces_of_revolution import RevolvedBody
@@ -32,13 +33,7 @@ from gaussiancad_core.hypotheses.undrawn_smooth_edges import with_smooth_edges
 from gaussiancad_core.labelling.counted_work import NEVER, Counted, Deadline
 from gaussiancad_core.labelling.priors import Usual, usual_of
 from gaussiancad_core.labelling.section_rules import area_rules, merged, scaled_cuts, shown
-from gaussiancad_core.labelling.visibility_rules import (
-    BESIDE,
-    Columns,
-    Rule,
-    rules_of,
-    without_hidden,
-)
+from gaussiancad_core.labelling.visibility_rules import Columns, Rule, rules_of, without_hidden
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.model.section_planes import Cut

@@ -168,19 +168,19 @@ def _look(
         if len(found.sights) >= _MOST:
             break
         column = space.column(plane.normal, *point)
-        inside = [(c, d.depth - c.depth) for c, d in pairwise(column) if c.after is not None]
+        inside = [(c.after, d.depth - c.depth) for c, d in pairwise(column) if c.after is not None]
         for circle in rounds:
             if _in_corner(point, circle):
                 beyond = _beyond(point, circle)
                 found.corners.update(_beside(column, space.column(plane.normal, *beyond)))
                 # Of several circles the largest one counts.
-                items = {crossing.after for crossing, _ in inside}
+                items = {cell for cell, _ in inside}
                 found.squares -= items
                 if not _is_ringed(point, beyond, circle, plane):
                     found.squares |= items
-        for crossing, depth in inside:
-            found.volumes[crossing.after][plane.normal.value] += max(area * depth, 1e-9)
-        cells = tuple(c.after for c, _ in (inside if looks.looks_up else inside[::-1]))
+        for cell, depth in inside:
+            found.volumes[cell][plane.normal.value] += max(area * depth, 1e-9)
+        cells = tuple(cell for cell, _ in (inside if looks.looks_up else inside[::-1]))
         found.sights[cells] = None
         parts[drawn.locate(*point)].add(region)
         if len(cells) > len(behind.get(region, ())):
@@ -255,13 +255,17 @@ def _turned(plane: PlaneSupports, near: float) -> list[CircleCurve]:
     """Circles that no view of a plane draws, about the centre of one that is drawn, within
     ``near``: where other views draw the sides of what may be round or square, a turned part is
     round."""
-    circles = [support for support in plane.supports if isinstance(support.curve, CircleCurve)]
-    circles.sort(key=lambda circle: circle.curve.radius)
-    drawn = [circle.curve.centre for circle in circles if circle.spans]
+    circles = [
+        (support.curve, support.spans)
+        for support in plane.supports
+        if isinstance(support.curve, CircleCurve)
+    ]
+    circles.sort(key=lambda circle: circle[0].radius)
+    drawn = [curve.centre for curve, spans in circles if spans]
     return [
-        circle.curve
-        for circle in circles
-        if not circle.spans and any(dist(circle.curve.centre, each) <= near for each in drawn)
+        curve
+        for curve, spans in circles
+        if not spans and any(dist(curve.centre, each) <= near for each in drawn)
     ]
 
 
@@ -289,7 +293,9 @@ def _is_ringed(point: Point, beyond: Point, circle: CircleCurve, plane: PlaneSup
     )
 
 
-def _beside(column: Sequence[Crossing], other: Sequence[Crossing]) -> Iterator[tuple[Cell, Cell]]:
+def _beside(
+    column: Sequence[Crossing], other: Sequence[Crossing]
+) -> Iterator[tuple[Cell, Cell | None]]:
     """The cells of a column with those of another one at the same depth; None outside of all."""
     for one, end in pairwise(column):
         if one.after is not None:

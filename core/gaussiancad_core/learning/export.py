@@ -48,7 +48,7 @@ def _recorded(network: LabelsNetwork) -> bytes:
         torch.onnx.export(
             network.eval().cpu().float(),
             (torch.zeros(1, 1, _SIDE, _SIDE),),
-            buffer,
+            buffer,  # type: ignore[arg-type] # the old recorder writes into what is open, too
             input_names=["ink"],
             output_names=["logits"],
             dynamic_axes={"ink": sides, "logits": sides},

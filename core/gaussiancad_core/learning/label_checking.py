@@ -50,10 +50,11 @@ class Figure:
 def figure_of(source: str, factor: float, px: npt.NDArray[np.int64]) -> Figure:
     """The figure that counts (3, 3) give."""
     right = px.diagonal()
+    first, second, third = ((int(a), int(b), int(c)) for a, b, c in px.tolist())
     return Figure(
         source,
         factor,
-        tuple(tuple(row) for row in px.tolist()),
+        (first, second, third),
         _shares(right, px.sum(axis=0)),
         _shares(right, px.sum(axis=1)),
     )
@@ -93,7 +94,8 @@ def coarser(grey: Bytes, factor: float) -> Bytes:
     if factor == 1.0:
         return grey
     small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
-    return cv2.resize(small, grey.shape[::-1], interpolation=cv2.INTER_CUBIC)
+    again = cv2.resize(small, (grey.shape[1], grey.shape[0]), interpolation=cv2.INTER_CUBIC)
+    return np.asarray(again, dtype=np.uint8)
 
 
 def logits_of(network: LabelsNetwork, grey: Bytes, device: torch.device) -> npt.NDArray[np.float32]:

@@ -20,6 +20,7 @@ from gaussiancad_core.learning.published import Published, PublishedSheet, publi
 from gaussiancad_core.learning.schedule import ByClock, BySteps, best_rate
 from gaussiancad_core.learning.training import Tell, Trained, train
 from gaussiancad_core.learning.training_devices import Place, device_name, device_of
+from gaussiancad_core.learning.training_samples import Sample
 from gaussiancad_core.learning.unet import LabelsNetwork
 from gaussiancad_core.learning.weights import save_weights, starting_network
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
@@ -216,7 +217,7 @@ def _generated(
 ) -> tuple[PublishedSheet, ...]:
     """Crops of sheets on which parts are that the network never saw, one of each sheet."""
     first = _SEEDS + order.seed * _CHECKED
-    found = []
+    found: list[Sample] = []
     for seed in range(first, first + _CHECKED):
         found += islice(generator.compose(seed, parts, order.size, 1), 1)
     return tuple(PublishedSheet(_GENERATED, _GENERATED, item) for item in found)

@@ -105,7 +105,8 @@ def published_crop(
         rng: says which.
     """
     sheet = sheets[rng.integers(len(sheets))].truth
-    factor = math.exp(rng.uniform(*map(math.log, _FACTORS)))
+    low, high = map(math.log, _FACTORS)
+    factor = math.exp(rng.uniform(low, high))
     window = _window(sheet.classes, math.ceil(size / factor), rng)
     crop = Sample(
         _scaled(sheet.grey[window], factor, size, 255, smooth=True),
@@ -138,9 +139,9 @@ def _scaled(values: Bytes, factor: float, size: int, blank: int, smooth: bool) -
     if smooth:
         way = cv2.INTER_AREA if factor < 1.0 else cv2.INTER_LINEAR
     sides = [max(1, round(side * factor)) for side in values.shape]
-    values = cv2.resize(values, (sides[1], sides[0]), interpolation=way)[:size, :size]
+    scaled = cv2.resize(values, (sides[1], sides[0]), interpolation=way)[:size, :size]
     made = np.full((size, size), blank, np.uint8)
-    made[: values.shape[0], : values.shape[1]] = values
+    made[: scaled.shape[0], : scaled.shape[1]] = scaled
     return made
 
 
@@ -169,7 +170,7 @@ def _read(path: Path) -> Bytes:
         raise UnreadableError(
             Code.DAMAGED_IMAGE, "{path} is no picture that can be read: make it anew", path=path
         )
-    return values
+    return np.asarray(values, dtype=np.uint8)
 
 
 def _licences(path: Path) -> dict[str, str]:

@@ -23,6 +23,8 @@ from gaussiancad_protocol.codes import Code
 
 Tell = Callable[[str], None]
 
+_Tensors = tuple[Tensor, ...] | list[Tensor]
+
 _DECAY, _YOUNG = 0.999, 10
 """What the mean keeps at each step, and steps in which it keeps less, for the weights of the
 beginning are bad ones."""
@@ -86,7 +88,8 @@ def train(
         EngineError: ``worker-lost``.
         LimitError: ``out-of-memory``.
     """
-    network = network.to(device, memory_format=torch.channels_last).train()
+    # torch's stub lacks the format of memory.
+    network = network.to(device, memory_format=torch.channels_last).train()  # type: ignore[call-overload]
     run = _Run(network, most, device)
     said, samples = time.monotonic(), 0
     prepared = _Prepared(batches, device)
@@ -166,7 +169,9 @@ class _Run:
 
     def averaged(self) -> LabelsNetwork:
         """The network with the mean of the weights."""
-        return deepcopy(self._mean.module).cpu().eval()
+        network = deepcopy(self._mean.module).cpu().eval()
+        assert isinstance(network, LabelsNetwork)
+        return network
 
     def _go_back(self) -> None:
         """To the last weights that were good, and slower from there."""
@@ -183,7 +188,7 @@ class _Run:
         return deepcopy(self._network.state_dict()), deepcopy(self._mean.module.state_dict())
 
     @torch.no_grad()
-    def _average(self, mean: list[Tensor], current: list[Tensor], _: Tensor | int) -> None:
+    def _average(self, mean: _Tensors, current: _Tensors, _: Tensor | int) -> None:
         """Move the mean of all tensors of one kind towards the current ones."""
         decay = min(_DECAY, self.step / (self.step + _YOUNG))
         if mean[0].is_floating_point():

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 Chain = npt.NDArray[np.float32]
 """(n, 2) points of a line, two or more; a closed one ends where it begins."""
 
+
 _CLASSED = 0.45
 """Share of the solids that keep to a class of surfaces; the others have all kinds."""
 
@@ -71,7 +72,7 @@ class Circle:
 
     def moved(self, matrix: npt.NDArray[np.floating], offset: npt.ArrayLike) -> "Circle":
         """After a turn, a mirroring and a change of size: (2, 2), and then a way (2,)."""
-        x, y = np.asarray(matrix) @ self.centre + offset
+        x, y = np.asarray(matrix) @ self.centre + np.asarray(offset)
         size = float(np.sqrt(abs(np.linalg.det(matrix))))
         first = self.start if np.linalg.det(matrix) > 0.0 else self.start + self.sweep
         way = np.asarray(matrix) @ (np.cos(first), np.sin(first))
@@ -175,11 +176,12 @@ def _drawn_part(seed: int, number: int) -> DrawnPart:
     # Machines that only train have no need of the kernel.
     from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 
+    failures: tuple[type[Exception], ...] = (*KERNEL_FAILURES, ValueError)
     for attempt in range(_MOST_TRIES):
         rng = np.random.default_rng([seed, number, attempt])
         try:
             part = _drawn(_solid(rng), rng)
-        except (*KERNEL_FAILURES, ValueError):
+        except failures:
             continue
         if all(view.visible for view in part.views.values()):
             return part
@@ -272,7 +274,9 @@ def _cut_view(cut: "SectionView", fine: float) -> PartView:
 
 def _view(strokes: Iterable[DrawnStroke], fine: float) -> PartView:
     """Strokes as chains, and what is round of them."""
-    visible, hidden, circles = [], [], []
+    visible: list[Chain] = []
+    hidden: list[Chain] = []
+    circles: list[Circle] = []
     for stroke in strokes:
         behind = stroke.linetype is Linetype.HIDDEN
         (hidden if behind else visible).append(_chain(stroke, fine))
@@ -288,4 +292,5 @@ def _chain(stroke: DrawnStroke, fine: float) -> Chain:
     if isinstance(stroke, Arc):
         return stroke.sample(_ANGLE_STEP * stroke.radius).astype(np.float32)
     points = stroke.sample(2.0 * fine).astype(np.float32)
-    return cv2.approxPolyDP(points[:, None], fine, closed=False)[:, 0]
+    fewer = cv2.approxPolyDP(points[:, None], fine, closed=False)[:, 0]
+    return np.asarray(fewer, dtype=np.float32)

@@ -67,8 +67,10 @@ class LabelsNetwork(nn.Module):
         self.u2 = nn.Sequential(_convolution(c + d, c), _Block(c))
         self.u1 = nn.Sequential(_convolution(b + c, b), _Block(b))
         self.u0 = nn.Sequential(_convolution(a + b, a), _Block(a))
-        self.head = nn.Sequential(nn.Conv2d(a, 4 * outputs, 1), nn.PixelShuffle(2))
-        nn.init.constant_(self.head[0].bias[-4 * extra :].data, _RARE)
+        last = nn.Conv2d(a, 4 * outputs, 1)
+        self.head = nn.Sequential(last, nn.PixelShuffle(2))
+        assert last.bias is not None
+        nn.init.constant_(last.bias[-4 * extra :].data, _RARE)
 
     def forward(self, ink: Tensor) -> Tensor:
         """Logits of a batch."""

@@ -58,6 +58,11 @@ class StrokeIndex:
         return [self._strokes[index] for index in np.flatnonzero(close)]
 
 
+def _middles(count: int, length: float) -> npt.NDArray[np.float64]:
+    """Of as many equal pieces of a length."""
+    return (np.arange(count, dtype=np.float64) + 0.5) * (length / count)
+
+
 def uncovered(
     stroke: DrawnStroke, others: Sequence[DrawnStroke], precision: Precision
 ) -> list[DrawnStroke]:
@@ -74,13 +79,13 @@ def uncovered(
     tolerance, fragment = precision.cover, precision.fragment
     length = stroke.length
     # A stroke that is far from a few points is not near the points between them either.
-    few = points_at(stroke, (np.arange(_FEW_SAMPLES) + 0.5) * (length / _FEW_SAMPLES))
+    few = points_at(stroke, _middles(_FEW_SAMPLES, length))
     reach = tolerance + 0.5 * length / _FEW_SAMPLES
     others = [other for other in others if distances(few, other).min() <= reach]
     if not others:
         return [stroke]
     count = int(np.clip(np.ceil(length / (4.0 * fragment)), 8, _MOST_SAMPLES))
-    at = (np.arange(count) + 0.5) * (length / count)
+    at = _middles(count, length)
     points = points_at(stroke, at)
     masks = [(other, distances(points, other) < tolerance) for other in others]
     covering = [other for other, mask in masks if mask.any()]

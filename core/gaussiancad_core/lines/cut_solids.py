@@ -111,9 +111,10 @@ def section_view(
         areas.append(_areas(BRepAlgoAPI_Common(shape, flat).Shape(), axes[:2], extent))
         if opening.region is not None:
             borders += _borders(outline, spans)
-    strokes = [s for s in LineDrawing(left, options).view(role) if s.linetype is Linetype.VISIBLE]
+    plain = role.role if isinstance(role, SectionRole) else role
+    strokes = [s for s in LineDrawing(left, options).view(plain) if s.linetype is Linetype.VISIBLE]
     if borders:
-        whole = LineDrawing(shape, options).view(role)
+        whole = LineDrawing(shape, options).view(plain)
         edges = [s for s in whole if s.linetype is Linetype.VISIBLE and _lies_on(s, borders)]
         strokes = [stroke for stroke in strokes if not _lies_on(stroke, borders)] + edges
     return SectionView(tuple(strokes), shapely.union_all(areas))

@@ -50,9 +50,9 @@ class ViewFrame:
         look: (3,) the direction in which the viewer looks; ``look = up x right``.
     """
 
-    right: tuple[int, int, int]
-    up: tuple[int, int, int]
-    look: tuple[int, int, int]
+    right: tuple[float, float, float]
+    up: tuple[float, float, float]
+    look: tuple[float, float, float]
 
     @property
     def right_axis(self) -> tuple[Axis, int]:
@@ -76,9 +76,9 @@ class ViewFrame:
         return np.array([self.right, -np.array(self.up), self.look], dtype=np.float64)
 
 
-def _axis_of(vector: tuple[int, int, int]) -> tuple[Axis, int]:
+def _axis_of(vector: tuple[float, float, float]) -> tuple[Axis, int]:
     index = next(i for i, component in enumerate(vector) if component)
-    return Axis(index), vector[index]
+    return Axis(index), int(vector[index])
 
 
 class Role(Enum):

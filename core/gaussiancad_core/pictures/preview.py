@@ -113,7 +113,7 @@ def smooth_corner_normals(
         ],
         axis=1,
     )
-    return sums.reshape(-1, 3, 3)
+    return np.asarray(sums.reshape(-1, 3, 3), dtype=np.float64)
 
 
 def png_bytes(image: Image) -> bytes:
@@ -132,8 +132,8 @@ def _fitted_grid(mesh: TriangleMesh, size: PreviewSize) -> RayGrid:
     pitch = max(np.ptp(across) / (width * share), np.ptp(along) / (height * share), 1e-9)
     left = (across.min() + across.max() - width * pitch) / 2.0
     top = (along.min() + along.max() + height * pitch) / 2.0
-    vectors = (tuple(vector.tolist()) for vector in (_RIGHT, _UP, _LOOK))
-    return RayGrid(*vectors, float(left), float(top), float(pitch), width, height)
+    right, up, look = (tuple(vector.tolist()) for vector in (_RIGHT, _UP, _LOOK))
+    return RayGrid(right, up, look, float(left), float(top), float(pitch), width, height)
 
 
 def _edges(
@@ -147,7 +147,7 @@ def _edges(
     axes = np.array([grid.right, grid.up, grid.look], dtype=np.float32)
     crease = _CREASE if creases else -2.0
     marked = mark_edges(hits.depth, normals, axes, (grid.pitch, room, crease))
-    return cv2.dilate(marked, np.ones((3, 3), np.uint8))
+    return np.asarray(cv2.dilate(marked, np.ones((3, 3), np.uint8)), dtype=np.uint8)
 
 
 def warm_up() -> None:

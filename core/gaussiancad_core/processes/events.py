@@ -195,8 +195,9 @@ def cancellation_behind(error: BaseException) -> CancelledError | None:
 
 def _signal_main_thread(number: int) -> None:
     """Send a signal to the main thread, out of whatever it waits for where the system can."""
-    if hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(threading.main_thread().ident, number)
+    thread = threading.main_thread().ident
+    if thread is not None and hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(thread, number)
     else:
         signal.raise_signal(number)
 

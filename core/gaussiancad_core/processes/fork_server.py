@@ -48,12 +48,12 @@ def main(channel: socket.socket, modules: list[str]) -> None:
     _tell(channel, {"ready": True})
     running: dict[int, int] = {}
     while True:
-        ready, _, _ = select.select([channel, wake], [], [])
+        ready, _, _ = select.select([channel.fileno(), wake], [], [])
         if wake in ready:
             with contextlib.suppress(BlockingIOError):
                 os.read(wake, 4096)
         _reap(channel, running)
-        if channel in ready:
+        if channel.fileno() in ready:
             request = _request(channel)
             if request is None:
                 return

@@ -43,6 +43,13 @@ class Process(Protocol):
         """End it at once."""
 
 
+def hang_up(process: Process) -> None:
+    """Close the standard input of a process, by which it ends; not where it is gone already."""
+    if process.stdin is not None:
+        with suppress(OSError):
+            process.stdin.close()
+
+
 class Starter(Protocol):
     """Starts processes."""
 
@@ -146,7 +153,8 @@ class ForkServer:
                 self.hear(0.2)
             if process.pid:
                 return process
-            process.stdin.close()
+            if process.stdin is not None:
+                process.stdin.close()
         except OSError:
             with suppress(OSError):
                 os.close(writing)
@@ -218,7 +226,7 @@ class ForkedProcess:
         """See :class:`Process`."""
         until = time.monotonic() + timeout if timeout is not None else None
         while (code := self.poll()) is None:
-            if until is not None and time.monotonic() >= until:
+            if timeout is not None and until is not None and time.monotonic() >= until:
                 raise subprocess.TimeoutExpired("gaussiancad", timeout)
             time.sleep(_WAITS_S)
         return code

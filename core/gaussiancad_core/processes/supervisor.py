@@ -16,7 +16,7 @@ from typing import IO, Generic, TypeVar
 import psutil
 
 from gaussiancad_core.errors import ExitCode
-from gaussiancad_core.processes.process_start import Interpreters, Starter, starter
+from gaussiancad_core.processes.process_start import Interpreters, Starter, hang_up, starter
 from gaussiancad_protocol.codes import Code
 
 _LOOKS_EVERY = 0.1
@@ -92,8 +92,9 @@ class _Child:
 
     def look(self) -> Ended | None:
         """How it ended, if it did; it is ended where it takes too much."""
-        if self._process.poll() is not None:
-            return self._told()
+        code = self._process.poll()
+        if code is not None:
+            return self._told(code)
         self._peak = max(self._peak, self._memory())
         if self._peak > self._limits.memory:
             reason = f"it took more than {self._limits.memory / 2**30:.1f} GB of memory"
@@ -110,8 +111,7 @@ class _Child:
 
     def ask_to_end(self) -> None:
         """Let it end by itself, and clean up."""
-        with suppress(OSError):
-            self._process.stdin.close()
+        hang_up(self._process)
 
     def end(self, until: float) -> None:
         """End it and its children, by force if it still runs at that time (monotonic clock)."""
@@ -129,16 +129,14 @@ class _Child:
         else:
             self._process.kill()
         self._process.wait()
-        with suppress(OSError):
-            self._process.stdin.close()
+        hang_up(self._process)
 
     def _ended_for(self, code: str, message: str) -> Ended:
         self.ask_to_end()
         self.end(time.monotonic() + _GRACE_S)
         return Ended(int(ExitCode.LIMIT), f"{message} [{code}]", self.seconds, self._peak)
 
-    def _told(self) -> Ended:
-        code = self._process.returncode
+    def _told(self, code: int) -> Ended:
         message = "" if code == 0 else self._last_line()
         output = b""
         if self._printed is not None:
@@ -146,8 +144,8 @@ class _Child:
             output = self._printed.read()
         self.end(time.monotonic())
         if code < 0:
+            message = f"its process was ended by {_name_of(-code)}"
             code = int(ExitCode.ENGINE)
-            message = f"its process was ended by {_name_of(-self._process.returncode)}"
         return Ended(code, message, self.seconds, self._peak, output)
 
     def _last_line(self) -> str:

@@ -12,10 +12,12 @@ from dataclasses import dataclass
 from math import cos, degrees, hypot, pi, sin
 from xml.etree import ElementTree
 
-import ezdxf
+from ezdxf._options import options
 from ezdxf.document import Drawing
 from ezdxf.enums import TextEntityAlignment
-from ezdxf.layouts import BlockLayout
+from ezdxf.filemanagement import new
+from ezdxf.layouts.blocklayout import BlockLayout
+from ezdxf.version import __version__
 
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.readings.reading_schema import (
@@ -96,7 +98,7 @@ class _Sheet:
 def lines_dxf(reading: SheetReading) -> bytes:
     """The lines of a reading as a DXF file (R2000), the same bytes for the same reading."""
     sheet = _sheet(reading)
-    drawing = ezdxf.new("R2000", setup=["linetypes"], units=_MM if sheet.is_mm else _UNITLESS)
+    drawing = new("R2000", setup=["linetypes"], units=_MM if sheet.is_mm else _UNITLESS)
     for look in _LOOKS.values():
         drawing.layers.add(look.layer, color=look.colour, linetype=look.pattern)
     model = drawing.modelspace()
@@ -233,7 +235,8 @@ def _draw(
 
     look = {"layer": _LOOKS[stroke.kind].layer}
     if stroke.line is not None:
-        block.add_line(*(place(*pair) for pair in stroke.line), dxfattribs=look)
+        first, last = stroke.line
+        block.add_line(place(*first), place(*last), dxfattribs=look)
     elif stroke.arc is not None:
         x, y, radius, start, sweep = stroke.arc
         radius = round(unit * radius, _DECIMALS)
@@ -278,12 +281,12 @@ def _number(value: float) -> str:
 
 def _written(drawing: Drawing) -> bytes:
     """A drawing as it is stored, without the time of day."""
-    drawing.ezdxf_metadata()["CREATED_BY_EZDXF"] = ezdxf.__version__
+    drawing.ezdxf_metadata()["CREATED_BY_EZDXF"] = __version__
     text = io.StringIO()
-    before = ezdxf.options.write_fixed_meta_data_for_testing
-    ezdxf.options.write_fixed_meta_data_for_testing = True
+    before = options.write_fixed_meta_data_for_testing
+    options.write_fixed_meta_data_for_testing = True
     try:
         drawing.write(text)
     finally:
-        ezdxf.options.write_fixed_meta_data_for_testing = before
+        options.write_fixed_meta_data_for_testing = before
     return text.getvalue().encode(drawing.output_encoding, "dxfreplace")

@@ -66,11 +66,11 @@ def with_note(reading: SheetReading, operation: NoteOperation) -> SheetReading |
     if operation.through == (operation.depth_mm is not None):
         return None
     x, y, radius = operation.circle
-    box = tuple(max(-LARGEST, min(LARGEST, value)) for value in _around(x, y, radius))
+    x0, y0, x1, y1 = (max(-LARGEST, min(LARGEST, value)) for value in _around(x, y, radius))
     note_entry = NoteEntry(
         text="THRU" if operation.through else f"depth {operation.depth_mm:g}",
         kind=NoteKind.DIAMETER,
-        box=box,
+        box=(x0, y0, x1, y1),
         depth_mm=operation.depth_mm,
         through=operation.through,
         circle=operation.circle,

@@ -57,8 +57,9 @@ def contradicting_lengths(
         scale: of the reading before the operations, which may have been told.
         operations: a person's.
     """
-    before = scale.points is not None and scale.length_mm is not None
-    lengths = [ToldLength(scale.points, scale.length_mm)] if before else []
+    lengths: list[ToldLength] = []
+    if scale.points is not None and scale.length_mm is not None:
+        lengths = [ToldLength(scale.points, scale.length_mm)]
     for operation in operations:
         if not isinstance(operation, ScaleOperation):
             continue
@@ -68,5 +69,7 @@ def contradicting_lengths(
         new = ToldLength(operation.points, operation.length_mm)
         if new.apart > CLICK_PX:
             lengths = [*(one for one in lengths if not one.is_of(new)), new]
-    *earlier, last = lengths or [None]
+    if not lengths:
+        return None
+    *earlier, last = lengths
     return next(((one, last) for one in earlier if not one.agrees(last)), None)

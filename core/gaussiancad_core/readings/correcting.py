@@ -128,9 +128,9 @@ def _with_view(reading: SheetReading, operation: ViewOperation) -> SheetReading 
     known = next(
         (view_entry for view_entry in reading.views if view_entry.id == operation.id), None
     )
-    if known is None and operation.box is None:
+    box = operation.box or (known.box if known is not None else None)
+    if box is None:
         return None
-    box = operation.box or known.box
     views = [view_entry for view_entry in reading.views if view_entry.id != operation.id]
     source = known.source if known and known.source and operation.box is None else ""
     view = ViewEntry(
@@ -384,7 +384,8 @@ def _is_within(polygon: np.ndarray, stroke_entry: StrokeEntry) -> bool:
     )
 
 
-_APPLIED: dict[type, Callable[[SheetReading, Operation], SheetReading | None]] = {
+# Each takes operations of the type that it stands beside.
+_APPLIED: dict[type, Callable[[SheetReading, Any], SheetReading | None]] = {
     ViewOperation: _with_view,
     KindOperation: _with_kind,
     EraseOperation: _erased,

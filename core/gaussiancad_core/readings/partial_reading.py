@@ -8,7 +8,12 @@ from gaussiancad_core.sheet.graph.stroke_chains import with_whole_edges
 from gaussiancad_core.sheet.graph.stroke_roles import Label, labelled
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.tracing.file_strokes import stroke_along
-from gaussiancad_core.sheet.views.sheet_layout import Layout, find_clusters, may_be_views
+from gaussiancad_core.sheet.views.sheet_layout import (
+    Layout,
+    ProjectionSource,
+    find_clusters,
+    may_be_views,
+)
 
 
 def partial_lines(job: Job, sheet: OpenedSheet) -> SheetLines:
@@ -20,7 +25,7 @@ def partial_lines(job: Job, sheet: OpenedSheet) -> SheetLines:
     """
     options = in_worked_px(job.reading, sheet.turn)
     projection = options.projection or Projection.THIRD
-    source = "given" if options.projection else "default"
+    source: ProjectionSource = "given" if options.projection else "default"
     alternatives = () if options.projection else (projection.other,)
     boxes = tuple(may_be_views(find_clusters(sheet.clean.ink)))
     layout = Layout({}, projection, source, alternatives, boxes)

@@ -42,7 +42,8 @@ def reading_picture(reading: SheetReading, grey: npt.NDArray[np.uint8], reductio
     """
     factor = min(1.0, _MOST_PX / max(grey.shape))
     if factor < 1.0:
-        grey = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+        small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+        grey = np.asarray(small, dtype=np.uint8)
     levels = np.arange(256, dtype=np.float32)
     pale = np.rint(255.0 - _PALE * (255.0 - levels)).astype(np.uint8)
     picture = cv2.cvtColor(pale[grey], cv2.COLOR_GRAY2BGR)

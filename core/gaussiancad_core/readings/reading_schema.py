@@ -5,7 +5,7 @@ may be left out.
 """
 
 from enum import Enum
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Final, Literal
 
 import msgspec
 from msgspec import Meta, Struct
@@ -14,12 +14,12 @@ from gaussiancad_core.model.length_units import LEAST_MM, LONGEST_MM
 from gaussiancad_core.sheet.labels.ink_classes import Evidence
 from gaussiancad_core.writing.callouts import NoteKind
 
-SCHEMA = "gaussiancad-reading/1"
+SCHEMA: Final = "gaussiancad-reading/1"
 
 LINES = "lines"
 """Kind of a group of lines that belongs to no view and has no name."""
 
-GIVEN = "given"
+GIVEN: Final = "given"
 """Source of what a person said."""
 
 LARGEST = LONGEST_MM

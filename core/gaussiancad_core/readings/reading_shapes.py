@@ -40,15 +40,15 @@ def stroke_of(entry: StrokeEntry, turn: Turn) -> Stroke | None:
         start, end = _upright(entry.line, turn)
         return Segment(start, end, *kind) if start != end else None
     if entry.arc is not None:
-        x, y, radius, start, sweep = entry.arc
+        x, y, radius, first, sweep = entry.arc
         (centre,) = _upright([(x, y)], turn)
-        begin = start - _turned(centre, turn)
+        begin = first - _turned(centre, turn)
         return Arc(centre, radius / turn.scale, begin % (2.0 * np.pi), sweep, *kind)
     if entry.ellipse is not None:
-        x, y, major, minor, rotation, start, sweep = entry.ellipse
+        x, y, major, minor, rotation, first, sweep = entry.ellipse
         (centre,) = _upright([(x, y)], turn)
         axes = major / turn.scale, minor / turn.scale, rotation - _turned(centre, turn)
-        return Ellipse(centre, *axes, start, sweep, *kind)
+        return Ellipse(centre, *axes, first, sweep, *kind)
     return None
 
 

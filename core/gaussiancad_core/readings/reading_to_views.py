@@ -145,8 +145,17 @@ def taken_lines(
         views = _beside(reading, clean)
         labels = entry_labels(reading.strokes, turn, clean.stroke_width)
         _tell_labels(notes, reading, labels, layout, turn)
-    reading_options = marks, scale, options, found, sections
-    return SheetLines(layout, drawn, *reading_options, adjacent_sections=views, labels=labels)
+    return SheetLines(
+        layout,
+        drawn,
+        marks,
+        scale,
+        options,
+        found,
+        sections,
+        adjacent_sections=views,
+        labels=labels,
+    )
 
 
 def _check_places(reading: SheetReading, size: tuple[int, int]) -> None:
@@ -428,7 +437,7 @@ def _section(section_entry: SectionEntry, turn: Turn) -> NamedSection:
     away = np.subtract(ahead, start)
     way = tuple((away / np.hypot(*away)).tolist())
     ends = tuple(start), tuple(end)
-    path = ends if section_entry.straight else ()
+    path: tuple[tuple[float, float], ...] = ends if section_entry.straight else ()
     if section_entry.path:
         path = tuple(map(tuple, turn.to_upright(np.array(section_entry.path)).tolist()))
     trace = Trace(section_entry.label, ends, way, path)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Literal
 
 import msgspec
 import numpy as np
@@ -40,19 +41,28 @@ from gaussiancad_core.readings.stroke_certainty import (
 )
 from gaussiancad_core.recognition.one_view import shown_extents
 from gaussiancad_core.recognition.views_and_lines import SheetLines
-from gaussiancad_core.report.run_report import Report
+from gaussiancad_core.report.run_report import Remark, Report
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 from gaussiancad_core.writing.dimension_texts import Span
 from gaussiancad_core.writing.note_texts import SheetNote
+from gaussiancad_core.writing.numbers import Sign
 from gaussiancad_core.writing.scale_agreement import ReadDimension
 from gaussiancad_core.writing.section_titles import NamedSection, Trace
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
 from gaussiancad_protocol.codes import Code
 
 READING_FILE = "reading.json"
+
+_AXES: dict[Axis, Literal["x", "y", "z"]] = {Axis.X: "x", Axis.Y: "y", Axis.Z: "z"}
+
+_SIGNS: dict[Sign, Literal["linear", "diameter", "radius"]] = {
+    Sign.LENGTH: "linear",
+    Sign.DIAMETER: "diameter",
+    Sign.RADIUS: "radius",
+}
 
 _ROLES = {
     SpecialKind.SECTION: ViewRole.SECTION,
@@ -118,13 +128,17 @@ def sheet_reading(
         refused: why no part follows, if that is so.
     """
     scale = lines.scale
+    stated: tuple[tuple[Sequence[Remark], Literal["doubt", "warning"]], ...] = (
+        (report.reasons, "doubt"),
+        (report.warnings, "warning"),
+    )
     doubts = [
         Problem(
             **event_fields(remark.code, remark.message),
             severity=severity,
             offers=_offers(remark.code),
         )
-        for remarks, severity in ((report.reasons, "doubt"), (report.warnings, "warning"))
+        for remarks, severity in stated
         for remark in remarks
     ]
     return SheetReading(
@@ -229,30 +243,37 @@ def _corners(trace: Trace | None, turn: Turn) -> tuple[tuple[float, float], ...]
 def _scale(lines: SheetLines, turn: Turn) -> ReadScale:
     options, scale = lines.options, lines.scale
     given = options.mm_per_pixel is not None or bool(options.lengths)
-    is_given = scale is not None and options.mm_per_pixel == scale.mm_per_pixel
-    source = scale.source if is_given else ScaleSource.GIVEN if given else ScaleSource.DEFAULT
+    source = ScaleSource.GIVEN if given else ScaleSource.DEFAULT
+    if scale is not None and options.mm_per_pixel == scale.mm_per_pixel:
+        source = scale.source
     per_pixel, lengths = options.mm_per_pixel, options.lengths
     if per_pixel is None and len(lengths) > 1:
         # A reading has one length: that which no view shows, beside the scale that the other tells.
         extents = shown_extents(lines.drawn)
-        is_given = options.scaling_length(extents)
-        if is_given is not None:
-            per_pixel = is_given[1] / extents[is_given[0]]
+        scaling = options.scaling_length(extents)
+        if scaling is not None:
+            per_pixel = scaling[1] / extents[scaling[0]]
             lengths = tuple(this_length for this_length in lengths if this_length[0] not in extents)
     axis, length = lengths[0] if lengths else (None, None)
     return ReadScale(
         source=source.value,
         mm_per_px=None if per_pixel is None else per_pixel / turn.scale,
-        axis=axis.name.lower() if isinstance(axis, Axis) else None,
+        axis=_AXES[axis] if axis is not None else None,
         length_mm=length,
     )
+
+
+def _rounded(box: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    """A box to hundredths of a px."""
+    x0, y0, x1, y1 = (round(float(value), 2) for value in box)
+    return x0, y0, x1, y1
 
 
 def _view(view: ReadView, turn: Turn) -> ViewEntry:
     return ViewEntry(
         id=view.role.value,
         role=ViewRole(view.role.value),
-        box=tuple(round(float(value), 2) for value in view.stored_box(turn)),
+        box=_rounded(view.stored_box(turn)),
         source=view.source.value,
         hidden_lines="drawn" if view.has_hidden_lines else "none",
         dash=view.dash,
@@ -318,7 +339,10 @@ def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
 
 def _marked(name: str, mark: Mark, turn: Turn, stated: Certainty) -> StrokeEntry:
     kind = _KINDS.get(mark.kind, StrokeKind.IGNORE)
-    line = None if mark.line is None else tuple(stored_points(mark.line, turn))
+    line = None
+    if mark.line is not None:
+        start, end = stored_points(mark.line, turn)
+        line = start, end
     box = stored_box(mark.box, turn)
     return StrokeEntry(id=name, view=None, kind=kind, line=line, box=box, **stated)
 
@@ -329,8 +353,8 @@ def _dimension(number: int, dimension: ReadDimension, turn: Turn) -> DimensionEn
         id=f"d{number}",
         text=dimension.text[:1000],
         value_mm=dimension.value_mm,
-        box=tuple(round(float(value), 2) for value in dimension.box),
-        type=dimension.sign.value or "linear",
+        box=_rounded(dimension.box),
+        type=_SIGNS[dimension.sign],
         mm_per_px=dimension.mm_per_pixel if (dimension.mm_per_pixel or 0.0) <= LARGEST else None,
         used=dimension.used,
         measures=_measured(dimension, turn),
@@ -347,6 +371,7 @@ def _measured(dimension: ReadDimension, turn: Turn) -> Measured | None:
         x0, y0, x1, y1 = turn.box_to_upright(dimension.box)
         across = (y0 + y1) / 2.0 if place.level else (x0 + x1) / 2.0
         ends = np.array([(at, across) for at in (place.low, place.high)])
-        return Measured(span=tuple(stored_points(ends if place.level else ends[:, ::-1], turn)))
+        first, last = stored_points(ends if place.level else ends[:, ::-1], turn)
+        return Measured(span=(first, last))
     (centre,) = stored_points([place.centre], turn)
     return Measured(circle=(*centre, round(place.radius * turn.scale, 4)))

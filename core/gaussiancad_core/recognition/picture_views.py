@@ -131,7 +131,7 @@ def _upright_tint(tint: npt.NDArray[np.uint8] | None, turn: Turn) -> npt.NDArray
     columns, rows = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
     level = replace(turn, scale=1.0)
     stored = level.to_stored(np.stack([columns.ravel(), rows.ravel()], axis=1)) - 0.5
-    return values_at(tint, stored).reshape(height, width)
+    return np.asarray(values_at(tint, stored).reshape(height, width), dtype=np.uint8)
 
 
 def _upright(grey: npt.NDArray[np.uint8], turn: Turn) -> npt.NDArray[np.uint8]:

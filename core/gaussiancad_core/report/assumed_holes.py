@@ -43,7 +43,10 @@ def assumed_holes(reading: Reading, shape: TopoDS_Shape, turn: Turn) -> Iterator
         circles = [
             stroke
             for stroke in view.strokes
-            if _is_whole(stroke) and not _is_noted(stroke, view.role, reading)
+            if isinstance(stroke, Arc)
+            and stroke.is_full
+            and stroke.linetype is Linetype.VISIBLE
+            and not _is_noted(stroke, view.role, reading)
         ]
         if not circles:
             continue
@@ -81,11 +84,6 @@ def _assumed(circle: Arc, role: Role, boxes: tuple[Box, ...]) -> Assumption:
 def _beside(circle: Arc, share: float) -> tuple[float, float]:
     """A place on the right of a circle's centre, so many radii away."""
     return circle.centre[0] + share * circle.radius, circle.centre[1]
-
-
-def _is_whole(stroke: object) -> bool:
-    whole = isinstance(stroke, Arc) and stroke.is_full
-    return whole and stroke.linetype is Linetype.VISIBLE
 
 
 def _is_noted(circle: Arc, role: Role, reading: Reading) -> bool:

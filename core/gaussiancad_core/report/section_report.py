@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from gaussiancad_core.evidence.projected_reading import Reading
 from gaussiancad_core.messages import Message
@@ -63,8 +63,9 @@ def with_agreement(
     """The same with how the lines and areas of the solid's cuts agree."""
     found = list(sections)
     for number, (role, _) in enumerate(cuts_in(reading)):
-        agreement = verification.matched[role].agreement
-        area = verification.areas.get(role)
+        # Sections beside plain views stand among the views by roles of their own kind.
+        agreement = verification.matched[cast(Role, role)].agreement
+        area = verification.areas.get(cast(Role, role))
         found[number] = replace(
             found[number],
             line_recall=agreement.visible_recall,
@@ -82,6 +83,7 @@ def assumed_planes(sections: Sequence[SectionReport]) -> tuple[Assumption, ...]:
             Message(
                 "the {view} section {label} was taken to cut through the middle of the part, as "
                 "nothing tells where",
+                boxes=(),
                 view=section.role,
                 label=section.label or "without a title",
                 **({} if section.label else {"case": "untitled"}),

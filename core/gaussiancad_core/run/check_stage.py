@@ -69,7 +69,7 @@ def check_solid(registered: RegisteredSheet, model: ExactModel) -> CheckedModel:
     deflection = _PREVIEW_DEFLECTION * float((high - low).max())
     vertices, triangles = tessellate(result.shape, deflection)
     mesh = TriangleMesh(vertices.astype(np.float64), triangles)
-    return CheckedModel(mesh, result.verification.matched, round(tolerance, 3))
+    return CheckedModel(mesh, result.checked.matched, round(tolerance, 3))
 
 
 def solid_report(model: ExactModel) -> SolidReport:
@@ -86,7 +86,7 @@ def solid_report(model: ExactModel) -> SolidReport:
         (float(size[0]), float(size[1]), float(size[2])),
         len(result.alternatives),
         "sketch" if model.sketched else "lines",
-        round(result.verification.share, 4),
+        round(result.checked.share, 4),
     )
 
 

@@ -128,7 +128,7 @@ def find_exact(
     if result.explains and (other is None or by_symbol):
         return ExactModel(this_reading, result, by_symbol)
     contrary, model_of_other = _solved(other, strict) if other is not None else (None, None)
-    if contrary is None or not (result.explains or contrary.explains):
+    if other is None or contrary is None or not (result.explains or contrary.explains):
         return _not_strictly(readings, limits, (model, model_of_other))
     if result.explains and contrary.explains:
         return _told_apart((this_reading, result), (other, contrary))
@@ -226,7 +226,7 @@ def _beside(first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResu
         (shape, share)
         for shape, share in zip(
             (contrary.shape, *contrary.alternatives),
-            (contrary.verification.share, *contrary.agreements),
+            (contrary.checked.share, *contrary.agreements),
             strict=True,
         )
         if not same_solid(shape, result.shape, indistinct)
@@ -265,7 +265,8 @@ def _not_strictly(
         models: of both readings, as the search for such solids made them.
     """
     sketched, reading = readings.sketched, readings.taken
-    is_firm = sketched is not None and _costs(sketched.sketched, reading) <= _FIRM
+    drawn = sketched.sketched if sketched is not None else None
+    is_firm = drawn is not None and _costs(drawn, reading) <= _FIRM
     share = _BESIDE_FIRM if is_firm else _RELAXED
     less = replace(limits, work=share * limits.work)
     relaxed, _ = _solved(reading, less, models[readings.likelier])
@@ -295,7 +296,7 @@ def _is_better(relaxed: ExactResult, result: ExactResult, *, is_firm: bool) -> b
     where the sketch explains less, with fewer wrong ones."""
     if is_firm or relaxed.explains:
         return relaxed.explains and not result.explains
-    return _wrong(relaxed.verification) < _wrong(result.verification)
+    return _wrong(relaxed.checked) < _wrong(result.checked)
 
 
 def _wrong(verification: Verification) -> float:

@@ -30,7 +30,7 @@ def compared_with_ink(
         if view.source is StrokesSource.RASTER
         for offset in ink_offsets(
             view.role,
-            result.verification.lines[view.role],
+            result.checked.lines[view.role],
             registered.placements[view.role],
             sheet.clean,
         )

@@ -162,14 +162,14 @@ class _Run:
                 found, exact = self._find_solid(found, sheet)
         reading = exact.reading if exact else found.assumed
         tell_symbol(self.notes, found, reading.projection)
-        asked = exact is not None and self.job.result is not ResultKind.SURFACE
-        solid = exact if asked and exact.result.shape is not None else None
+        asked = exact if self.job.result is not ResultKind.SURFACE else None
+        solid = asked if asked is not None and asked.result.shape is not None else None
         if solid:
             self._publish(solid, self._status(solid))
         models = self._make_models(reading.registered, exact, solid, turn)
         with self.notes.stage("check"):
             checked = self._check(reading.registered, models, solid, turn)
-            conflict = exact.result.conflict if asked else None
+            conflict = asked.result.conflict if asked is not None else None
             adjacent = found.marks, found.special
             overlay = overlay_picture(checked, reading.registered, sheet.clean, adjacent, conflict)
             self._write_pictures(overlay, preview_picture(checked, self.job.reading.colour))
@@ -270,8 +270,9 @@ class _Run:
     def _status(self, solid: "ExactModel | None") -> Status:
         """How far the result can be trusted; whatever is in doubt, of the sheet or of the solid,
         is a reason."""
-        certain = solid is not None and not self.notes.report.reasons
-        return solid.result.status if certain else Status.APPROXIMATE
+        if solid is None or self.notes.report.reasons:
+            return Status.APPROXIMATE
+        return solid.result.status
 
     def _write_reading(self, lines: "SheetLines", sheet: OpenedSheet) -> None:
         from gaussiancad_core.readings.views_to_reading import (
@@ -493,11 +494,13 @@ class _Run:
                     other=taken.other,
                 ),
             )
-        checked = (
-            check_solid(registered, solid)
-            if solid
-            else check_surface(registered, models.surface.mesh, self.progress)
-        )
+        if solid:
+            checked = check_solid(registered, solid)
+        else:
+            mesh = models.surface.mesh if models is not None else None
+            # Without a solid there is a surface.
+            assert mesh is not None
+            checked = check_surface(registered, mesh, self.progress)
         reports = {
             view.role: ViewReport(
                 view.stored_box(turn),

@@ -1,5 +1,6 @@
 """The stage masks: views with strokes to views on shared axes, under one or two projections."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from gaussiancad_core.evidence.dimension_evidence import contradicts, trusted
@@ -45,6 +46,11 @@ class SheetFindings:
     special: tuple[SpecialView, ...]
     symbol: Projection | None = None
     contradicted: bool = False
+
+    def changed(self, change: Callable[[Reading], Reading]) -> "SheetFindings":
+        """The same with each reading changed."""
+        other = change(self.other) if self.other is not None else None
+        return replace(self, assumed=change(self.assumed), other=other)
 
 
 def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -> SheetFindings:
@@ -120,6 +126,8 @@ def weigh_readings(found: SheetFindings, notes: RunNotes) -> SheetFindings:
     from gaussiancad_core.sketch.projection_by_sketch import weigh
 
     reading, other = found.assumed, found.other
+    if other is None:
+        raise ValueError("there is one reading")
     weighed = weigh((reading, other))
     is_other = weighed.likelier == 1
     contradicted = found.symbol is not None and is_other and weighed.is_clear
@@ -144,7 +152,7 @@ def _with_measures(
     found: SheetFindings, scale: SheetScale | None, notes: RunNotes
 ) -> SheetFindings:
     """The readings with what the dimensions say of lengths, where they fit the scale."""
-    if contradicts(found.assumed.registered, scale):
+    if scale is not None and contradicts(found.assumed.registered, scale):
         notes.doubt(
             Code.SCALE_CONTRADICTS_DIMENSIONS,
             Message(
@@ -154,19 +162,14 @@ def _with_measures(
                 told=found.assumed.registered.mm_per_pixel,
             ),
         )
-    measured = [
-        reading and replace(reading, measures=trusted(reading.registered, scale))
-        for reading in (found.assumed, found.other)
-    ]
-    return replace(found, assumed=measured[0], other=measured[1])
+    return found.changed(
+        lambda reading: replace(reading, measures=trusted(reading.registered, scale))
+    )
 
 
 def _with_cuts(found: SheetFindings, lines: SheetLines) -> SheetFindings:
     """The readings with their sections and the planes of these."""
-    this_reading, other = (
-        reading and _cut(reading, lines) for reading in (found.assumed, found.other)
-    )
-    return replace(found, assumed=this_reading, other=other)
+    return found.changed(lambda reading: _cut(reading, lines))
 
 
 def _with_notes(
@@ -177,19 +180,16 @@ def _with_notes(
         replace(dimension, box=turn.box_to_upright(dimension.box))
         for dimension in (lines.scale.dimensions if lines.scale is not None else ())
     ]
-    stated = [
-        reading and hole_notes(reading.registered, lines.notes, dimensions)
-        for reading in (found.assumed, found.other)
-    ]
-    for code, message in stated[0].doubts:
+    stated = hole_notes(found.assumed.registered, lines.notes, dimensions)
+    other = found.other
+    if other is not None:
+        of_other = hole_notes(other.registered, lines.notes, dimensions)
+        other = replace(other, holes=of_other.holes)
+    for code, message in stated.doubts:
         notes.doubt(code, message)
-    used = {turn.box_to_stored(box) for _, box in stated[0].used}
+    used = {turn.box_to_stored(box) for _, box in stated.used}
     notes.tell(notes=tuple(replace(note, used=note.at in used) for note in notes.report.notes))
-    this_reading, other = (
-        reading and replace(reading, holes=its.holes)
-        for reading, its in zip((found.assumed, found.other), stated, strict=True)
-    )
-    return replace(found, assumed=this_reading, other=other)
+    return replace(found, assumed=replace(found.assumed, holes=stated.holes), other=other)
 
 
 def _cut(reading: Reading, lines: SheetLines) -> Reading:

@@ -8,6 +8,7 @@ from typing import Any
 
 import cv2
 import msgspec
+import numpy as np
 
 from gaussiancad_core.errors import GaussianCadError, UsageError
 from gaussiancad_core.pictures.preview import png_bytes
@@ -15,17 +16,12 @@ from gaussiancad_core.processes.events import Listener, Progress, Silence
 from gaussiancad_core.readings.correcting import Ink, corrected
 from gaussiancad_core.readings.reading_files import open_corrections
 from gaussiancad_core.readings.reading_schema import Box, Point, SheetReading
+from gaussiancad_core.readings.views_to_reading import READING_FILE
 from gaussiancad_core.recognition.load_sheet import open_sheet, tell_image
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.report.run_report import Report
-from gaussiancad_core.run.read_run import (
-    READING_FILE,
-    SHEET_FILE,
-    STAGES,
-    read_sheet_lines,
-    sheet_ink,
-)
+from gaussiancad_core.run.read_run import SHEET_FILE, STAGES, read_sheet_lines, sheet_ink
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage, read_sheet
 from gaussiancad_core.storage.outputs import os_error
@@ -133,7 +129,8 @@ class Desk:
         grey = image.grey
         factor = 1.0 if request.most is None else min(1.0, request.most / max(grey.shape))
         if factor < 1.0:
-            grey = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+            small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+            grey = np.asarray(small, dtype=np.uint8)
         return {"picture": self._write(request, name, png_bytes(grey)), "pages": image.pages}
 
     def _do_read(self, request: Request) -> dict[str, Any]:

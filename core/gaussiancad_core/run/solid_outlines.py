@@ -49,8 +49,7 @@ def with_solid_outlines(views: ViewSet, result: "ExactResult | None") -> Outline
         result: their exact solid, if there is one; only one whose lines are all the sheet's, and
             that has all of them, knows outlines better than the ink.
     """
-    verification = result.verification if result is not None else None
-    if verification is None or not verification.explains:
+    if result is None or not result.explains:
         return OutlinedViews(views)
     deflection = DEFLECTION * max(views.size)
     caster = RayCaster(make_mesh(*tessellate(result.shape, deflection, CHORD)))

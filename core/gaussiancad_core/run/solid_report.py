@@ -101,7 +101,10 @@ class _Sheet:
 
 
 def _disagreement(flaw: Flaw, sheet: _Sheet) -> Disagreement:
-    line = tuple(sheet.place(flaw.role, end) for end in flaw.ends) if flaw.ends else None
+    line = None
+    if flaw.ends:
+        first, last = flaw.ends
+        line = sheet.place(flaw.role, first), sheet.place(flaw.role, last)
     at, kind = sheet.place(flaw.role, flaw.place), flaw.linetype.value
     return Disagreement(flaw.role.value, at, flaw.length, flaw.missing, kind, line)
 

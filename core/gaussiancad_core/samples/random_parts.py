@@ -29,6 +29,8 @@ from gaussiancad_core.samples.modelling import (
 
 Step = Callable[["_Workpiece", np.random.Generator], TopoDS_Shape]
 
+_FAILURES: tuple[type[Exception], ...] = (*KERNEL_FAILURES, ValueError)
+
 _BEYOND = 1.0
 """mm by which tools reach out of the part that they cut."""
 
@@ -81,7 +83,7 @@ def _tried(step: Step, body: TopoDS_Shape, random: np.random.Generator) -> TopoD
     try:
         changed = step(_Workpiece(body), random)
         before, after = soundness(body), soundness(changed)
-    except (*KERNEL_FAILURES, ValueError):
+    except _FAILURES:
         return None
     sound = after.valid and after.closed and after.solids == 1
     different = abs(after.volume_mm3 - before.volume_mm3) > 1.0
@@ -101,7 +103,8 @@ def _axis(random: np.random.Generator) -> Axis:
 
 
 def _block(random: np.random.Generator) -> TopoDS_Shape:
-    return box((0, 0, 0), tuple(_even(random, 24, 100) for _ in range(3)))
+    x, y, z = (_even(random, 24, 100) for _ in range(3))
+    return box((0, 0, 0), (x, y, z))
 
 
 def _angle(random: np.random.Generator) -> TopoDS_Shape:
@@ -181,10 +184,10 @@ def _slot(work: _Workpiece, random: np.random.Generator) -> TopoDS_Shape:
         return work.shape
     reach = _even(random, 2, 2.0 * radius)
     way = (reach, 0.0) if random.random() < 0.5 else (0.0, reach)
-    ends = tuple((centre[0] + s * way[0], centre[1] + s * way[1]) for s in (-0.5, 0.5))
+    one, other = ((centre[0] + s * way[0], centre[1] + s * way[1]) for s in (-0.5, 0.5))
     low, high = work.along(axis)
     bottom = low - _BEYOND if random.random() < 0.6 else _even(random, low + 4, high - 4)
-    return cut(work.shape, slot(axis, ends, radius, bottom, high + _BEYOND))
+    return cut(work.shape, slot(axis, (one, other), radius, bottom, high + _BEYOND))
 
 
 def _pocket(work: _Workpiece, random: np.random.Generator) -> TopoDS_Shape:

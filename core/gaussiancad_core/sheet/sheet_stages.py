@@ -91,6 +91,13 @@ class ReadView:
     labels: SheetLabels = NO_LABELS
 
     @property
+    def closed(self) -> Outline:
+        """The outline of a view that has one, as :func:`register` demands."""
+        if self.outline is None:
+            raise ValueError("the outline is open")
+        return self.outline
+
+    @property
     def has_hidden_lines(self) -> bool:
         """Whether it has any."""
         return any(stroke.linetype is Linetype.HIDDEN for stroke in self.strokes)
@@ -238,8 +245,9 @@ def register_views(
     if unseen is not None:
         along[unseen.axis] = unseen.extent(shared.extents, scale)
     extents = replace(extents, extents=along, residuals=shared.residuals)
-    pixels = tuple(along[axis] for axis in Axis)
-    size = tuple(extent * scale for extent in pixels)
+    width, depth, height = (along[axis] for axis in Axis)
+    pixels = width, depth, height
+    size = width * scale, depth * scale, height * scale
     _check_size(max(size))
     placements = {}
     strokes = {}
@@ -255,9 +263,9 @@ def register_views(
         this_view_map = make_view(
             placements[view.role],
             strokes[view.role],
-            view.outline.without(holes),
-            view.outline,
-            scale / view.outline.supersampling,
+            view.closed.without(holes),
+            view.closed,
+            scale / view.closed.supersampling,
         )
         views.append(this_view_map)
     stated = _scaling(shared.extents, options)
@@ -329,14 +337,14 @@ def _through_holes(view: ReadView, drawn: tuple[ReadView, ...]) -> tuple[Region,
             other.role,
             other.strokes,
             other.box,
-            other.outline.mask,
-            float(other.outline.supersampling),
-            other.outline.offset,
+            other.closed.mask,
+            float(other.closed.supersampling),
+            other.closed.offset,
         )
         for other in drawn
         if other.role is not view.role
     ]
-    regions = view.outline.regions
+    regions = view.closed.regions
     interior = [index for index, region in enumerate(regions) if not _on_outline(region, view)]
     found = []
     for index in interior:
@@ -351,15 +359,15 @@ def _on_outline(region: Region, view: ReadView) -> bool:
     """Whether a region reaches the view's own outline: then it is no hole."""
     x, y = region.corner
     height, width = region.mask.shape
-    depth = view.outline.depth[y : y + height, x : x + width]
+    depth = view.closed.depth[y : y + height, x : x + width]
     return bool((region.mask & (depth < 2.0)).any())
 
 
 def _extent(region: Region, view: ReadView) -> Extent:
     """Interval of a region on the axes of its view, as fractions of the part's size."""
     frame = view.role.frame
-    factor = view.outline.supersampling
-    ox, oy = view.outline.offset
+    factor = view.closed.supersampling
+    ox, oy = view.closed.offset
     x0, y0, x1, y1 = (value / factor for value in region.box)
     bx0, by0, bx1, by1 = view.box
     right = ((x0 + ox - bx0) / (bx1 - bx0), (x1 + ox - bx0) / (bx1 - bx0))

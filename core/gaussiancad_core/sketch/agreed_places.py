@@ -103,17 +103,17 @@ def find_places(views: DrawnViews, grid: float) -> Places:
         ]
         for axis, plane in supports.planes.items()
     }
-    size = tuple(
+    x_size, y_size, z_size = (
         float(values[axis][-1])
         if len(values[axis]) and abs(values[axis][-1] - views.size[axis.value]) < _NEAR * grid
         else views.size[axis.value]
         for axis in Axis
     )
-    return Places(values, circles, size, grid, supports)
+    return Places(values, circles, (x_size, y_size, z_size), grid, supports)
 
 
 def _sweep(line: PlaneLine) -> float:
     """Radians that an arc turns, negative from the second axis to the first."""
-    (x, y), (a, b), (c, d) = line.circle.centre, *line.points[:2].tolist()
+    (x, y), ((a, b), (c, d)) = line.arc.centre, line.points[:2].tolist()
     way = (a - x) * (d - y) - (b - y) * (c - x)
-    return copysign(line.length / line.circle.radius, way)
+    return copysign(line.length / line.arc.radius, way)

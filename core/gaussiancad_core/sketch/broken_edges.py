@@ -67,10 +67,8 @@ def _alike(breaks: Sequence[EdgeBreak], grid: float) -> Iterator[list[EdgeBreak]
     """Breaks of one face, of one size."""
 
     def key(edge_break: EdgeBreak) -> tuple[int, int, int, bool]:
-        return (
-            *(round(x / grid) for x in (edge_break.at, edge_break.width, edge_break.height)),
-            edge_break.is_round,
-        )
+        at, width = round(edge_break.at / grid), round(edge_break.width / grid)
+        return at, width, round(edge_break.height / grid), edge_break.is_round
 
     for _, group in groupby(sorted(breaks, key=key), key=key):
         yield list(group)

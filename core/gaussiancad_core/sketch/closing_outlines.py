@@ -55,8 +55,8 @@ def with_whole_circles(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLin
     left = [line for line in lines if line.circle is not None and not line.is_closed]
     while left:
         first = left[0]
-        alike = [line for line in left if _is_same_circle(line.circle, first.circle, grid)]
-        turn = sum(line.length / line.circle.radius for line in alike)
+        alike = [line for line in left if _is_same_circle(line.arc, first.arc, grid)]
+        turn = sum(line.length / line.arc.radius for line in alike)
         if len(alike) > 1 and turn > _NEARLY_ROUND:
             found.append(_merged(alike))
         else:
@@ -75,8 +75,8 @@ def _is_same_circle(one: CircleCurve, other: CircleCurve, grid: float) -> bool:
 
 def _merged(arcs: Sequence[PlaneLine]) -> PlaneLine:
     weights = [arc.length for arc in arcs]
-    x, y = np.average([arc.circle.centre for arc in arcs], axis=0, weights=weights).tolist()
-    radius = float(np.average([arc.circle.radius for arc in arcs], weights=weights))
+    x, y = np.average([arc.arc.centre for arc in arcs], axis=0, weights=weights).tolist()
+    radius = float(np.average([arc.arc.radius for arc in arcs], weights=weights))
     visible = any(arc.is_visible for arc in arcs)
     return whole_circle(CircleCurve((x, y), radius), visible, arcs[0].stroke)
 

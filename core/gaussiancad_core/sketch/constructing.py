@@ -73,7 +73,9 @@ def construction_of(sketch: Sketch, stated: ToldNumbers | None) -> Construction:
     )
     broken = dict.fromkeys(
         Break(
-            *(round(x, 3) for x in (edge_break.at, edge_break.width, edge_break.height)),
+            round(edge_break.at, 3),
+            round(edge_break.width, 3),
+            round(edge_break.height, 3),
             edge_break.is_round,
         )
         for edge_break in sketch.breaks
@@ -138,7 +140,7 @@ def _rings(profile: Profile) -> Iterator[tuple[Floats, bool]]:
 def _edges(ring: Floats, profile: Profile) -> Iterator[Edge]:
     for edge in edges_of(ring, profile):
         start, end = _point(edge.start), _point(edge.end)
-        if edge.arc is None:
+        if edge.arc is None or edge.middle is None:
             yield Edge(start, end)
         else:
             radius = _rounded(edge.arc.radius)
@@ -168,12 +170,16 @@ def _along(
                 for end in (length.low, length.high)
             ):
                 found.add(length.value)
-    arcs = [edge for edge in edges if edge.centre is not None]
+    arcs = [
+        (edge.centre, edge.radius)
+        for edge in edges
+        if edge.centre is not None and edge.radius is not None
+    ]
     for radius in radii:
         if radius.normal is axis and any(
-            np.hypot(*np.subtract(arc.centre, radius.centre)) <= near
-            and abs(arc.radius - radius.radius) <= near
-            for arc in arcs
+            np.hypot(*np.subtract(arc_centre, radius.centre)) <= near
+            and abs(arc_radius - radius.radius) <= near
+            for arc_centre, arc_radius in arcs
         ):
             found.add(radius.value)
     return tuple(sorted(found))
@@ -248,6 +254,8 @@ def _cross_holes(
 
 
 def _is_same(hole: Hole, arc: Edge, low: float, near: float) -> bool:
+    if arc.centre is None or arc.radius is None:
+        return False
     off = np.hypot(*np.subtract(hole.centre, arc.centre))
     return bool(
         off <= near and abs(hole.diameter - 2.0 * arc.radius) <= near and hole.high >= low - near

@@ -88,21 +88,22 @@ def without_cross_holes(
         plane = role_plane(role)
         if plane.normal is axis or role in views.cuts:
             continue
-        for circle in _circles(drawn, [size[k] for k in IN_PLANE[plane.normal]], grid):
-            hole = plane.normal, circle.circle
+        for line in _circles(drawn, [size[k] for k in IN_PLANE[plane.normal]], grid):
+            circle = line.arc
+            hole = plane.normal, circle
             walls = list(_walls(found, hole, grid, views.cuts, hidden=True))
             depth, intervals = None, _least(walls, grid)
             if not intervals:
-                depth = _depth(views.holes, role, circle.circle, grid)
+                depth = _depth(views.holes, role, circle, grid)
                 is_boss = any(_walls(found, hole, grid, views.cuts, hidden=False))
-                is_open = depth is None and (is_boss or _is_around(circle.circle, drawn, grid))
+                is_open = depth is None and (is_boss or _is_around(circle, drawn, grid))
                 if draws_hidden or is_open:
                     continue
                 intervals = ((-inf, inf),)
             intervals = tuple(_opened(found, hole, each, grid) for each in intervals)
-            holes.append(CrossHole(plane.normal, circle.circle, intervals, depth, role))
+            holes.append(CrossHole(plane.normal, circle, intervals, depth, role))
             # Holes behind each other have walls in common.
-            gone |= {id(circle), *(id(line) for pair in walls for line in pair)}
+            gone |= {id(line), *(id(wall) for pair in walls for wall in pair)}
     for role, drawn in found.items():
         found[role] = [
             line

@@ -22,6 +22,10 @@ _HATCHED = 0.15
 """What a grid step squared costs that is hatched and void, or filled and not hatched."""
 
 
+_Gap = tuple[tuple[int, ...], tuple[int, ...], bytes, int]
+"""Regions on the sight lines on both sides of it, which of them go on, and the slab."""
+
+
 def add_evidence(terms: Terms) -> None:
     """Let a choice cost what it does not explain of the lines of all views."""
     for view in terms.plan.sights:
@@ -62,8 +66,8 @@ def _add_uprights(terms: Terms, view: Sights) -> None:
     """Lines along the axis: where the nearest lies deeper on the next sight line."""
     visible, hidden = view.uprights
     count = len(view.places)
-    stated: dict[tuple[object, ...], list[float]] = {}
-    known: dict[tuple[object, ...], tuple[Expression, Expression | None]] = {}
+    stated: dict[_Gap, list[float]] = {}
+    known: dict[_Gap, tuple[Expression, Expression | None]] = {}
     for index, even in enumerate(view.goes_on):
         one, other = (view.met[k].regions if 0 <= k < count else () for k in (index - 1, index))
         for k in terms.plan.slabs:
@@ -73,7 +77,7 @@ def _add_uprights(terms: Terms, view: Sights) -> None:
                 continue
             if key not in known:
                 jump: Expression = 0 if is_plain else terms.jump(one, other, even, k)
-                beneath = None
+                beneath: Expression | None = None
                 if view.draws_hidden:
                     beneath = 0 if one == other else terms.more_runs(one, other, k)
                 known[key] = jump, beneath

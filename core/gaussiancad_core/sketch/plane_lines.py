@@ -60,11 +60,25 @@ class PlaneLine:
         return len(self.points) == 2
 
     @property
+    def arc(self) -> CircleCurve:
+        """The circle that a round one runs along.
+
+        Raises:
+            ValueError: it runs along none.
+        """
+        if self.circle is None:
+            raise ValueError("the line runs along no circle")
+        return self.circle
+
+    @property
     def curve(self) -> PlaneCurve | None:
         """The whole line or circle that it runs along; None of another curve."""
         if self.circle is not None:
             return self.circle
-        return line_through(*map(tuple, self.points.tolist())) if self.is_straight else None
+        if not self.is_straight:
+            return None
+        start, end = map(tuple, self.points.tolist())
+        return line_through(start, end)
 
     def constant(self, near: float) -> int | None:
         """The coordinate that does not change along a segment, within so many mm; None if both

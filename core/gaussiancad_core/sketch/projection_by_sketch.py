@@ -79,19 +79,19 @@ def weigh(readings: Sequence[ReadViews]) -> Weighed:
         readings: one or two, the first as the views are named.
     """
     sketches = tuple(sketch(reading.numbered, reading.grid) for reading in readings)
-    known = [number for number, sketch in enumerate(sketches) if sketch is not None]
+    known = {number: sketch for number, sketch in enumerate(sketches) if sketch is not None}
     if len(known) < len(readings) or len(readings) == 1:
         return Weighed(sketches, min(known, default=0), is_clear=False)
-    best = min(known, key=lambda number: sketches[number].energy)
-    least = sketches[best].energy
+    best = min(known, key=lambda number: known[number].energy)
+    least = known[best].energy
     # Whether a search that was not ended finds less for the other one, nobody knows.
-    most = sketches[1 - best].at_least
+    most = known[1 - best].at_least
     unusual = is_unusual(readings[best].drawn.roles)
     telling = least <= _TELLING * sum(
         stroke.length for strokes in readings[best].drawn.strokes.values() for stroke in strokes
     )
     clear = telling and most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
     # A search that was not ended tells no unusual reading.
-    better = telling and not unusual and sketches[1 - best].energy > (1.0 + _LIKELIER) * least
+    better = telling and not unusual and known[1 - best].energy > (1.0 + _LIKELIER) * least
     likelier = best if clear or better else 0
     return Weighed(sketches, likelier, clear, clear and most > (1.0 + _PLAIN) * least)

@@ -126,7 +126,7 @@ def _plan(
         levels=levels,
         lines=ready.lines,
         sights=sights,
-        is_seen=tuple(bool(ready.facing(looks_up=up)) for up in (False, True)),
+        is_seen=(bool(ready.facing(looks_up=False)), bool(ready.facing(looks_up=True))),
         draws_hidden=draws_hidden,
         size=size,
         grid=grid,

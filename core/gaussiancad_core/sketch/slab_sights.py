@@ -220,8 +220,9 @@ def _drawn(
     along, across = coordinates
     heights = np.array(levels)
     middles = (heights[1:] + heights[:-1]) / 2.0
-    at_level = tuple(np.zeros((len(places), len(heights)), bool) for _ in range(2))
-    upright = tuple(np.zeros((len(places) + 1, len(middles)), bool) for _ in range(2))
+    level_shape, upright_shape = (len(places), len(heights)), (len(places) + 1, len(middles))
+    at_level: tuple[Mask, Mask] = np.zeros(level_shape, bool), np.zeros(level_shape, bool)
+    upright: tuple[Mask, Mask] = np.zeros(upright_shape, bool), np.zeros(upright_shape, bool)
     for line in lines:
         if not line.is_straight or line.length <= _SHORTEST * grid:
             continue

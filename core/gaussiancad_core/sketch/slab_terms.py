@@ -18,7 +18,7 @@ UNIT = 100
 """Of cost, in a grid step."""
 
 Literal = cp_model.IntVar
-Expression = cp_model.LinearExprT
+Expression = cp_model.LinearExpr | int
 
 
 class Terms:

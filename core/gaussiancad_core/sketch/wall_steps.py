@@ -75,7 +75,7 @@ def goes_on(
                 (before, after), between = closer, close
         even = _even(before, after, max(DEEPER * grid, _SLOPE * (between[1] - between[0])))
         if same:
-            for number in np.flatnonzero(~np.diag(even)):
+            for number in np.flatnonzero(~np.diag(even)).tolist():
                 even[number, number] = _is_smooth(look, between, (before, after), number)
         yield even
 

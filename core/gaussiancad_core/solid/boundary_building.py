@@ -157,7 +157,7 @@ def _built(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) ->
         # Faces that only touch others may have split them where nothing meets.
         bounding = [face for face in faces if _gives_one_of(kept, face, fused)]
         if len(bounding) == len(faces) or not deadline.left:
-            places = tuple(tuple(value / scale for value in place) for place in sewn.open_at)
+            places = tuple((x / scale, y / scale, z / scale) for x, y, z in sewn.open_at)
             return BuiltSolid(None, 0, closed=False, open_at=places)
         faces = bounding
     if sewn.solid is None:

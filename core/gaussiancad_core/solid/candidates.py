@@ -8,7 +8,8 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.cells.cell_complex import Cell
 from gaussiancad_core.kernel.brep import edges_of
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.labelling.cell_labelling import Labelling, Labels
+from gaussiancad_core.labelling.cell_labelling import Labelling
+from gaussiancad_core.labelling.clauses import Labels
 from gaussiancad_core.labelling.counted_work import Counted, Deadline
 from gaussiancad_core.labelling.unconstrained_cells import with_unsaid
 from gaussiancad_core.model.axes import Vector
@@ -72,13 +73,16 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         limits: of the search.
         latest: by which building, and the search for others, end.
     """
+    given = labelling.labels
+    if given is None:
+        raise ValueError("there are no labels to build")
     counting = counting_cells(work)
-    built = _build(work, labelling.labels, latest, _SLIM)
+    built = _build(work, given, latest, _SLIM)
     first, settled = _candidate(work, built)
     candidates = [first] if first is not None else []
     explained = first is not None and first.verification.explains
-    likely = _continued(work, labelling.labels, _SLIM)
-    likelier = _continued(work, labelling.labels, inf)
+    likely = _continued(work, given, _SLIM)
+    likelier = _continued(work, given, inf)
     if not explained and likelier != likely:
         second, looked_at = _candidate(work, _build(work, likelier, latest, _SLIM))
         settled &= looked_at
@@ -94,7 +98,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
     others = work.search.others(labelling, counting, most, share, latest, likely=True)
     work.meter.lap("others")
     # What slim cells were likely to be is not what they have to be.
-    plain = [labelling.labels] if likely != _continued(work, labelling.labels, work.slim) else []
+    plain = [given] if likely != _continued(work, given, work.slim) else []
     further = [*(plain if explained else ()), *others.labels]
     done = 0
     for labels in further:

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
+from gaussiancad_core.cells.crossing_kernels import BESIDE
 from gaussiancad_core.coordinates.carrier_curves import (
     TURN,
     CircleCurve,
@@ -28,7 +29,6 @@ from gaussiancad_core.evidence.mask_outlines import (
     plane_field,
     signed_distance,
 )
-from gaussiancad_core.labelling.visibility_rules import BESIDE
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, role_plane
 from gaussiancad_core.model.views import Linetype, View, ViewSet

@@ -24,6 +24,7 @@ def conflict_reason(conflict: Conflict) -> tuple[str, str]:
         start = "the lines, as they were read, contradict each other, and would agree but for one: "
         return CODE, Message(
             start + ("{lines}" if one else "any of these: {lines}"),
+            boxes=(),
             lines=named,
             suspects=len(conflict.suspects),
             **(_wanted(conflict.suspects[0]) if one else {}),

@@ -104,6 +104,17 @@ class ExactResult:
     unusual: float | None = None
 
     @property
+    def checked(self) -> Verification:
+        """The verification of a result that has a solid.
+
+        Raises:
+            ValueError: it has none.
+        """
+        if self.verification is None:
+            raise ValueError("there is no solid")
+        return self.verification
+
+    @property
     def explains(self) -> bool:
         """Whether there is a sound solid whose lines are those of the views."""
         return self.verification is not None and self.verification.explains
@@ -195,6 +206,8 @@ def _found(
         if _is_neat(found):
             break
     meter.lap("label")
+    if result is None:
+        raise RuntimeError("no labels were looked for")
     result = replace(result, trace=journal.finished(best), seconds=meter.seconds)
     if result.explains or not limits.relaxed or meter.spent > _PATIENT * limits.work:
         return result, model
@@ -243,6 +256,8 @@ def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits)
 
 def _is_in_doubt(found: ExactResult) -> bool:
     """Whether the places of the faces are known too little for the size of the part."""
+    if found.measures is None:
+        raise ValueError("what was found has no measures")
     doubtful = found.measures.uncertainty * area(found.shape)
     return doubtful > _IN_DOUBT * abs(volume(found.shape))
 

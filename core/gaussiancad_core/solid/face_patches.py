@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
+from gaussiancad_core.cells.crossing_kernels import BESIDE
 from gaussiancad_core.coordinates.carrier_curves import (
     TURN,
     CircleCurve,
@@ -16,7 +17,6 @@ from gaussiancad_core.coordinates.carrier_curves import (
     axis_line,
     meetings,
 )
-from gaussiancad_core.labelling.visibility_rules import BESIDE
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.solid.labelled_cells import LabelledSpace
@@ -122,10 +122,10 @@ def _differences(
         for share in _LOOKS:
             at = low + share * (high - low)
             (a, b), (da, db) = curve.at(at), curve.normal(at)
-            sides = [
+            one, other = (
                 space.stretches(normal, a + way * da, b + way * db) for way in (-BESIDE, BESIDE)
-            ]
-            found += _unlike(*sides, narrow)
+            )
+            found += _unlike(one, other, narrow)
         for near, far in found:
             # Along the piece the range moves, but never over a value of a corner.
             lowest = max((d for d in depths if d <= near), default=near)

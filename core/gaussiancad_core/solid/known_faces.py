@@ -67,13 +67,13 @@ def axes_of(face: TopoDS_Face) -> tuple[bool, bool, bool]:
     surface = BRepAdaptor_Surface(face)
     kind = surface.GetType()
     if kind == GeomAbs_SurfaceType.GeomAbs_Plane:
-        normal = _direction(surface.Plane().Axis())
-        return tuple(bool(abs(value) > _ALONG) for value in normal)
+        x, y, z = (bool(abs(value) > _ALONG) for value in _direction(surface.Plane().Axis()))
+        return x, y, z
     if kind in (GeomAbs_SurfaceType.GeomAbs_Cylinder, GeomAbs_SurfaceType.GeomAbs_Cone):
         cylinder = kind == GeomAbs_SurfaceType.GeomAbs_Cylinder
         axis = (surface.Cylinder() if cylinder else surface.Cone()).Axis()
         along = _along_axis(axis)
-        return tuple(k != along for k in range(3))
+        return along != 0, along != 1, along != 2
     return True, True, True
 
 

@@ -89,12 +89,12 @@ def measures_of(
     places = [_place(face, sources, drawn) for face in faces]
     bounds = np.array([bound for bound, _ in places])
     along = np.array([axes_of(face) for face in faces])
-    by_axis = (_most(bounds[along[:, k]], drawn) for k in range(3))
+    x, y, z = (_most(bounds[along[:, k]], drawn) for k in range(3))
     counted = np.array([by_numbers for _, by_numbers in places])
     source = MeasureSource.MIXED if counted.any() else MeasureSource.DRAWING
     if counted.mean() >= _SHARE:
         source = MeasureSource.NUMBERS
-    return Measures(_most(bounds, drawn), tuple(by_axis), source)
+    return Measures(_most(bounds, drawn), (x, y, z), source)
 
 
 def _sources(supports: PartSupports, views: DrawnViews, least: float) -> list[_Told]:

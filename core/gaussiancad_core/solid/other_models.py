@@ -12,6 +12,7 @@ from gaussiancad_core.hypotheses.intersection_curves import with_followed_curves
 from gaussiancad_core.hypotheses.rough_arcs import ROUGHLY, without_rough_arcs
 from gaussiancad_core.labelling.counted_work import Deadline
 from gaussiancad_core.labelling.part_model import (
+    NEAR,
     PartModel,
     model_part,
     with_lone_bodies,
@@ -32,13 +33,19 @@ are."""
 
 
 def modelled(
-    kind: ModelKind, views: DrawnViews | None, work: Work, deadline: Deadline, **more: object
+    kind: ModelKind,
+    views: DrawnViews | None,
+    work: Work,
+    deadline: Deadline,
+    *,
+    near: float = NEAR,
+    lost_lines: bool = False,
 ) -> OtherModel | None:
     """A model of some views, if there are such; None, and noted, where it is too large."""
     if views is None:
         return None
     try:
-        return kind, model_part(views, deadline=deadline, **more)
+        return kind, model_part(views, near, deadline, lost_lines=lost_lines)
     except LimitError:
         work.journal.add(Attempt(kind, Outcome.TOO_LARGE, work=work.meter.spent))
         return None
@@ -75,6 +82,7 @@ def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterato
     """
     plain = ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
     finer = modelled(ModelKind.UNDRAWN_LINES, views, work, deadline, lost_lines=True)
+    found: tuple[OtherModel | None, ...]
     if views.cuts:
         found = (finer,)
     elif finer is not None and len(finer[1].rules) <= _MOST_FINER:

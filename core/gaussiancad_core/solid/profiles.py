@@ -251,7 +251,7 @@ def _corner(
     if abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) < _CLEARLY:
         return corner
     curves = [
-        line_through(*map(tuple, points.tolist()))
+        line_through(tuple(points[0].tolist()), tuple(points[1].tolist()))
         if arc is None
         else CircleCurve(arc.centre, arc.radius)
         for points, arc in (one, other)

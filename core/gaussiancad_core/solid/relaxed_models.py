@@ -66,7 +66,7 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
     deadline = meter.until(OTHERWISE * limits.work)
     unsure = with_unsure_kinds(views)
     model = modelled(ModelKind.OPEN_LINETYPES, unsure, work, deadline)
-    if model is not None:
+    if unsure is not None and model is not None:
         other = _remodelled(replace(work, views=unsure), model, limits)
         retold = other.search.retold(deadline)
         if retold.labels is not None:
@@ -77,7 +77,7 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
     may_close = found.complete and work.allows_another(limits)
     closed = with_closed_outlines(lines) if may_close else None
     model = modelled(ModelKind.CLOSED_OUTLINE, closed, work, deadline)
-    if model is not None:
+    if closed is not None and model is not None:
         # Where the outside runs into the part nearly all lines contradict each other.
         lines, work = closed, _remodelled(work, model, limits)
         found = work.search.fulfilled(meter.until(_HARD * limits.work))

@@ -169,7 +169,8 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
     drawing = LineDrawing(shape)
     matched, spread = {}, 0.0
-    drawn, flaws, areas = {}, [], {}
+    drawn, areas = {}, {}
+    flaws: list[Flaw] = []
     for role in views.roles:
         cut = views.cuts.get(role)
         if cut is None:

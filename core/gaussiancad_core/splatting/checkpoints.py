@@ -10,6 +10,7 @@ import zipfile
 from dataclasses import astuple, dataclass
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -78,7 +79,9 @@ class Checkpoints:
             UsageError, LimitError: the folder cannot be written, or the disk is full.
         """
         content = io.BytesIO()
-        np.savez(content, **state, **{_KEY: np.array(self._key)})
+        # numpy's stub takes the names of arrays for its options.
+        arrays: dict[str, Any] = {**state, _KEY: np.array(self._key)}
+        np.savez(content, **arrays)
         unfinished = self._place.staging / self._place.path.name
         try:
             unfinished.write_bytes(content.getvalue())

@@ -215,10 +215,12 @@ class _Training:
         loss = total_loss(rendering, look.targets, look.similarity, settings.weights)
         (loss + _strayed(parameters, self.trainee.roots, settings.anchor)).backward()
         if settings.thin_axis_locked:
-            parameters.log_scales.grad[:, 2] = 0.0
+            gradient = parameters.log_scales.grad
+            assert gradient is not None
+            gradient[:, 2] = 0.0
         self.trainee.step(self._position_rate())
         self.losses.add(loss)
-        if self._density:
+        if self._density and shifts is not None and shifts.grad is not None:
             self._density.note(shifts.grad, (look.cameras.width, look.cameras.height))
             self._density.after(self.done)
 

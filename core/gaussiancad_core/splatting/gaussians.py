@@ -38,7 +38,7 @@ class Gaussians:
     @property
     def opacities(self) -> npt.NDArray[np.float32]:
         """(n,) 0 to 1."""
-        return 1.0 / (1.0 + np.exp(-self.logit_opacities))
+        return np.asarray(1.0 / (1.0 + np.exp(-self.logit_opacities)), dtype=np.float32)
 
     @property
     def rotations(self) -> npt.NDArray[np.float64]:

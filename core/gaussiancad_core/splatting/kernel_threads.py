@@ -11,7 +11,7 @@ import threading
 import numba
 
 if "NUMBA_THREADING_LAYER" not in os.environ:
-    numba.config.THREADING_LAYER = "workqueue"
+    setattr(numba.config, "THREADING_LAYER", "workqueue")  # noqa: B010 - it is made at run time
 
 KERNELS = threading.Lock()
 """Held while a kernel runs."""

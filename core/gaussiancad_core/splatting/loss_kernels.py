@@ -7,6 +7,7 @@ take runs of lines that do not depend on their number, so that the sums do not e
 """
 
 import math
+from typing import Any
 
 import numpy as np
 from numba import njit, prange
@@ -14,7 +15,7 @@ from numba import njit, prange
 PARTS = 96
 """Runs of lines; a number that many numbers of threads divide."""
 
-_COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
+_COMPILE: dict[str, Any] = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 _ZERO, _ONE, _TWO = np.float32(0.0), np.float32(1.0), np.float32(2.0)
 _LN_2 = np.float32(math.log(2.0))

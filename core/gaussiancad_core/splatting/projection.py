@@ -47,9 +47,16 @@ class CameraBatch:
 
     def on(self, device: str) -> "CameraBatch":
         """The same cameras with their tensors on a device."""
-        tensors = (self.rotations, self.translations, self.focals, self.centres)
-        moved = (tensor.to(device) for tensor in tensors)
-        return CameraBatch(self.model, self.width, self.height, *moved, self.nearest)
+        return CameraBatch(
+            self.model,
+            self.width,
+            self.height,
+            self.rotations.to(device),
+            self.translations.to(device),
+            self.focals.to(device),
+            self.centres.to(device),
+            self.nearest,
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ Arrays are float32 or float64 throughout.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 from numba import njit, prange
@@ -16,7 +17,7 @@ _RUNS = 48
 """Runs of Gaussians that the threads share out; each has scratch arrays of its own, since to make
 them anew for every Gaussian takes longer than the work."""
 
-_COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
+_COMPILE: dict[str, Any] = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 
 @njit(**_COMPILE)

@@ -12,6 +12,7 @@ integers, and the result does not depend on the number of threads.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 from numba import njit, prange
@@ -35,7 +36,7 @@ _ROUND = 2 * _HALF
 _HEIGHT, _WIDTH = ROWS + 2 * _ROUND, COLUMNS + 2 * _ROUND
 _FIELD = _HEIGHT * _WIDTH
 
-_COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
+_COMPILE: dict[str, Any] = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 _STEP = np.uint64(_WIDTH)
 _IMAGE, _TARGET = np.uint64(0), np.uint64(_FIELD)
@@ -122,7 +123,7 @@ def _similar(tile, means, variances, top, left):
     low, high = max(_HALF, -top), min(_HEIGHT - _HALF, height - top)
     first, last = max(_HALF, -left), min(_WIDTH - _HALF, width - left)
     to_mean, to_square, to_product = _LINES
-    total = 0.0
+    total: float | np.floating = 0.0
     for line in range(low, high):
         at = np.uint64((line - _HALF) * _WIDTH)
         for c in range(np.uint64(_WIDTH)):

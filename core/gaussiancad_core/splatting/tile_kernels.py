@@ -19,6 +19,7 @@ Threads take runs of neighbouring tiles, which share Gaussians, and all runs hav
 """
 
 import math
+from typing import Any
 
 import numpy as np
 from numba import njit, prange, types
@@ -35,7 +36,7 @@ _BATCH = 16
 """Gaussians whose records are fetched at once, so that they are waited for together; between two
 batches it is looked whether the tile is opaque all over."""
 
-_COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
+_COMPILE: dict[str, Any] = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 # Places of the fields in a tile's array.  Forward and backward share the first three.
 _COLUMN, _LINE, _LEFT = (np.uint64(field * TILE_PIXELS) for field in range(3))

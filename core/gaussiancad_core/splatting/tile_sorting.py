@@ -12,6 +12,7 @@ once.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -47,7 +48,7 @@ _DIGIT = 11
 _DIGIT_VALUES = 1 << _DIGIT
 """Bits, and values, that a pass of the radix sort orders by."""
 
-_COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
+_COMPILE: dict[str, Any] = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 
 @njit(parallel=True, **_COMPILE)

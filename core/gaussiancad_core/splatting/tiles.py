@@ -101,7 +101,8 @@ class _Draw(torch.autograd.Function):
         with KERNELS:
             tiling, projected, images = _forward(scene, size, optics, moved)
         ctx.state = (scene, size, tiling, projected, images)
-        return tuple(torch.from_numpy(image) for image in images)
+        colour, alpha, depth = (torch.from_numpy(image) for image in images)
+        return colour, alpha, depth
 
     @staticmethod
     def backward(ctx: Any, *upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401
@@ -154,7 +155,11 @@ def _forward(
         (means, conics, depths), scene.opacities, scene.colours, smallest, counts, records
     )
     tiling = _sort_into_tiles(size, boxes, counts, depths)
-    images = tuple(np.empty((views, *planes, *size), kind) for planes in ((3,), (), ()))
+    images: tuple[Array, Array, Array] = (
+        np.empty((views, 3, *size), kind),
+        np.empty((views, *size), kind),
+        np.empty((views, *size), kind),
+    )
     tile_kernels.composite_forward(
         size,
         tiling.grid,
@@ -223,7 +228,7 @@ def _scene(
 ) -> _Scene:
     kind = _array(opacities).dtype.type
     return _Scene(
-        gaussians=tuple(_array(tensor) for tensor in gaussians),
+        gaussians=(_array(gaussians[0]), _array(gaussians[1]), _array(gaussians[2])),
         cameras=(
             _array(cameras.rotations),
             _array(cameras.translations),

@@ -15,7 +15,7 @@ def write_stl(mesh: TriangleMesh, path: Path) -> None:
     Raises:
         UsageError, LimitError: the folder cannot be written, or the disk is full.
     """
-    write_whole(path, mesh.to_trimesh().export(file_type="stl"))
+    write_whole(path, _exported(mesh, "stl"))
 
 
 def write_ply(mesh: TriangleMesh, path: Path) -> None:
@@ -24,7 +24,13 @@ def write_ply(mesh: TriangleMesh, path: Path) -> None:
     Raises:
         UsageError, LimitError: the folder cannot be written, or the disk is full.
     """
-    write_whole(path, mesh.to_trimesh().export(file_type="ply"))
+    write_whole(path, _exported(mesh, "ply"))
+
+
+def _exported(mesh: TriangleMesh, kind: str) -> bytes:
+    content = mesh.to_trimesh().export(file_type=kind)
+    assert isinstance(content, bytes)
+    return content
 
 
 def write_faceted_step(mesh: TriangleMesh, path: Path, limit: int = FACETED_LIMIT) -> int:

@@ -276,7 +276,7 @@ def _from_outside(
             continue
         met = Rule(line.level, line.at, low, high)
         stops = _stops(met, across, head)
-        ends = [min(stops, key=lambda at, end=end: abs(at - end)) for end in (low, high) if stops]
+        ends = [_nearest(stops, end) for end in (low, high) if stops]
         if ends and ends[0] < ends[1] and _meets(ends, met, head):
             yield Span(line.level, ends[0], ends[1], _ACROSS)
 
@@ -287,10 +287,7 @@ def _from_end_to_end(
     """What a text's line measures between the lines near its two ends, which may stop short of
     it; none where there is no line near one of them."""
     stops = _stops(line, across, _head(text), _head(text))
-    ends = [
-        min(stops, key=lambda at, end=end: abs(at - end), default=np.inf)
-        for end in (line.low, line.high)
-    ]
+    ends = [_nearest(stops, end, np.inf) for end in (line.low, line.high)]
     if ends[0] >= ends[1] or not _meets(ends, line, _head(text)):
         return []
     return [Span(line.level, ends[0], ends[1], weight * _FEET)]
@@ -301,11 +298,16 @@ def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:
     may point at that from outside, too short to be found as a line."""
     stops = _stops(replace(line, low=-np.inf, high=np.inf), across, 0.0)
     for end, way in ((line.low, -1.0), (line.high, 1.0)):
-        met = min(stops, key=lambda at, end=end: abs(at - end), default=np.inf)
+        met = _nearest(stops, end, np.inf)
         others = [at for at in stops if way * (at - met) > _ALIGNED]
         if abs(met - end) <= head and others:
             low, high = sorted((met, min(others, key=lambda at: abs(at - end))))
             yield Span(line.level, low, high, _ONE_ARROW)
+
+
+def _nearest(places: Sequence[float], to: float, default: float = 0.0) -> float:
+    """Of some places the one nearest to another, the first of several; the default without any."""
+    return min(places, key=lambda at: abs(at - to), default=default)
 
 
 def _stops(line: Rule, across: Sequence[Rule], beyond: float, touch: float = _TOUCH) -> list[float]:
@@ -332,17 +334,13 @@ def _spans(
     centre = 0.5 * (along[0] + along[1])
     height = min(along[1] - along[0], across[1] - across[0])
     found = _beside(line.level, centre, stops, 1.0, _REACH * height)
-    ends = (
-        [min(stops, key=lambda at, end=end: abs(at - end)) for end in (line.low, line.high)]
-        if (stops)
-        else []
-    )
+    ends = [_nearest(stops, end) for end in (line.low, line.high)] if (stops) else []
     if ends and ends[0] < ends[1] and _meets(ends, line, _head(text)):
         found.append(Span(line.level, ends[0], ends[1], 1.0 if not found else 0.8))
     if borders:
         every = sorted([*stops, *borders])
         found += _beside(line.level, centre, every, 0.5, _REACH * height)
-        ends = [min(every, key=lambda at, end=end: abs(at - end)) for end in (line.low, line.high)]
+        ends = [_nearest(every, end) for end in (line.low, line.high)]
         if ends[0] < ends[1] and _meets(ends, line, _TOUCH):
             found.append(Span(line.level, ends[0], ends[1], 0.7))
     return found

@@ -290,9 +290,13 @@ def _refined(members: Sequence[Dimension], unit: Unit, scale: float, share: floa
 def _told(dimension: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
     best = _best(dimension, unit, scale) if scale else None
     candidate = best or next(iter(dimension.candidates), None)
+    if scale and best:
+        value = dimension.value_mm(unit, scale * best.pixels)
+    else:
+        value = dimension.said.millimetres(unit)
     return ReadDimension(
         dimension.text,
-        dimension.value_mm(unit, scale * best.pixels) if best else dimension.said.millimetres(unit),
+        value,
         dimension.box,
         _scale(dimension, unit, candidate, scale if best else None) if candidate else None,
         best is not None,

@@ -9,6 +9,7 @@ import numpy as np
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
+from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_core.model.views import Arc, Segment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.graph.arrowhead_shapes import without_heads
@@ -36,14 +37,7 @@ from gaussiancad_core.writing.leaders import (
     shelves_of,
 )
 from gaussiancad_core.writing.number_units import Units, file_unit, noted_unit, other_size
-from gaussiancad_core.writing.numbers import (
-    MM_PER_INCH,
-    DimensionText,
-    Sign,
-    Unit,
-    parse_dimension,
-    parse_scale,
-)
+from gaussiancad_core.writing.numbers import DimensionText, Sign, Unit, parse_dimension, parse_scale
 from gaussiancad_core.writing.ocr import ocr_problem
 from gaussiancad_core.writing.ordinates import is_zero, ordinate_length
 from gaussiancad_core.writing.scale_agreement import (
@@ -235,10 +229,11 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
     """The texts of a sheet: its file's, and those that its marks show in its pixels where the file
     has no texts, and these are more than the numbers among the file's."""
     texts: tuple[SheetText, ...] = ()
-    if _has_texts(sheet.image):
+    drawing = sheet.image.vectors
+    if drawing is not None and _has_texts(sheet.image):
         height, width = sheet.shape
         fields = fields_of(marks, height * width)
-        texts = file_texts(sheet.image.vectors.texts, sheet.turn, fields)
+        texts = file_texts(drawing.texts, sheet.turn, fields)
         texts = framed(texts, marks, sheet.shape)
     known = np.array([text.box for text in texts])
     marks = [

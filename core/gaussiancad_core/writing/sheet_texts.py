@@ -198,7 +198,8 @@ def _picture(sheet: CleanSheet, box: Box) -> npt.NDArray[np.float32]:
     if not len(rows):
         return part
     part = part[rows.min() : rows.max() + 1, columns.min() : columns.max() + 1]
-    return cv2.copyMakeBorder(part, *4 * (_BORDER,), cv2.BORDER_CONSTANT)
+    around = cv2.copyMakeBorder(part, *4 * (_BORDER,), cv2.BORDER_CONSTANT)
+    return np.asarray(around, dtype=np.float32)
 
 
 def _letters(sheet: CleanSheet, box: Box) -> tuple[npt.NDArray[np.float32], tuple[int, int]]:

@@ -55,7 +55,7 @@ def test_a_table_has_options_for_each_sheet(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "stated"),
     [
         ("name\na.png\n", "line 2"),
         ("sheet,page\na.png,0\n", "line 2"),

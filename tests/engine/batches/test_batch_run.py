@@ -135,7 +135,7 @@ def test_nothing_outlives_a_batch_that_is_killed_and_the_next_one_goes_on(
 
 
 @pytest.mark.parametrize(
-    ("limit", "told"), [(("--seconds", "0.5"), "0.5 s"), (("--memory", "0.02"), "memory")]
+    ("limit", "text"), [(("--seconds", "0.5"), "0.5 s"), (("--memory", "0.02"), "memory")]
 )
 def test_a_sheet_that_takes_too_much_is_ended_and_the_batch_is_not(
     limit: tuple[str, str], text: str, sheets: Path, tmp_path: Path

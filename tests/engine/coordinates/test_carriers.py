@@ -251,7 +251,7 @@ def test_values_are_shared_by_the_planes(sample_views: Callable[[str], DrawnView
 
 
 @pytest.mark.parametrize(
-    ("arc", "told"),
+    ("arc", "is_given"),
     [
         # Sharply bent quarters between lines along the axes are rounded corners.
         (Arc((1.0, 19.0), 1.0, pi / 2.0, pi / 2.0, _VISIBLE), True),

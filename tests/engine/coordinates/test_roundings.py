@@ -27,7 +27,7 @@ def test_a_fillet_between_a_line_and_an_arc() -> None:
     assert not is_rounding(fillet, [fillet, line], TOLERANCE)
 
 
-@pytest.mark.parametrize(("sweep", "told"), [(80.0, True), (70.0, True), (40.0, False)])
+@pytest.mark.parametrize(("sweep", "is_given"), [(80.0, True), (70.0, True), (40.0, False)])
 def test_a_fillet_between_two_lines(sweep: float, is_given: bool) -> None:
     turn = sweep * pi / 180.0
     fillet = Arc((0.0, 2.0), 2.0, -pi / 2.0, turn, V)
@@ -47,7 +47,7 @@ def test_an_arc_that_meets_its_neighbours_at_an_angle_is_none() -> None:
 
 
 @pytest.mark.parametrize(
-    ("sweep", "radius", "told"),
+    ("sweep", "radius", "is_given"),
     [(37.0, 8.0, True), (52.0, 6.0, True), (37.0, 4.0, False), (20.0, 40.0, False)],
 )
 def test_a_flat_fillet_between_two_lines_tells_its_circle_where_it_rises_enough(

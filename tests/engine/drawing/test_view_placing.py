@@ -29,7 +29,7 @@ def _boxes(
 
 
 @pytest.mark.parametrize(
-    ("projection", "above", "beside"),
+    ("projection", "above", "role"),
     [(Projection.THIRD, TOP, RIGHT), (Projection.FIRST, BOTTOM, LEFT)],
 )
 def test_what_stands_above_and_right_of_the_front_view(
@@ -44,7 +44,7 @@ def test_what_stands_above_and_right_of_the_front_view(
 
 
 @pytest.mark.parametrize(
-    ("projection", "below", "beside"),
+    ("projection", "below", "role"),
     [(Projection.FIRST, TOP, RIGHT), (Projection.THIRD, BOTTOM, LEFT)],
 )
 def test_what_stands_below_and_left_of_the_front_view(

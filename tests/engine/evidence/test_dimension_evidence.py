@@ -30,7 +30,7 @@ SHEET = SimpleNamespace(
 
 
 @pytest.mark.parametrize(
-    ("span", "told"),
+    ("span", "stated"),
     [
         (Span(True, 110.0, 220.5), (Axis.X, 5.0, 60.25)),
         (Span(False, 200.0, 270.0), (Axis.Z, 5.0, 40.0)),
@@ -79,7 +79,7 @@ def test_the_rougher_the_lines_the_more_a_number_may_differ(noise: float, reach:
 
 
 @pytest.mark.parametrize(
-    ("off", "used", "told"), [(0.002, True, False), (0.005, False, False), (0.02, False, True)]
+    ("off", "used", "is_given"), [(0.002, True, False), (0.005, False, False), (0.02, False, True)]
 )
 def test_numbers_count_only_at_the_scale_that_was_taken(
     off: float, used: bool, is_given: bool

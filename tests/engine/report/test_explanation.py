@@ -203,7 +203,7 @@ def test_all_that_was_tried_is_told_in_order() -> None:
 
 
 @pytest.mark.parametrize(
-    ("at", "told"),
+    ("at", "text"),
     [
         ((150, 22), "A visible line of 200 px of the front view (s1)."),
         ((100, 91), "A hidden arc of 63 px of the front view, 80.0 % sure (s2)."),

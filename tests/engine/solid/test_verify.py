@@ -94,7 +94,7 @@ def _pocketed(depth: float) -> TopoDS_Shape:
     return BRepAlgoAPI_Cut(_box(0, 0, 0, 40, 30, 20), pocket).Shape()
 
 
-@pytest.mark.parametrize(("depth", "told"), [(6.0, False), (7.5, True)])
+@pytest.mark.parametrize(("depth", "is_given"), [(6.0, False), (7.5, True)])
 def test_a_hidden_line_of_a_dash_may_be_missing_in_a_picture(
     depth: float, is_given: bool, drawn: Draw
 ) -> None:

@@ -54,7 +54,7 @@ def test_only_units_of_numbers_count(unit_mm: float | None, unit: Unit | None) -
 
 
 @pytest.mark.parametrize(
-    ("unit_mm", "share", "told"),
+    ("unit_mm", "share", "stated"),
     [(1.0, 1.0, 0), (1.0, 1.02, 0), (1.0, 2.0, 1), (25.4, 1 / 25.4, 1), (None, 2.0, 0)],
 )
 def test_dimensions_of_another_size_than_the_files_are_told(

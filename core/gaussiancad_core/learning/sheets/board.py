@@ -190,4 +190,4 @@ def _turned(mask: npt.NDArray[np.uint8], degrees: float) -> npt.NDArray[np.uint8
     size = int(width * cosine + height * sine) + 4, int(width * sine + height * cosine) + 4
     turn = cv2.getRotationMatrix2D((width / 2, height / 2), degrees, 1.0)
     turn[:, 2] += (size[0] - width) / 2, (size[1] - height) / 2
-    return cv2.warpAffine(mask, turn, size)
+    return np.asarray(cv2.warpAffine(mask, turn, size), dtype=np.uint8)

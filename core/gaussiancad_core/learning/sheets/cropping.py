@@ -55,5 +55,5 @@ def _at_least(sheet: Rendered, size: int) -> Rendered:
 
 def _piece(sheet: Rendered, where: tuple[slice, slice]) -> Rendered:
     tint = None if sheet.tint is None else sheet.tint[where]
-    items = (layer[where].copy() for layer in (sheet.ink, sheet.classes, sheet.extra))
-    return Rendered(*items, tint)
+    ink, classes, extra = (layer[where].copy() for layer in (sheet.ink, sheet.classes, sheet.extra))
+    return Rendered(ink, classes, extra, tint)

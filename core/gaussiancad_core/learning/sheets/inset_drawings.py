@@ -44,7 +44,8 @@ def draw_picture(board: Board, part: DrawnPart, views: Sequence[SheetView]) -> N
     chains = [(chain - low) * scale + corner for chain in flat]
     kind = chance.random()
     if kind < 0.5:
-        hull = cv2.convexHull(np.concatenate(chains).astype(np.float32))[:, 0]
+        points = np.concatenate(chains).astype(np.float32)
+        hull = np.asarray(cv2.convexHull(points)[:, 0], dtype=np.float32)
         canvas.tint(hull, *(chance.uniform(15.0, 140.0) for _ in range(2)))
     if kind > 0.15:
         width = chance.choice([style.widths.visible, style.widths.thin, 0.7 * style.widths.visible])
@@ -83,8 +84,8 @@ def draw_detail(board: Board, view: SheetView, views: Sequence[SheetView]) -> No
     text = chance.choice(_DETAILS).format(letter)
     board.write(text, shifted(place, 0.0, large + 1.8 * style.height), look=look)
     if board.likely(0.5):
-        ends = place + large * segment((-0.4, 0.5), (0.3, 0.5))
-        dimension_line(board, *ends, number(chance))
+        start, end = place + large * segment((-0.4, 0.5), (0.3, 0.5))
+        dimension_line(board, start, end, number(chance))
 
 
 def _free_place(

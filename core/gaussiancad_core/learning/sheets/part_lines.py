@@ -90,7 +90,7 @@ def shade(board: Board, view: SheetView) -> None:
     """Now and then grey on a view."""
     if board.likely(0.07):
         points = np.concatenate(view.lines.visible).astype(np.float32)
-        hull = cv2.convexHull(points)[:, 0]
+        hull = np.asarray(cv2.convexHull(points)[:, 0], dtype=np.float32)
         board.canvas.tint(hull, *(board.chance.uniform(20.0, 120.0) for _ in range(2)))
 
 

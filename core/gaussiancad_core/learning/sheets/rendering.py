@@ -8,7 +8,14 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.learning.sheets.canvas import SUPERSAMPLING, Canvas, Filled, Lines, Mark
+from gaussiancad_core.learning.sheets.canvas import (
+    SUPERSAMPLING,
+    Canvas,
+    Filled,
+    Lines,
+    Mark,
+    Stamp,
+)
 from gaussiancad_core.learning.sheets.chains_of_points import Points
 from gaussiancad_core.learning.training_samples import (
     EITHER,
@@ -92,7 +99,8 @@ def rendered(canvas: Canvas, *, smooth: bool) -> Rendered:
         _draw(ink, mark, mark.darkness, kind)
     for mark in sorted(canvas.marks, key=lambda this_mark: _RANKS[this_mark.ink]):
         _claim(ranks, mark)
-    ink = cv2.resize(ink, (canvas.width, canvas.height), interpolation=cv2.INTER_AREA)
+    size = canvas.width, canvas.height
+    ink = np.asarray(cv2.resize(ink, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
     classes = _classes(ink, ranks)
     return Rendered(ink, classes, _extra(canvas, classes), _tint(canvas))
 
@@ -101,7 +109,7 @@ def _classes(ink: Bytes, ranks: Bytes) -> Bytes:
     """What pixels stand for, by the foremost rank in each and how dark it is."""
     steps = range(SUPERSAMPLING)
     pixels = [ranks[row::SUPERSAMPLING, column::SUPERSAMPLING] for row in steps for column in steps]
-    foremost = cv2.LUT(reduce(np.maximum, pixels), _CLASS_OF_RANK)
+    foremost = np.asarray(cv2.LUT(reduce(np.maximum, pixels), _CLASS_OF_RANK), dtype=np.uint8)
     dark, claimed = ink >= INK, foremost != InkClass.PAPER
     foremost[(dark != claimed) & (ink >= _CLEAN)] = UNKNOWN
     foremost[(~dark & ~claimed) | (ink < _CLEAN)] = InkClass.PAPER
@@ -139,7 +147,10 @@ def _claim(ranks: Bytes, mark: Mark) -> None:
 
 def _overlap(image: Bytes, mark: Mark) -> tuple[Bytes, Bytes]:
     """The part of an image on which a stamp lies, and the part of its mask that lies on it."""
-    mask, x, y = mark.shape.mask, mark.shape.x, mark.shape.y
+    stamp = mark.shape
+    if not isinstance(stamp, Stamp):
+        raise ValueError("the mark is no stamp")
+    mask, x, y = stamp.mask, stamp.x, stamp.y
     height, width = mask.shape
     rows = slice(min(max(0, y), image.shape[0]), max(0, min(image.shape[0], y + height)))
     columns = slice(min(max(0, x), image.shape[1]), max(0, min(image.shape[1], x + width)))
@@ -159,7 +170,7 @@ def _extra(canvas: Canvas, classes: Bytes) -> Bytes:
         width = max(_NARROWEST_TRACK, round(track.width))
         cv2.polylines(extra, chains, False, ON_HIDDEN, width, cv2.LINE_8, _BITS)
     extra[(extra > 0) & (classes == InkClass.VISIBLE)] = EITHER
-    return extra | (_heat(canvas) << HEAT_SHIFT)
+    return extra | (_heat(canvas) << np.uint8(HEAT_SHIFT))
 
 
 def _heat(canvas: Canvas) -> Bytes:

@@ -71,7 +71,8 @@ def spoiled(sheet: Rendered, rng: np.random.Generator) -> Sample:
         levels = 255 - levels
     if rng.random() < (0.15 if exported else 0.5):
         quality = [cv2.IMWRITE_JPEG_QUALITY, int(rng.integers(25, 95))]
-        levels = cv2.imdecode(cv2.imencode(".jpg", levels, quality)[1], cv2.IMREAD_GRAYSCALE)
+        packed = cv2.imencode(".jpg", levels, quality)[1]
+        levels = np.asarray(cv2.imdecode(packed, cv2.IMREAD_GRAYSCALE), dtype=np.uint8)
     return Sample(levels, layers.classes, layers.extra)
 
 
@@ -138,7 +139,7 @@ def _export(ink: Floats, rng: np.random.Generator) -> Floats:
     """Brightness of a file that was never on paper."""
     grey = 255.0 - ink
     if rng.random() < 0.25:
-        grey = cv2.GaussianBlur(grey, (0, 0), rng.uniform(0.3, 0.7))
+        grey = np.asarray(cv2.GaussianBlur(grey, (0, 0), rng.uniform(0.3, 0.7)), dtype=np.float32)
     if rng.random() < 0.12:
         grey = grey + 4.0 * _noise(grey.shape, rng)
     if rng.random() < 0.06:
@@ -150,9 +151,9 @@ def _paper(ink: Floats, rng: np.random.Generator) -> Floats:
     """Brightness of a scan, a copy or a photograph."""
     ink = _printed(ink, rng)
     pale, paper = rng.uniform(0.6, 1.0), rng.uniform(215.0, 255.0)
-    grey = paper - ink * pale * paper / 255.0
+    grey: npt.NDArray[np.floating] = paper - ink * pale * paper / 255.0
     if rng.random() < 0.6:
-        grey = grey + rng.uniform(2.0, 18.0) * _clouds(grey.shape, rng.integers(80, 400), rng)
+        grey = grey + rng.uniform(2.0, 18.0) * _clouds(grey.shape, int(rng.integers(80, 400)), rng)
     if rng.random() < 0.22:
         grey = grey * _light(grey.shape, rng) * rng.uniform(0.7, 1.0)
     grey = grey + rng.choice([2.0, 5.0, 10.0, 20.0]) * _noise(grey.shape, rng)
@@ -171,19 +172,20 @@ def _printed(ink: Floats, rng: np.random.Generator) -> Floats:
     """Ink as it stands on paper: wider or narrower, with gaps and spots, not quite sharp."""
     share, square = rng.random(), np.ones((2, 2), np.uint8)
     if share < 0.15:
-        ink = cv2.erode(ink, square)
+        ink = np.asarray(cv2.erode(ink, square), dtype=np.float32)
     elif share < 0.42:
-        ink = cv2.dilate(ink, square)
+        ink = np.asarray(cv2.dilate(ink, square), dtype=np.float32)
     if rng.random() < 0.3:
         ink = _fewer_px(ink, rng.uniform(0.55, 0.95), rng)
     if rng.random() < 0.4:
-        clouds = _clouds(ink.shape, rng.integers(4, 60), rng)
+        clouds = _clouds(ink.shape, int(rng.integers(4, 60)), rng)
         faded = np.maximum(0.0, clouds - rng.uniform(0.6, 2.0)) * rng.uniform(0.3, 1.2)
         ink = ink * np.clip(1.0 - faded, 0.0, 1.0)
     if rng.random() < 0.3:
         spots = 1.0 + rng.uniform(0.05, 0.3) * _clouds(ink.shape, 2, rng)
         ink = ink * np.clip(spots, 0.0, 1.5)
-    return cv2.GaussianBlur(ink.astype(np.float32), (0, 0), rng.uniform(0.4, 1.25))
+    blurred = cv2.GaussianBlur(ink.astype(np.float32), (0, 0), rng.uniform(0.4, 1.25))
+    return np.asarray(blurred, dtype=np.float32)
 
 
 def _light(shape: tuple[int, int], rng: np.random.Generator) -> Floats:
@@ -208,7 +210,9 @@ def _specked(grey: Floats, rng: np.random.Generator) -> Floats:
     if choice < 0.15:
         levels = np.clip(grey, 0.0, 255.0).astype(np.uint8)
         return cv2.medianBlur(levels, 3).astype(np.float32)
-    return cv2.GaussianBlur(grey, (0, 0), 0.6) if choice < 0.5 else grey
+    if choice < 0.5:
+        return np.asarray(cv2.GaussianBlur(grey, (0, 0), 0.6), dtype=np.float32)
+    return grey
 
 
 def _noise(shape: tuple[int, ...], rng: np.random.Generator) -> Floats:
@@ -218,4 +222,6 @@ def _noise(shape: tuple[int, ...], rng: np.random.Generator) -> Floats:
 def _clouds(shape: tuple[int, ...], px: int, rng: np.random.Generator) -> Floats:
     """(h, w) smooth chance of deviation about 1, with spots of so many px."""
     coarse = [max(2, number // int(px) + 2) for number in shape]
-    return cv2.resize(_noise(tuple(coarse), rng), shape[::-1], interpolation=cv2.INTER_CUBIC)
+    noise = _noise(tuple(coarse), rng)
+    smooth = cv2.resize(noise, (shape[1], shape[0]), interpolation=cv2.INTER_CUBIC)
+    return np.asarray(smooth, dtype=np.float32)

@@ -1,5 +1,7 @@
 """Symbols: tolerance frames, signs of surfaces, datums, welds, where sections are cut."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -61,7 +63,9 @@ def tolerance_frame(board: Board, at: npt.ArrayLike) -> Points:
     board.thin(frame, InkClass.OTHER)
     middle, size = np.array([x + height / 2.0, y + height / 2.0]), 0.28 * height
     kind = chance.randrange(len(_SIGNS))
-    sign = [middle + size * np.array(items, dtype=np.float64) for items in _SIGNS[kind]]
+    sign: list[npt.NDArray[np.floating]] = [
+        middle + size * np.array(items, dtype=np.float64) for items in _SIGNS[kind]
+    ]
     sign += [circle(middle, size * value) for value in _ROUND_SIGNS.get(kind, ())]
     board.thin(sign, InkClass.OTHER)
     texts = [chance.choice(_TOLERANCES), *(chance.choice("ABCD") for _ in range(letters))]
@@ -140,7 +144,8 @@ def weld(board: Board, at: npt.ArrayLike) -> None:
     fillet = [((-1.0, 0.0), (-1.0, 1.6 * down), (0.7, 0.0))]
     groove = [((-1.0, 1.5 * down), (0.0, 0.0), (1.0, 1.5 * down))]
     square = [((value, 0.0), (value, 1.5 * down)) for value in (-0.3, 0.3)]
-    lines = board.chance.choice([fillet, fillet, groove, square])
+    every: list[Sequence[Sequence[tuple[float, float]]]] = [fillet, fillet, groove, square]
+    lines = board.chance.choice(every)
     board.thin([middle + size * np.array(line) for line in lines], InkClass.OTHER)
     at_text = middle + size * np.array([-2.2, down])
     board.write(board.chance.choice(_WELDS), at_text, look=board.look.times(0.9))

@@ -85,7 +85,8 @@ def text_mask(text: str, height: float, lettering: Lettering) -> Bytes:
     mask = _font_mask(text, max(8, int(capitals * _SIZE)), lettering.font)
     if lettering.squeeze != 1.0:
         width = max(2, int(mask.shape[1] * lettering.squeeze))
-        mask = cv2.resize(mask, (width, mask.shape[0]), interpolation=cv2.INTER_AREA)
+        narrow = cv2.resize(mask, (width, mask.shape[0]), interpolation=cv2.INTER_AREA)
+        mask = np.asarray(narrow, dtype=np.uint8)
     return mask
 
 
@@ -130,4 +131,5 @@ def _shaken(mask: Bytes, amount: float) -> Bytes:
         amount * cv2.resize(item, (width, height), interpolation=cv2.INTER_CUBIC)
         for item in rng.standard_normal((2, 3, knots)).astype(np.float32)
     )
-    return cv2.remap(mask, columns + right, rows + down, cv2.INTER_LINEAR)
+    bent = cv2.remap(mask, columns + right, rows + down, cv2.INTER_LINEAR)
+    return np.asarray(bent, dtype=np.uint8)

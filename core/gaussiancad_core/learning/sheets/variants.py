@@ -99,7 +99,7 @@ class _Slab:
         other = self.outline[:, 1 - axis]
         first, last = float(other.min()), float(other.max())
         visible = {round(value / self._fine): value for value in (first, last)}
-        hidden = {}
+        hidden: dict[int, float] = {}
         for corner in self.corners:
             place = float(corner[1 - axis])
             shown = not self._behind(corner, axis, sign)

@@ -67,8 +67,8 @@ def linear(board: Board, view: SheetView, levels: Levels) -> None:
             extension_line(board, edge, _at(axis, edge[axis], level))
     for first, second in pairwise(edges):
         text = ("⌀" if board.likely(0.12) else "") + number(chance)
-        ends = (_at(axis, values[axis], level) for values in (first, second))
-        dimension_line(board, *ends, text)
+        start, end = (_at(axis, values[axis], level) for values in (first, second))
+        dimension_line(board, start, end, text)
 
 
 def whole_extent(board: Board, view: SheetView, axis: int) -> None:
@@ -81,8 +81,8 @@ def whole_extent(board: Board, view: SheetView, axis: int) -> None:
         points = [point for point in view.points if abs(point[axis] - end[axis]) < 1.0]
         nearest = min(points, key=lambda values: abs(values[1 - axis] - level))
         extension_line(board, nearest, _at(axis, end[axis], level))
-    ends = (_at(axis, values[axis], level) for values in (first, last))
-    dimension_line(board, *ends, number(board.chance))
+    start, end = (_at(axis, values[axis], level) for values in (first, last))
+    dimension_line(board, start, end, number(board.chance))
 
 
 def aligned(board: Board, view: SheetView) -> None:

@@ -53,7 +53,8 @@ class SheetView:
     @cached_property
     def box(self) -> tuple[float, float, float, float]:
         """x0, y0, x1, y1."""
-        return tuple(float(item) for item in self.lines.box().ravel())
+        x0, y0, x1, y1 = (float(item) for item in self.lines.box().ravel())
+        return x0, y0, x1, y1
 
     @cached_property
     def size(self) -> npt.NDArray[np.float32]:
@@ -76,9 +77,10 @@ class SheetView:
     def moved(self, matrix: npt.NDArray[np.floating], offset: npt.ArrayLike) -> "SheetView":
         """After a turn by right angles, a mirroring and a change of size: (2, 2), and then a way
         (2,); borders follow in size and way only."""
+        way = np.asarray(offset)
         borders = tuple(
             replace(
-                border, at=float(matrix[border.axis, border.axis] * border.at + offset[border.axis])
+                border, at=float(matrix[border.axis, border.axis] * border.at + way[border.axis])
             )
             for border in self.borders
         )

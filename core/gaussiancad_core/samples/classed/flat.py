@@ -1,5 +1,7 @@
 """Features and bodies with planes across the axes only."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from gaussiancad_core.model.axes import Axis
@@ -251,7 +253,7 @@ def _point(values: list[float]) -> Point3:
 _PROFILES = (_angle, _channel, _tee, _stair, _beam, _cross)
 
 
-def profile_body(work: Work, axis: Axis, outline: list[tuple[float, float, float]]) -> int:
+def profile_body(work: Work, axis: Axis, outline: Sequence[tuple[float, float, float]]) -> int:
     """An outline across an axis, as long as the stock's box."""
     length = work.stock.size[axis.value]
     work.stock.apply(Change.ADD, extruded(axis, outline, 0.0, length))

@@ -148,7 +148,7 @@ def sampled(outline: Outline) -> Floats:
 def _rounded(outline: Outline) -> list[tuple[Floats, tuple[Floats, float] | None, Floats]]:
     """For each corner: where its arc begins, the arc's centre and radius, where it ends."""
     corners = np.array([corner[:2] for corner in outline], dtype=np.float64)
-    found = []
+    found: list[tuple[Floats, tuple[Floats, float] | None, Floats]] = []
     for index, (corner, (*_, radius)) in enumerate(zip(corners, outline, strict=True)):
         if radius <= 0.0:
             found.append((corner, None, corner))

@@ -26,6 +26,8 @@ LEVEL_FACES = (
 )  # fmt: skip
 """Fewest and most faces of a part of each level."""
 
+_FAILURES: tuple[type[Exception], ...] = (*KERNEL_FAILURES, RuntimeError)
+
 _EXTENTS = (60.0, 70.0, 80.0, 100.0, 120.0, 150.0, 180.0, 200.0, 240.0, 280.0)
 """mm of the longest edge of a body of each level, about."""
 
@@ -123,7 +125,7 @@ def _grown(recipe: _Recipe, random: np.random.Generator, level: int) -> TopoDS_S
         _grow(recipe, work)
         part = work.stock.solid()
         sound = soundness(part)
-    except (*KERNEL_FAILURES, RuntimeError):
+    except _FAILURES:
         return None
     kinds = surface_kinds(part)
     whole = sound.valid and sound.closed and sound.solids == 1

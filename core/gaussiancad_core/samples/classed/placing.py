@@ -116,11 +116,10 @@ def spread(work: Work, site: Site, faces: int) -> list[Site]:
         for low in _copies(work, site, int(way)):
             high = (low[0] + site.extent[0], low[1] + site.extent[1])
             other = work.stock.site(site.axis, site.sign, low, high, WALLS)
-            alike = (
-                other is not None
-                and (other.level, other.runs) == (site.level, site.runs)
-                and other.depth >= site.depth
-            )
+            if other is None:
+                continue
+            alike = (other.level, other.runs) == (site.level, site.runs)
+            alike = alike and other.depth >= site.depth
             if alike and len(sites) < most and all(_apart(other, placed) for placed in sites):
                 sites.append(other)
         if len(sites) > 1:

@@ -104,7 +104,7 @@ class Stock:
     """
 
     def __init__(self, size: Point3) -> None:
-        self.size = tuple(float(value) for value in size)
+        self.size: Point3 = (float(size[0]), float(size[1]), float(size[2]))
         self._cells: Cells = np.zeros(
             [round(value / CELL) + 2 * _ROOM for value in self.size], dtype=np.int8
         )
@@ -124,7 +124,7 @@ class Stock:
     def mark(self, axis: Axis, outline: Outline, span: tuple[float, float], fill: Fill) -> None:
         """Fill the cells of an outline extruded along an axis; those on its border become mixed."""
         shape = np.delete(self._cells.shape, axis.value)
-        inside, touched = _rasterised(sampled(outline), shape)
+        inside, touched = _rasterised(sampled(outline), shape.tolist())
         block = np.moveaxis(self._cells, axis.value, 0)[slice(*_cells_over(*span))]
         # Nothing changes where material is added to material, or cut from air.
         block[:, touched] = np.where(block[:, touched] == fill, fill, Fill.MIXED)

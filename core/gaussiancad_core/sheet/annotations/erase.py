@@ -85,7 +85,8 @@ def erased(sheet: CleanSheet, stated: Told) -> CleanSheet:
                 cv2.circle(erase, (int(column), int(row)), int(np.ceil(radius)), 1, -1)
     if stated.loose is not None:
         reach = 2 * int(np.ceil(0.5 * sheet.stroke_width)) + 3
-        erase |= cv2.dilate(stated.loose.astype(np.uint8), np.ones((reach, reach), np.uint8))
+        wide = cv2.dilate(stated.loose.astype(np.uint8), np.ones((reach, reach), np.uint8))
+        erase |= np.asarray(wide, dtype=np.uint8)
     part = masked(sheet, (erase == 0) | (keep > 0))
     # Crumbs: pieces that no stroke of the part runs through.
     _, labels, stats, _ = cv2.connectedComponentsWithStats(

@@ -22,6 +22,7 @@ from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
 
 Floats = npt.NDArray[np.float64]
+Pixels = npt.NDArray[np.uint8]
 
 _SLANTED = np.radians(12.0)
 """Least angle between hatching and the sheet's own directions."""
@@ -142,17 +143,18 @@ class _Family:
         """(2,) unit vector along the lines."""
         return np.array([np.cos(self.angle), np.sin(self.angle)])
 
-    def area(self, shape: tuple[int, int]) -> Mask:
+    def area(self, shape: tuple[int, ...]) -> Pixels:
         """(h, w) uint8, where the lines lie side by side."""
         lines = np.zeros(shape, np.uint8)
         for piece in self.pieces:
             start, end = np.rint(_ends(piece) * 8).astype(int).tolist()
             cv2.line(lines, start, end, 1, 1, shift=3)
-        return cv2.morphologyEx(lines, cv2.MORPH_CLOSE, self._kernel())
+        filled = cv2.morphologyEx(lines, cv2.MORPH_CLOSE, self._kernel())
+        return np.asarray(filled, dtype=np.uint8)
 
-    def around(self, area: Mask) -> Mask:
+    def around(self, area: Pixels) -> Pixels:
         """The area with the corners in which its shortest lines lie."""
-        return cv2.dilate(area, self._kernel())
+        return np.asarray(cv2.dilate(area, self._kernel()), dtype=np.uint8)
 
     def with_others(self, pieces: Sequence[_Piece], sheet: CleanSheet) -> "_Family":
         """The family with all pieces that lie beside its own, or beside one of those, and end where
@@ -181,9 +183,9 @@ class _Family:
             new = np.flatnonzero(near & fitting & ~member)
             member[new] = True
             waiting.extend(new)
-        return replace(self, pieces=tuple(pieces[k] for k in np.flatnonzero(member)))
+        return replace(self, pieces=tuple(pieces[k] for k in np.flatnonzero(member).tolist()))
 
-    def mistaken(self, shapes: Sequence[InkedShape], area: Mask) -> set[tuple[int, int]]:
+    def mistaken(self, shapes: Sequence[InkedShape], area: Pixels) -> set[tuple[int, int]]:
         """Keys of short runs of other shapes that lie along the lines in an area: flat arcs."""
         found = set()
         for k, shape in enumerate(shapes):
@@ -203,9 +205,10 @@ class _Family:
         turns = (points @ normal - self.offset) / self.pitch
         return np.abs(turns - np.round(turns)) * self.pitch < max(_FREE_PX, _UNEVEN * self.pitch)
 
-    def _kernel(self) -> Mask:
+    def _kernel(self) -> Pixels:
         reach = 2 * int(np.ceil(_REACH * self.pitch)) + 1
-        return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach))
+        kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach))
+        return np.asarray(kernel, dtype=np.uint8)
 
 
 def find_hatching(
@@ -372,7 +375,7 @@ def _usual(distances: Floats) -> float:
 
 def _ends(piece: _Piece) -> Floats:
     """(2, 2) px of both ends."""
-    line = piece.shape.geometry
+    line = piece.shape.line
     return np.array([line.at(piece.run.start), line.at(piece.run.end)])
 
 
@@ -397,7 +400,7 @@ def _ending(pieces: Sequence[_Piece], sheet: CleanSheet) -> float:
     return float(np.mean(passed))
 
 
-def _marks(area: Mask) -> tuple[Mark, ...]:
+def _marks(area: Pixels) -> tuple[Mark, ...]:
     _, _, stats, _ = cv2.connectedComponentsWithStats(area.astype(np.uint8), connectivity=8)
     return tuple(
         Mark(AnnotationKind.HATCHING, (float(x), float(y), float(x + w), float(y + h)))

@@ -42,12 +42,21 @@ class InkedShape:
     geometry: Line | Circle
     runs: tuple[InkedRun, ...]
 
+    @property
+    def line(self) -> Line:
+        """Its geometry, of a straight one."""
+        if not isinstance(self.geometry, Line):
+            raise ValueError("the shape is not straight")
+        return self.geometry
+
 
 def inked_shape(
     sheet: CleanSheet, field: InkField, ridges: RidgePoints, grown: Grown
 ) -> InkedShape:
     """Cut a shape into its runs and measure them."""
     geometry = grown.geometry
+    if not isinstance(geometry, Line | Circle):
+        raise ValueError("the shape is no line or circle")
     if isinstance(geometry, Line):
         along, _ = geometry.coordinates(ridges.points[grown.members])
         runs = line_runs(field, geometry, along.min() - _BEYOND, along.max() + _BEYOND)

@@ -72,13 +72,13 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     )
     spans[0] = False
     boxed = _boxed(labels, stats, np.flatnonzero(spans), ink.shape)
-    for label in np.flatnonzero(spans & ~boxed):
+    for label in np.flatnonzero(spans & ~boxed).tolist():
         around = _middle_of((0, 0, width, height))
         if not _contains_all(closed, stats[label]):
             # The paper's own middle, not the piece's: a long view has an empty one, too.
             spans[label] = _share_in(labels, stats[label], label, around) < _IN_MIDDLE
             continue
-        middle = _middle_of(tuple(int(value) for value in stats[label, :4]))
+        middle = _middle_of(_box_of(stats[label]))
         spans[label] = _share_in(labels, stats[label], label, middle) < _IN_MIDDLE
     if not spans.any():
         return None
@@ -110,6 +110,12 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     return Frame(drawing_area, tuple(marks))
 
 
+def _box_of(facts: np.ndarray) -> tuple[int, int, int, int]:
+    """Left, top, width and height of what OpenCV states of a piece."""
+    left, top, width, height = (int(value) for value in facts[:4])
+    return left, top, width, height
+
+
 def _boxed(
     labels: np.ndarray, stats: np.ndarray, spanning: np.ndarray, shape: tuple[int, int]
 ) -> np.ndarray:
@@ -119,7 +125,7 @@ def _boxed(
     low, extents = stats[:, :2], stats[:, 2:4]
     size = np.array(shape[::-1])
     for label in spanning:
-        middle = _middle_of(tuple(int(value) for value in stats[label, :4]))
+        middle = _middle_of(_box_of(stats[label]))
         if _share_in(labels, stats[label], int(label), middle) >= _IN_MIDDLE:
             continue
         for way in (0, 1):

@@ -76,7 +76,7 @@ def _dot(
 
 
 def _lightest(
-    ink: npt.NDArray[np.float64], along: npt.NDArray[np.float64], start: float, end: float
+    ink: npt.NDArray[np.float32], along: npt.NDArray[np.float64], start: float, end: float
 ) -> float:
     """The least ink between two places; 1 where nothing is between them."""
     between = ink[(along > start) & (along < end)]
@@ -88,7 +88,7 @@ def _ink(
     geometry: Line | Circle,
     along: npt.NDArray[np.float64],
     across: npt.NDArray[np.float64],
-) -> npt.NDArray[np.float64]:
+) -> npt.NDArray[np.float32]:
     """(n, m) ink at positions along a shape and distances across it."""
     points, tangents = geometry.points_at(along), geometry.tangents_at(along)
     xs = points[:, :1] - tangents[:, 1:] * across

@@ -113,7 +113,10 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
     for stroke in strokes:
         if stroke.kind is not StrokeKind.FILL or not isinstance(stroke.curve, Chain):
             continue
-        x0, y0, x1, y1 = bounds([stroke.curve])
+        box = bounds([stroke.curve])
+        if box is None:
+            continue
+        x0, y0, x1, y1 = box
         size = max(x1 - x0, y1 - y0)
         # Most of what is filled are letters: no place counts twice among their points.
         points = np.array(list(dict.fromkeys(stroke.curve.points)))

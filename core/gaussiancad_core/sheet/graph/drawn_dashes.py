@@ -64,7 +64,8 @@ def dashes(
         total = int((chosen & (numbers == pen)).sum())
         if len(values) < max(_FEWEST, _MOST * total):
             continue
-        going_on = _go_on(touches.ends[values], np.array([strokes[i].curve.length for i in values]))
+        lengths = np.array([strokes[index].curve.length for index in values.tolist()])
+        going_on = _go_on(touches.ends[values], lengths)
         if going_on.sum() >= _MOST * total:
             found[values] = True
     return found
@@ -87,7 +88,7 @@ def chain_pieces(strokes: Sequence[VectorStroke], touches: Touches, chosen: Flag
     if len(values) < _LINKS:
         return found
     ends = touches.ends[values]
-    lengths = np.array([strokes[index].curve.length for index in values])
+    lengths = np.array([strokes[index].curve.length for index in values.tolist()])
     nearest, on = _next_pieces(ends, lengths)
     first = np.argmax(on, axis=1)
     linked = on.any(axis=1)
@@ -118,7 +119,8 @@ def _is_chain(lengths: Floats) -> bool:
 
 def _go_on(ends: Floats, lengths: Floats) -> Flags:
     """(n,) which pieces with (n, 2, 2) ends go on, after a gap, in another one."""
-    return _next_pieces(ends, lengths)[1].any(axis=1).reshape(-1, 2).any(axis=1)
+    _, on = _next_pieces(ends, lengths)
+    return np.any(np.any(on, axis=1).reshape(-1, 2), axis=1)
 
 
 def _next_pieces(ends: Floats, lengths: Floats) -> tuple[Ints, Flags]:

@@ -8,6 +8,8 @@ read it.
 
 from collections.abc import Iterable, Sequence
 
+import numpy as np
+
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke, bounds
 from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.graph.stroke_groups import grouped
@@ -38,7 +40,7 @@ def drawn_lines_of_writing(
     letters = list(filled)
     if annotations.any():
         groups = grouped(touches, annotations)
-        free = groups.sums(touches.met_by(~annotations).any(axis=1)) == 0
+        free = groups.sums(np.any(touches.met_by(~annotations), axis=1)) == 0
         small = groups.sizes.max(axis=1) <= tallest
         letters += [(x0, y0, x1, y1) for x0, y0, x1, y1 in groups.boxes[small & free].tolist()]
     return written_lines(letters, _PITCH)

@@ -81,7 +81,7 @@ def furniture(
         found[_boxed_frames(groups, closed, divided, touches, size)] = True
         longest = groups.most(touches.boxes[:, 2:] - touches.boxes[:, :2])
         spans = (longest >= _SPAN * np.array(size)).all(axis=1) & _fill(groups.boxes, size)
-        for group in np.flatnonzero(spans | divided):
+        for group in np.flatnonzero(spans | divided).tolist():
             lines = groups.members(group)
             written = divided[group] and _written_cells(touches.boxes[lines], middles) >= _CELLS
             if spans[group] and not has_paper:
@@ -137,8 +137,7 @@ def _around(boxes: Floats) -> Floats:
 def _fill(boxes: Floats, size: tuple[int, int]) -> Flags:
     """(k,) which boxes reach to the margins of the sheet, on all four sides."""
     margin = _MARGIN * np.array(size)
-    found: Flags = ((boxes[:, :2] <= margin) & (boxes[:, 2:] >= size - margin)).all(axis=1)
-    return found
+    return np.all((boxes[:, :2] <= margin) & (boxes[:, 2:] >= size - margin), axis=1)
 
 
 def _is_level(stroke: VectorStroke) -> bool:

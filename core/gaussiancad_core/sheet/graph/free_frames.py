@@ -131,7 +131,7 @@ def _by_views(box: Floats, rest: Flags, touches: Touches, *, has_margins: bool) 
     # Those of plates on edge are thin, and have no edges within.
     views |= closed & _in_rows(groups.boxes, views)
     held = np.zeros(len(views), dtype=bool)
-    for view in np.flatnonzero(views):
+    for view in np.flatnonzero(views).tolist():
         held |= _within_other(groups.boxes, view)
     if (closed & ~views & ~held).any():
         return _Surety.NONE
@@ -142,7 +142,7 @@ def _holding(groups: Groups, some: Flags, closed: Flags) -> Flags:
     """(k,) which of some groups have other closed ones within them; circles around one middle are a
     hole with a counterbore or countersink."""
     found = np.zeros(len(some), dtype=bool)
-    for number in np.flatnonzero(some):
+    for number in np.flatnonzero(some).tolist():
         held = closed & _within_other(groups.boxes, number)
         if groups.counts[number] == 1:
             middles = groups.boxes[:, :2] + groups.boxes[:, 2:]

@@ -70,7 +70,7 @@ def _is_in_line(box: Box, other: Box) -> bool:
 
 
 def _lines(strokes: Sequence[VectorStroke], chosen: Flags) -> Lines:
-    curves = [strokes[index].curve for index in np.flatnonzero(chosen)]
+    curves = [strokes[index].curve for index in np.flatnonzero(chosen).tolist()]
     ends = np.array([(c.start, c.end) for c in curves if isinstance(c, Line)]).reshape(-1, 2, 2)
     way = ends[:, 1] - ends[:, 0]
     return Lines(np.arctan2(way[:, 1], way[:, 0]) % np.pi, np.hypot(*way.T), ends)

@@ -40,7 +40,8 @@ class Groups:
     def sums(self, values: Floats | Flags) -> Floats:
         """(k,) sums over the strokes of each group of (n,) values."""
         chosen = self.places >= 0
-        return np.bincount(self.places[chosen], values[chosen], minlength=len(self.counts))
+        found = np.bincount(self.places[chosen], values[chosen], minlength=len(self.counts))
+        return np.asarray(found, dtype=np.float64)
 
     def means(self, values: Floats | Flags) -> Floats:
         """(k,) the same over their number."""
@@ -74,5 +75,4 @@ def grouped(touches: Touches, chosen: Flags) -> Groups:
 def within(boxes: Floats, around: Floats) -> Flags:
     """(n,) which of (n, 4) boxes lie within another."""
     inside = (boxes[:, :2] >= around[:2] - EVEN) & (boxes[:, 2:] <= around[2:] + EVEN)
-    found: Flags = inside.all(axis=1)
-    return found
+    return np.all(inside, axis=1)

@@ -81,7 +81,11 @@ def without_tangent_edges(
         for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0])
     }
     across = [
-        [stroke for stroke in view.strokes if _is_tangent(stroke, view, known, near)]
+        [
+            stroke
+            for stroke in view.strokes
+            if isinstance(stroke, Segment) and _is_tangent(stroke, view, known, near)
+        ]
         for view in plain
     ]
     if not _are_drawn(plain, across, known, near):
@@ -153,10 +157,8 @@ def _between_smooth(view: ReadView, near: float) -> list[Segment]:
 
 
 def _is_tangent(
-    stroke: Stroke, view: ReadView, known: dict[tuple[Role, Axis], _Junctions], near: float
+    stroke: Segment, view: ReadView, known: dict[tuple[Role, Axis], _Junctions], near: float
 ) -> bool:
-    if not isinstance(stroke, Segment):
-        return False
     for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0]):
         at = _place(stroke, view, axis)
         if at is None or not near < at < _extent(view, axis) - near:
@@ -236,7 +238,8 @@ def _is_one(strokes: Sequence[Stroke]) -> bool:
 def _ends(strokes: Sequence[Stroke]) -> tuple[Floats, Floats]:
     """(2n, 2) ends of strokes, and directions of length 1 that lead on beyond them; whole circles
     have none of either: (nan, nan)."""
-    ends, ways = [], []
+    ends: list[Floats] = []
+    ways: list[Floats] = []
     for stroke in strokes:
         if isinstance(stroke, Segment):
             first, last = np.array(stroke.start), np.array(stroke.end)

@@ -68,7 +68,7 @@ class Touches:
         away = np.hypot(*np.moveaxis(self.ends[other] - place[:, None], 2, 0)).min(axis=1)
         found = np.zeros(2 * len(self.ends), dtype=bool)
         found[end[away > self.reach]] = True
-        return found.reshape(-1, 2).all(axis=1)
+        return np.all(found.reshape(-1, 2), axis=1)
 
     def groups(self, chosen: Flags) -> Ints:
         """(n,) numbers of groups of chosen strokes that touch; -1 of those not chosen."""

@@ -101,7 +101,7 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
     """
     ink = _threshold(grey)
     if median_kernel:
-        filtered = _threshold(cv2.medianBlur(grey, median_kernel))
+        filtered = _threshold(np.asarray(cv2.medianBlur(grey, median_kernel), dtype=np.uint8))
         ink = _without_specks(ink, filtered)
     share = float(ink.mean())
     if share < 1e-5:

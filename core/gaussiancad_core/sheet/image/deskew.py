@@ -129,7 +129,7 @@ def find_turn(directions: Floats, lengths: Floats, shape: tuple[int, int]) -> Tu
 def grown_lines(shapes: Sequence[Grown]) -> tuple[Floats, Floats]:
     """(n, 2) directions and (n,) lengths in px of the straight ones of shapes found in pixels."""
     lines = [shape for shape in shapes if isinstance(shape.geometry, Line)]
-    directions = np.array([line.geometry.direction for line in lines]).reshape(-1, 2)
+    directions = np.array([line.line.direction for line in lines]).reshape(-1, 2)
     return directions, np.array([len(line.members) for line in lines], dtype=np.float64)
 
 

@@ -85,7 +85,7 @@ def with_pale(weight: npt.NDArray[np.float32], ink: Mask) -> npt.NDArray[np.floa
 
 def _around(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     """(h, w) the largest weight within two pixels of each."""
-    return cv2.dilate(weight, np.ones((5, 5), np.float32))
+    return np.asarray(cv2.dilate(weight, np.ones((5, 5), np.float32)), dtype=np.float32)
 
 
 def _across(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:

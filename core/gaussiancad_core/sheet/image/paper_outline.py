@@ -59,7 +59,7 @@ class PaperOutline:
         width = max(1, round(_EDGE * max(shape)))
         # Beyond the picture's own border there may be more paper.
         kernel = np.ones((2 * width + 1, 2 * width + 1), np.uint8)
-        return cv2.erode(found, kernel)
+        return np.asarray(cv2.erode(found, kernel), dtype=np.uint8)
 
 
 def paper_outline(grey: npt.NDArray[np.uint8]) -> PaperOutline | None:
@@ -108,5 +108,8 @@ def _small(grey: npt.NDArray[np.uint8]) -> tuple[npt.NDArray[np.uint8], npt.NDAr
     closed = cv2.morphologyEx(inked, cv2.MORPH_CLOSE, kernel)
     factor = min(1.0, _SMALL / max(closed.shape))
     size = (max(1, round(closed.shape[1] * factor)), max(1, round(closed.shape[0] * factor)))
-    both = [cv2.resize(item, size, interpolation=cv2.INTER_AREA) for item in (inked, closed)]
-    return both[0], both[1]
+    plain, blank = (
+        np.asarray(cv2.resize(item, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
+        for item in (inked, closed)
+    )
+    return plain, blank

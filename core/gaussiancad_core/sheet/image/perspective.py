@@ -105,7 +105,7 @@ def segments_of(grey: npt.NDArray[np.uint8]) -> Segments:
     factor = min(1.0, _LONGEST / max(grey.shape))
     if factor < 1.0:
         size = (round(width * factor), round(height * factor))
-        grey = cv2.resize(grey, size, interpolation=cv2.INTER_AREA)
+        grey = np.asarray(cv2.resize(grey, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
     found = cv2.createLineSegmentDetector().detect(grey)[0]
     ends = np.zeros((0, 2, 2)) if found is None else found.reshape(-1, 2, 2).astype(np.float64)
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)

@@ -87,7 +87,8 @@ class Straightened:
         if not self.true_width:
             template += ", and how wide it is for its height may be some per cent off"
             values["case"] = "width"
-        return Note(Code.PHOTOGRAPHED_AT_A_SLANT, Message(template, **values), is_doubt=True)
+        said = Message(template, boxes=(), **values)
+        return Note(Code.PHOTOGRAPHED_AT_A_SLANT, said, is_doubt=True)
 
 
 def straightened(grey: Grey, tint: Grey | None) -> Straightened | None:
@@ -144,7 +145,7 @@ def _covered(grey: Grey, mask: Grey) -> Grey:
 
 def _only_on(mask: Grey, tint: Grey | None) -> Grey | None:
     """The colours of what is on the paper."""
-    return None if tint is None else cv2.bitwise_and(tint, tint, mask=mask)
+    return None if tint is None else np.asarray(cv2.bitwise_and(tint, tint, mask=mask), np.uint8)
 
 
 def _cut_out(whole: Straightened) -> Straightened:
@@ -168,9 +169,9 @@ def _evenly_lit(grey: Grey, mask: Grey) -> Grey:
     kernel = np.ones((PICTURE_REACH, PICTURE_REACH), np.uint8)
     closed = cv2.morphologyEx(cv2.GaussianBlur(small, (0, 0), 1.0), cv2.MORPH_CLOSE, kernel)
     share = smaller(mask).astype(np.float32) / np.float32(255.0)
-    blur = (0, 0), PICTURE_REACH / 2
-    lit = cv2.GaussianBlur(closed * share, *blur)
-    lit /= np.maximum(cv2.GaussianBlur(share, *blur), np.float32(1e-3))
+    sigma = PICTURE_REACH / 2
+    lit = np.asarray(cv2.GaussianBlur(closed * share, (0, 0), sigma), dtype=np.float32)
+    lit /= np.maximum(cv2.GaussianBlur(share, (0, 0), sigma), np.float32(1e-3))
     light = np.maximum(enlarged(lit, (grey.shape[1], grey.shape[0])), np.float32(1.0))
     even = np.minimum(grey * (np.float32(255.0) / light), np.float32(255.0)).astype(np.uint8)
     even[mask == 0] = 255
@@ -203,9 +204,9 @@ def _seen_from_above(
     if width * height > min(_LARGER * picture.size, MAX_PIXELS):
         return None
     moved = to_picture @ np.array([[1.0, 0.0, low[0]], [0.0, 1.0, low[1]], [0.0, 0.0, 1.0]])
-    return cv2.warpPerspective(
-        picture, moved, (width, height), flags=way | cv2.WARP_INVERSE_MAP, borderValue=blank
-    )
+    flags = way | cv2.WARP_INVERSE_MAP
+    shown = cv2.warpPerspective(picture, moved, (width, height), flags=flags, borderValue=blank)
+    return np.asarray(shown, dtype=np.uint8)
 
 
 def _paper_wider(outline: PaperOutline | None, to_picture: Floats) -> float | None:

@@ -62,7 +62,7 @@ def proportion(grey: npt.NDArray[np.uint8]) -> float | None:
     return float(np.exp(np.average(np.log(values[best]), weights=radii[best])))
 
 
-def _oval(points: npt.NDArray[np.int32]) -> _Oval | None:
+def _oval(points: npt.NDArray[np.integer | np.floating]) -> _Oval | None:
     """The ellipse that an outline is, if it is one and nearly a circle."""
     extent = np.ptp(points, axis=0) if len(points) else np.zeros(2)
     if len(points) < 2.0 * _LEAST or extent.min() < _LEAST:

@@ -140,7 +140,7 @@ def _at_working_scale(image: SheetImage) -> SheetImage:
     reduction = width / size[0]
     tint = image.tint
     if tint is not None:
-        tint = cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST)
+        tint = np.asarray(cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST), dtype=np.uint8)
     notes = image.notes
     if most < min(wanted, 1.0):
         message = Message(

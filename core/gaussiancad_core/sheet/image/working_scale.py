@@ -93,7 +93,7 @@ def resampled(grey: npt.NDArray[np.uint8], size: tuple[int, int]) -> npt.NDArray
         size: width and height in px.
     """
     way = cv2.INTER_AREA if size[0] < grey.shape[1] else cv2.INTER_LANCZOS4
-    return cv2.resize(grey, size, interpolation=way)
+    return np.asarray(cv2.resize(grey, size, interpolation=way), dtype=np.uint8)
 
 
 def _darkness(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32] | None:

@@ -98,8 +98,8 @@ class LabelledRun:
         log_p[ink] = _NEVER
         margin = float(part_odds(log_p[None])[0])
         ink = likeliest(log_p, margin > 0.0)
-        stated = {"why": Evidence.FIGURE, "support": None}
-        return replace(self, ink=ink, margin=margin, log_p=log_p, **stated)
+        why = Evidence.FIGURE
+        return replace(self, ink=ink, margin=margin, log_p=log_p, why=why, support=None)
 
     def otherwise(self) -> InkClass:
         """The likeliest class of the other group: what it would be if the decision is wrong."""

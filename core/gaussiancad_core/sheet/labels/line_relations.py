@@ -78,8 +78,11 @@ def _meetings(points: Sequence[Floats], reach: float) -> list[tuple[list[int], l
     firsts = tree.query_ball_point(np.array([point[0] for point in points]), reach)
     lasts = tree.query_ball_point(np.array([point[-1] for point in points]), reach)
     return [
-        tuple(sorted(set(owner[near].tolist()) - {k}) for near in both)
-        for k, both in enumerate(zip(firsts, lasts, strict=True))
+        (
+            sorted(set(owner[near_first].tolist()) - {k}),
+            sorted(set(owner[near_last].tolist()) - {k}),
+        )
+        for k, (near_first, near_last) in enumerate(zip(firsts, lasts, strict=True))
     ]
 
 

@@ -49,8 +49,11 @@ def meeting(first: Round | Slant, second: Round | Slant, touch: float) -> list[P
         return _line_line(first.line, second.line)
     if isinstance(first, Round) and isinstance(second, Round):
         return _circle_circle(first, second, touch)
-    line = first.line if isinstance(first, Slant) else second.line
-    circle = first if isinstance(first, Round) else second
+    if isinstance(first, Slant):
+        first, second = second, first
+    assert isinstance(first, Round)
+    assert isinstance(second, Slant)
+    circle, line = first, second.line
     along, across = (float(v[0]) for v in line.coordinates(np.array([circle.centre])))
     if abs(abs(across) - circle.radius) <= touch:
         return [line.at(along)]

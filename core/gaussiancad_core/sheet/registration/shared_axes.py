@@ -100,9 +100,9 @@ def share_axes(views: Sequence[PlaneView]) -> SharedAxes:
     shifted = tuple(
         ViewMap(
             view_map.gain,
-            tuple(
-                shift - unknowns.zero[axis]
-                for shift, (axis, _) in zip(view_map.shift, view.axes, strict=True)
+            (
+                view_map.shift[0] - unknowns.zero[view.axes[0][0]],
+                view_map.shift[1] - unknowns.zero[view.axes[1][0]],
             ),
         )
         for view_map, view in zip(maps, views, strict=True)
@@ -355,11 +355,10 @@ def _settled(
             point = np.array(support.line.point) - zeros
             line = replace(support.line, point=(float(point[0]), float(point[1])))
             return replace(support, line=line)
-        return replace(
-            support,
-            centre=(at(number, 0), at(number, 1)),
-            radius=unknowns.radius(index, number),
-        )
+        x, y = at(number, 0), at(number, 1)
+        if x is None or y is None:
+            raise ValueError("a circle has no coordinates")
+        return replace(support, centre=(x, y), radius=unknowns.radius(index, number))
 
     levels = tuple(np.sort(sign * unknowns.levels[axis]) for axis, sign in view.axes)
     grid = Grid((levels[0], levels[1]), view.precision)
@@ -388,8 +387,8 @@ def _translated(stroke: Stroke, by: Floats) -> Stroke:
 
 def _centred(stroke: Ellipse, grid: Grid) -> Ellipse:
     """An ellipse with its centre at the coordinates that are near."""
-    centre = tuple(
+    x, y = (
         grid.snapped(direction, stroke.centre[direction], grid.precision.limits.apart)
         for direction in (0, 1)
     )
-    return replace(stroke, centre=centre)
+    return replace(stroke, centre=(x, y))

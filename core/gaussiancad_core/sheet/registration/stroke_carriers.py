@@ -146,8 +146,10 @@ class _Firsts:
 
     def add(self, number: int, stroke: Arc | Segment) -> None:
         """Take the first stroke of a group."""
-        is_arc = isinstance(stroke, Arc)
-        row = (*stroke.centre, stroke.radius, 0.0) if is_arc else (*stroke.start, *stroke.end)
+        if isinstance(stroke, Arc):
+            row = (*stroke.centre, stroke.radius, 0.0)
+        else:
+            row = (*stroke.start, *stroke.end)
         self._rows[len(self.numbers)] = row
         self.numbers.append(number)
 

@@ -148,7 +148,13 @@ def _vertices(strokes: SupportedStrokes, precision: Precision) -> list[Vertex]:
     return [
         Vertex(
             tuple(keys[i] for i in held),
-            tuple(dict.fromkeys([*(strokes.of[keys[i][0]] for i in held), *crossing])),
+            tuple(
+                dict.fromkeys(
+                    number
+                    for number in (*(strokes.of[keys[i][0]] for i in held), *crossing)
+                    if number is not None
+                )
+            ),
             (float(places[number][0]), float(places[number][1])),
         )
         for (number, held), crossing in zip(members.items(), through, strict=True)
@@ -199,17 +205,16 @@ def _place(vertex: Vertex, strokes: SupportedStrokes, grid: Grid, slanted: bool)
         return fixed[0], fixed[1]
     circles = [s for s in supports if isinstance(s, Round)]
     slants = [s for s in supports if isinstance(s, Slant)]
-    direction = next((i for i in (0, 1) if fixed[i] is not None), None)
-    if direction is None:
+    known = next(((i, value) for i, value in enumerate(fixed) if value is not None), None)
+    if known is None:
         place = _crossing(circles, slants, vertex.place, grid)
     else:
-        value = fixed[direction]
-        place = _on_axis_line(direction, value, [*circles, *slants], vertex.place, grid)
+        place = _on_axis_line(*known, [*circles, *slants], vertex.place, grid)
     if slanted or not slants or place is None:
         return place
     if circles:
         # A slanted line that touches a circle is laid along it first.
-        return place if direction is not None else None
+        return place if known is not None else None
     reach = grid.precision.limits.apart
     snapped = grid.snapped(0, place[0], reach), grid.snapped(1, place[1], reach)
     return snapped if snapped != place else None
@@ -219,7 +224,7 @@ def _crossing(
     circles: Sequence[Round], slants: Sequence[Slant], place: Point, grid: Grid
 ) -> Point | None:
     """Where circles and slanted lines meet; None if there are none."""
-    both = [*circles, *slants]
+    both: list[Round | Slant] = [*circles, *slants]
     points = [
         point
         for i, first in enumerate(both)
@@ -291,11 +296,13 @@ def _relaid(
         grid: coordinates for ends that nothing else tells.
     """
     slant = supported_strokes.supports[number]
+    if not isinstance(slant, Slant):
+        raise ValueError("the support is no slanted line")
     strokes, own_vertices = on_it
     raw = np.array([point for s in strokes for point in (end_points(s) or ())])
     along, _ = slant.line.coordinates(raw)
     first, last = raw[int(np.argmin(along))], raw[int(np.argmax(along))]
-    held = []
+    held: list[tuple[Point, float]] = []
     for end in (first, last):
         vertex, place = min(
             own_vertices, key=lambda pair: float(np.hypot(*np.subtract(pair[0].place, end)))
@@ -303,7 +310,7 @@ def _relaid(
         circles = (supported_strokes.supports[index] for index in vertex.supports)
         touched = _touched(circles, slant.line, grid.touch)
         held.append(touched or (place or _foot(slant, (float(end[0]), float(end[1]))), 0.0))
-    line = _tangent(*held, slant.line)
+    line = _tangent(held[0], held[1], slant.line)
     if line is None or line.distances(raw).max() > grid.precision.ends:
         return slant
     return Slant(line, slant.weight)

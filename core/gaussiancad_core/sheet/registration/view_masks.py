@@ -116,7 +116,7 @@ def find_outline(
     best: Outline | None = None
     for closed, filled in _fillings(ink, factor):
         # By the ink as it is: closing fills what is between two edges close beside each other.
-        within = cv2.distanceTransform(filled, cv2.DIST_L2, 5)
+        within = np.asarray(cv2.distanceTransform(filled, cv2.DIST_L2, 5), dtype=np.float32)
         half = _outline_width(ink, within) / 2 if filled.any() else 0.0
         # Distances count from the first pixel outside, half a pixel beyond the edge.
         inside = within - 0.5
@@ -144,8 +144,8 @@ def _fillings(
         # A square fills a corner; past two ends a step apart it finds a way, a disc does not.
         for form in (cv2.MORPH_RECT, cv2.MORPH_ELLIPSE):
             kernel = cv2.getStructuringElement(form, (reach, reach))
-            closed = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, kernel)
-            closed = np.ascontiguousarray(closed[inner])
+            whole = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, kernel)
+            closed = np.ascontiguousarray(whole[inner], dtype=np.uint8)
             filled = np.zeros_like(ink)
             contours, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
             cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)

@@ -30,7 +30,7 @@ def section_kind(hatched: Mask, box: Box) -> SpecialKind | None:
     window = hatched[y0:y1, x0:x1]
     if not window.size or window.mean() < _LEAST:
         return None
-    spans = [_span(window.any(axis=axis)) for axis in (0, 1)]
+    spans = [_span(np.any(window, axis=axis)) for axis in (0, 1)]
     if all(high - low > _WHOLE for low, high in spans):
         return SpecialKind.SECTION
     for pair, other in (spans, spans[::-1]):

@@ -23,6 +23,7 @@ from gaussiancad_core.sheet.views.captioned_views import Caption, captioned, tol
 from gaussiancad_core.sheet.views.role_score import Drawings, arrange
 from gaussiancad_core.sheet.views.sheet_layout import (
     Layout,
+    ProjectionSource,
     find_clusters,
     lone_layout,
     view_clusters,
@@ -82,11 +83,13 @@ def find_named_layout(
         separated = _restored(sheet.clean, separated, broken)
         clusters = [box for box in clusters if box not in broken.halves] + [broken.box]
     separated, clusters, halves = _completed(separated, clusters)
+    hatched = separated.hatched
     cut = _sections(separated, clusters)
     layout = _arranged(clusters, cut, request, separated.part.ink)
     special = [
-        SpecialView(kind, box, box in layout.boxes.values(), hatched_box(separated.hatched, box))
+        SpecialView(kind, box, box in layout.boxes.values(), hatched_box(hatched, box))
         for box, kind in cut.items()
+        if hatched is not None
     ]
     rest = [box for box in layout.left_out if box not in cut]
     if separated.strokes_known is not None:
@@ -117,11 +120,10 @@ def find_named_layout(
 
 def _askew(separated: SeparatedSheet) -> list[SpecialView]:
     """Pictorials and auxiliary views, told by their ink."""
-    if separated.askew is None:
+    stated = separated.strokes_known
+    if separated.askew is None or stated is None:
         return []
-    kinds = {
-        box: special_kind(separated.strokes_known, box) for box in find_clusters(separated.askew)
-    }
+    kinds = {box: special_kind(stated, box) for box in find_clusters(separated.askew)}
     return [SpecialView(kind, box) for box, kind in kinds.items() if kind is not None]
 
 
@@ -210,7 +212,7 @@ def _named(named: dict[Role, Box], clusters: list[Box], projection: Projection |
     """The layout where captions name the views: their places tell the projection."""
     rest = tuple(box for box in clusters if box not in named.values())
     stated_projection = projection or told_projection(named)
-    source = "inferred" if projection is None else "given"
+    source: ProjectionSource = "inferred" if projection is None else "given"
     return Layout(named, stated_projection or Projection.THIRD, source, (), rest)
 
 

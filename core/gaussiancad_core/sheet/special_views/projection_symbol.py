@@ -18,8 +18,9 @@ def find_symbol(sheet: OpenedSheet, *, pictured: bool = False) -> ProjectionSymb
     drawing = image.vectors
     on_paper = image.pixels_per_inch is not None and (drawing is None or drawing.has_paper)
     largest = largest_symbol(sheet.shape, image.pixels_per_inch if on_paper else None)
-    stated = drawing is not None and drawing.strokes and not sheet.turn.angle
-    found = stroke_symbol(drawing, largest) if stated else None
-    if found is None and (not stated or (pictured and not drawing.complete)):
+    if drawing is None or not drawing.strokes or sheet.turn.angle:
+        return pixel_symbol(sheet.clean, largest)
+    found = stroke_symbol(drawing, largest)
+    if found is None and pictured and not drawing.complete:
         return pixel_symbol(sheet.clean, largest)
     return found

@@ -71,8 +71,8 @@ def _from_corners(mark: Mark) -> Mark:
 
 def _ends(shape: Grown, ridges: RidgePoints) -> Floats:
     """(2, 2) px, ends of a straight line, centres of pixels at integers."""
-    along, _ = shape.geometry.coordinates(ridges.points[shape.members])
-    line = shape.geometry
+    line = shape.line
+    along, _ = line.coordinates(ridges.points[shape.members])
     return np.array([line.at(float(along.min())), line.at(float(along.max()))])
 
 
@@ -110,7 +110,7 @@ def _is_closed(ends: Ends, weight: npt.NDArray[np.float32]) -> bool:
     """Whether both ends of a cone are inked."""
     centre = np.array(ends.circle.centre)
     for along, across in zip(ends.along, ends.across, strict=True):
-        steps = np.linspace(*across, 24)[2:-2, None] * ends.crosswise
+        steps = np.linspace(across[0], across[1], 24)[2:-2, None] * ends.crosswise
         inked = 0.0
         # The bar may stand a little off the ends that were found of its sides.
         for shift in np.arange(-3.0, 3.5, 0.5):

@@ -14,9 +14,9 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.infinite_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
-from gaussiancad_core.sheet.tracing.junctions import Placed
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 
 Floats = npt.NDArray[np.float64]
@@ -147,7 +147,9 @@ def _inked(line: Line, points: Floats, sheet: CleanSheet) -> npt.NDArray[np.bool
     return item - neighbour > _DARKER
 
 
-def _weights(points: Floats, offsets: Floats, normal: Floats, sheet: CleanSheet) -> Floats:
+def _weights(
+    points: Floats, offsets: Floats, normal: Floats, sheet: CleanSheet
+) -> npt.NDArray[np.float32]:
     """(n, m) weights of the ink at points, shifted by offsets along a normal."""
     places = points[:, None] + offsets[None, :, None] * normal
     return sample(sheet.weight, places[..., 0], places[..., 1])

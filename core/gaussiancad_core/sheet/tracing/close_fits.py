@@ -18,9 +18,10 @@ from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.close_strands import Strand, find_bundles, scaled
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, runs_of_ink
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
-from gaussiancad_core.sheet.tracing.junctions import Placed, is_full_circle
+from gaussiancad_core.sheet.tracing.junctions import is_full_circle
 from gaussiancad_core.sheet.tracing.leftover import dash_pen
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.pen_profile import Pen, visible_pen
@@ -218,7 +219,7 @@ def _pixels(
     for strand in bundle:
         for tip in (tip for dash in strand.dashes or () for tip in dash):
             # A dash leaves off within a few px.
-            along, across = strand.geometry.coordinates(pixels)
+            along, across = strand.line.coordinates(pixels)
             pixels = pixels[(np.abs(along - tip) > _FADES) | (np.abs(across) > clear)]
         for piece in strand.pieces:
             if is_full_circle(strand.geometry, piece):

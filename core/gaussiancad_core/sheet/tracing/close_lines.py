@@ -82,7 +82,7 @@ def with_close_lines(sheet: CleanSheet, lines: list[Line]) -> tuple[list[Line], 
 
 def _fine(grown: Grown, ridges: RidgePoints) -> _Fine:
     along = grown.geometry.positions(ridges.points[grown.members])
-    return _Fine(grown.geometry, float(along.min()), float(along.max()))
+    return _Fine(grown.line, float(along.min()), float(along.max()))
 
 
 def _run_beside(one: _Fine, other: _Fine, width: float) -> bool:

@@ -12,8 +12,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.infinite_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
-from gaussiancad_core.sheet.tracing.junctions import Placed
 
 Floats = npt.NDArray[np.float64]
 
@@ -44,6 +44,13 @@ class Strand:
     geometry: Line | Circle
     pieces: tuple[Piece, ...]
     dashes: tuple[tuple[float, float], ...] | None = None
+
+    @property
+    def line(self) -> Line:
+        """Its geometry, of a straight one."""
+        if not isinstance(self.geometry, Line):
+            raise ValueError("the strand is not straight")
+        return self.geometry
 
     @property
     def kind(self) -> Linetype:

@@ -83,7 +83,7 @@ def find_corner_dashes(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
     for corner in _corners(pieces, sheet, rhythm):
         near = (boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)
         near[corner.index] = False
-        around = [pieces[k] for k in np.flatnonzero(near.all(axis=1))]
+        around = [pieces[k] for k in np.flatnonzero(near.all(axis=1)).tolist()]
         leg = _leg(corner, [*around, *found], sheet, rhythm)
         if leg is not None:
             found.append(leg)
@@ -151,7 +151,8 @@ def _leg(
     if blank < 1.0 and places[end] > _SOLID * rhythm.dash:
         # Ink without any gap would have been found as a line.
         return None
-    line = Line(tuple(map(float, corner.place)), tuple(map(float, corner.aside)))
+    (x, y), (dx, dy) = map(float, corner.place), map(float, corner.aside)
+    line = Line((x, y), (dx, dy))
     return line, Piece(0.0, float(places[end]), Linetype.HIDDEN, _CONFIDENCE)
 
 

@@ -12,10 +12,10 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
-from gaussiancad_core.sheet.tracing.junctions import Placed
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to, visible_leg
 from gaussiancad_core.sheet.tracing.pen_profile import Pen, visible_pen
 from gaussiancad_core.sheet.tracing.small_fillets import AROUND, Fillet, best_of, boxes_of, is_chord
@@ -182,7 +182,7 @@ def _corners(placed: Sequence[Placed]) -> list[_CurvedCorner]:
     return sorted(found, key=lambda curved_corner: -lengths[curved_corner.line.index])
 
 
-def _both(index: int, geometry: Line | Circle, piece: Piece) -> list[_End]:
+def _both(index: int, geometry: Geometry, piece: Piece) -> list[_End]:
     at = np.array([piece.start, piece.end])
     places, ways = geometry.points_at(at), geometry.tangents_at(at)
     return [_End(index, True, places[0], ways[0]), _End(index, False, places[1], -ways[1])]
@@ -227,7 +227,7 @@ def _rounding(
     reach = corner.longest + pen.width / 2.0 + AROUND
     items = {corner.line.index, corner.curve.index}
     near = ((boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)).all(1)
-    around = [placed[k] for k in np.flatnonzero(near) if k not in items]
+    around = [placed[k] for k in np.flatnonzero(near).tolist() if k not in items]
     others = [stroke for stroke in around if not _is_between(stroke, corner)]
     pixels = _pixels_around(weight.shape, corner.place, reach)
     strokes = _cut_strokes(corner, placed, corner.place, corner.place)
@@ -302,7 +302,7 @@ def _ended(pair: Placed, piece: Piece, end: _End, place: Floats) -> Piece:
     old = piece.start if end.at_start else piece.end
     if np.isfinite(geometry.around):
         at += geometry.around * round((old - at) / geometry.around)
-    return replace(piece, **{"start" if end.at_start else "end": at})
+    return replace(piece, start=at) if end.at_start else replace(piece, end=at)
 
 
 def _arc(rounding: _Rounding, confidence: float = 1.0) -> Placed:

@@ -152,7 +152,7 @@ def _inside(line: Line, run: Run, row: _Row) -> float:
     """Share of a run that lies in a row's blocks."""
     points = line.points_at(np.arange(run.start, run.end + _STEP, _STEP))[:, None]
     within = (points >= row.boxes[:, 0] - _STEP) & (points <= row.boxes[:, 1] + _STEP)
-    return float(within.all(axis=2).any(axis=1).mean())
+    return float(np.any(np.all(within, axis=2), axis=1).mean())
 
 
 def _without(shape: Shape, row: _Row) -> Shape | None:

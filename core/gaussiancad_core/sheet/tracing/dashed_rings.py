@@ -72,8 +72,8 @@ def _with_rings(
         circles = _circles_about(view, centre)
         # Of what was found as it is nothing is known better.
         if not all(_is_seen(ring, circles) for ring in melting):
-            rings = [_shape(centre, ring) for ring in melting]
-            shapes = [shape for shape in shapes if not _is_replaced(shape, rings, width)] + rings
+            drawn = [_shape(centre, ring) for ring in melting]
+            shapes = [shape for shape in shapes if not _is_replaced(shape, drawn, width)] + drawn
     return replace(view, shapes=tuple(shapes))
 
 
@@ -83,7 +83,7 @@ def _centres(view: ViewShapes) -> list[tuple[float, float]]:
     circles.sort(key=lambda shape: -shape.support)
     groups: list[list[Shape]] = []
     for shape in circles:
-        near = (g for g in groups if _apart(g[0].geometry, shape.geometry) < _CONCENTRIC_PX)
+        near = (g for g in groups if _apart(g[0].circle, shape.circle) < _CONCENTRIC_PX)
         group = next(near, None)
         if group is None:
             groups.append([shape])
@@ -92,7 +92,7 @@ def _centres(view: ViewShapes) -> list[tuple[float, float]]:
     found = []
     for group in groups:
         if len(group) >= _FEWEST:
-            centres = [shape.geometry.centre for shape in group]
+            centres = [shape.circle.centre for shape in group]
             x, y = np.average(centres, axis=0, weights=[shape.support for shape in group])
             found.append((float(x), float(y)))
     return found
@@ -175,7 +175,7 @@ def _distinct(radii: Sequence[float]) -> list[float]:
 def _rings(view: ViewShapes, centre: tuple[float, float], stated: Sequence[float]) -> list[Ring]:
     """The circles about a centre."""
     seen = [
-        shape.geometry.radius for shape in _circles_about(view, centre) if _coverage(shape) > _WHOLE
+        shape.circle.radius for shape in _circles_about(view, centre) if _coverage(shape) > _WHOLE
     ]
     ink = _ink_about(view, centre, max([*stated, *seen], default=0.0))
     known = _distinct([*seen, *(radius for radius in stated if radius < ink.radii[-1])])
@@ -229,7 +229,7 @@ def _is_seen(ring: Ring, circles: Sequence[Shape]) -> bool:
     """Whether a ring is one of the circles that were found, all around."""
     least = _WHOLE if ring.solid else _SEEN
     return any(
-        abs(shape.geometry.radius - ring.radius) < SAME_PX and _coverage(shape) > least
+        abs(shape.circle.radius - ring.radius) < SAME_PX and _coverage(shape) > least
         for shape in circles
     )
 
@@ -241,8 +241,7 @@ def _is_replaced(shape: Shape, rings: Sequence[Shape], stroke_width: float) -> b
     if not isinstance(circle, Circle):
         return False
     if _coverage(shape) > _SEEN and any(
-        _apart(circle, ring.geometry) + abs(circle.radius - ring.geometry.radius)
-        < 2.0 * _CONCENTRIC_PX
+        _apart(circle, ring.circle) + abs(circle.radius - ring.circle.radius) < 2.0 * _CONCENTRIC_PX
         for ring in rings
     ):
         return True

@@ -67,7 +67,7 @@ class _Profile:
 
     along: Floats
     offsets: Floats
-    weights: Floats
+    weights: npt.NDArray[np.float32]
     ink: Floats
     moment: Floats
 
@@ -141,8 +141,8 @@ def _elsewhere(shape: Shape, pair: tuple[Shape, Shape]) -> Shape:
     edge, hidden = pair
     if not isinstance(shape.geometry, Line) or not shape.runs:
         return shape
-    (run,), line = edge.runs, edge.geometry
-    aside = float(line.coordinates(np.array([hidden.geometry.point]))[1][0])
+    (run,), line = edge.runs, edge.line
+    aside = float(line.coordinates(np.array([hidden.line.point]))[1][0])
     places = np.array([(this_run.start, this_run.end) for this_run in shape.runs]).ravel()
     at, across = (
         coordinate.reshape(-1, 2)
@@ -150,11 +150,10 @@ def _elsewhere(shape: Shape, pair: tuple[Shape, Shape]) -> Shape:
     )
     there = (at >= run.start - _END_PX) & (at <= run.end + _END_PX)
     there &= (across >= min(aside, 0.0) - _ONE_PX) & (across <= max(aside, 0.0) + _ONE_PX)
-    if not there.all(axis=1).any():
+    within = np.all(there, axis=1)
+    if not within.any():
         return shape
-    kept = [
-        this_run for this_run, gone in zip(shape.runs, there.all(axis=1), strict=True) if not gone
-    ]
+    kept = [this_run for this_run, gone in zip(shape.runs, within, strict=True) if not gone]
     return replace(shape, runs=tuple(kept))
 
 
@@ -183,7 +182,7 @@ def _melted(
     if more < _WIDER or more > pen.ink + _EVEN_PX:
         return None
     level = np.polyfit(profile.along[at_gaps], (profile.moment / profile.ink)[at_gaps], 1)
-    line = _along(line, level)
+    line = _along(edge.line, level)
     middle = moment / narrow
     away = abs(shift) / more - np.sign(shift) * middle
     if away < _ASIDE * (narrow + more) / 2.0:
@@ -216,7 +215,7 @@ def _outer_half(profile: _Profile, at: Flags, side: float, half: float) -> float
 
 
 def _profile(view: ViewShapes, edge: Shape, pen: DashPen) -> _Profile | None:
-    line, width = edge.geometry, view.sheet.stroke_width
+    line, width = edge.line, view.sheet.stroke_width
     reach = width + pen.ink + 1.5
     offsets = np.arange(-reach, reach + _STEP / 2.0, _STEP)
     (run,) = edge.runs

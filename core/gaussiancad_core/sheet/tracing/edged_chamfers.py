@@ -213,4 +213,4 @@ def _pixels(shape: tuple[int, ...], edged: _Edged, others: Sequence[Placed], pen
 def _ended_at(placed: Placed, end: End, place: Floats) -> Placed:
     geometry, piece = placed
     at = float(geometry.positions(place[None])[0])
-    return geometry, replace(piece, **{"start" if end.at_start else "end": at})
+    return geometry, replace(piece, start=at) if end.at_start else replace(piece, end=at)

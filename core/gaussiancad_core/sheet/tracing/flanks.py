@@ -6,9 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import Corner
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
-from gaussiancad_core.sheet.tracing.junctions import Placed
 
 Floats = npt.NDArray[np.float64]
 

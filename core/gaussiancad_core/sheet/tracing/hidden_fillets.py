@@ -14,6 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.corner_dashes import longest_blank
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import (
     Corner,
     End,
@@ -24,7 +25,6 @@ from gaussiancad_core.sheet.tracing.corners import (
 )
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm
 from gaussiancad_core.sheet.tracing.ink_shapes import radial_profile, sample
-from gaussiancad_core.sheet.tracing.junctions import Placed
 from gaussiancad_core.sheet.tracing.leftover import dash_pen
 from gaussiancad_core.sheet.tracing.outline_jogs import distance_to
 from gaussiancad_core.sheet.tracing.passing_corners import passing_corners
@@ -142,7 +142,8 @@ def _is_met(corner: Corner, placed: Sequence[Placed], boxes: Floats, stroke_widt
     around = (boxes[:, 0] <= corner.place + near) & (boxes[:, 1] >= corner.place - near)
     around[[corner.first.index, corner.second.index]] = False
     return any(
-        distance_to(placed[k], corner.place) <= near for k in np.flatnonzero(around.all(axis=1))
+        distance_to(placed[k], corner.place) <= near
+        for k in np.flatnonzero(around.all(axis=1)).tolist()
     )
 
 

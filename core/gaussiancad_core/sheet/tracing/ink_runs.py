@@ -137,7 +137,7 @@ def circle_runs(field: InkField, curve: Curve) -> list[Run]:
     beyond the circumference."""
     around = curve.around
     count = max(16, int(np.ceil(around / STEP)))
-    along = np.arange(count) * (around / count)
+    along = np.arange(count, dtype=np.float64) * (around / count)
     runs = _runs(field, curve.points_at(along), curve.tangents_at(along), along)
     return _join_around(runs, around)
 

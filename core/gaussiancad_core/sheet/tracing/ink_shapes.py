@@ -40,7 +40,7 @@ _RADIAL_SHARE = 0.12
 
 def edge_map(sheet: CleanSheet) -> npt.NDArray[np.uint8]:
     """Canny edges of the thresholded ink, 0 or 255."""
-    return cv2.Canny(sheet.ink.astype(np.uint8) * 255, 80, 160)
+    return np.asarray(cv2.Canny(sheet.ink.astype(np.uint8) * 255, 80, 160), dtype=np.uint8)
 
 
 def find_lines(sheet: CleanSheet, edges: npt.NDArray[np.uint8]) -> list[Line]:

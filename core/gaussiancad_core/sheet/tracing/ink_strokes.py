@@ -19,6 +19,7 @@ from gaussiancad_core.sheet.tracing.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.tracing.close_fits import with_close_fits
 from gaussiancad_core.sheet.tracing.closed_circles import is_closed_by_others
 from gaussiancad_core.sheet.tracing.corner_dashes import find_corner_dashes
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.tracing.dangling import with_met_ends
 from gaussiancad_core.sheet.tracing.drill_tips import with_drill_tips
@@ -45,12 +46,7 @@ from gaussiancad_core.sheet.tracing.ink_runs import (
 from gaussiancad_core.sheet.tracing.ink_shapes import (
     refit_circle,
 )
-from gaussiancad_core.sheet.tracing.junctions import (
-    FULL_TURN,
-    Placed,
-    ended_at_junctions,
-    is_full_circle,
-)
+from gaussiancad_core.sheet.tracing.junctions import FULL_TURN, ended_at_junctions, is_full_circle
 from gaussiancad_core.sheet.tracing.leftover_tracing import trace_remainder
 from gaussiancad_core.sheet.tracing.line_widths import Pens
 from gaussiancad_core.sheet.tracing.linetype_changes import with_changes_at_junctions
@@ -126,12 +122,12 @@ def classify_strokes(
     ended = with_run_outs(ended, view.sheet)
     ended = with_ends_behind_edges(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
-    for geometry, piece in ended:
-        explained.add(geometry, piece)
+    for placed in ended:
+        explained.add(*placed)
     remainder = view.sheet.ink & (explained.around == 0)
     short = find_short_strokes(remainder, ended, view.sheet, rhythm, pens)
-    for geometry, piece in short:
-        explained.add(geometry, piece)
+    for placed in short:
+        explained.add(*placed)
     ended += short
     remainder &= explained.around == 0
     ended = with_met_ends(ended, remainder, view.sheet.stroke_width)

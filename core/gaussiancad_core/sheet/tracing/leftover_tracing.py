@@ -43,7 +43,7 @@ def _components(
 ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
     """Labels from 1 of the connected components, and x, y, width, height, area of each."""
     _, labels, stats, _ = cv2.connectedComponentsWithStats(pixels.astype(np.uint8), connectivity=8)
-    return labels, stats[1:]
+    return np.asarray(labels, dtype=np.int32), np.asarray(stats[1:], dtype=np.int32)
 
 
 def _paths(pixels: npt.NDArray[np.bool_], shortest: float) -> list[npt.NDArray[np.int64]]:
@@ -90,8 +90,8 @@ def _walk(start: tuple[int, int], position: dict[tuple[int, int], int]) -> list[
                     following.append(pixel)
         frontier = following
     path = []
-    pixel: tuple[int, int] | None = last
-    while pixel is not None:
-        path.append(pixel)
-        pixel = previous[pixel]
+    at: tuple[int, int] | None = last
+    while at is not None:
+        path.append(at)
+        at = previous[at]
     return path

@@ -138,7 +138,9 @@ def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = 
     return sides_along(sheet, geometry, run, edges).sum(axis=1)
 
 
-def _with_edges(values: npt.NDArray[np.bool_], profile: Floats) -> npt.NDArray[np.bool_]:
+def _with_edges(
+    values: npt.NDArray[np.bool_], profile: npt.NDArray[np.floating]
+) -> npt.NDArray[np.bool_]:
     """(n, k) places across a stroke that are its own, with the pale ones where it falls off.
 
     A stroke that lies between two rows of pixels has a fourth of its ink in paler ones.

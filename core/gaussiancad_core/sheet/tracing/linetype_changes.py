@@ -13,9 +13,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.infinite_curves import Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.explained_ink import path_points
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
-from gaussiancad_core.sheet.tracing.junctions import Placed
 
 _REACH = 3.0
 """px beyond half a line's width within which strokes meet."""

@@ -13,8 +13,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.infinite_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import Corner, End
-from gaussiancad_core.sheet.tracing.junctions import Placed
 
 Floats = npt.NDArray[np.float64]
 

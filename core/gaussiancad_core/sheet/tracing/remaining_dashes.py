@@ -184,7 +184,7 @@ def _centred(line: Line, row: Sequence[_Dash], sheet: CleanSheet) -> Line:
         points[:, :1] + across * normal[0],
         points[:, 1:] + across * normal[1],
     )
-    profile = np.median(weight, axis=0)
+    profile: npt.NDArray[np.float32] = np.median(weight, axis=0)
     middle = len(across) // 2
     peak = _uphill(profile, middle)
     low, high = (_faded(profile, peak, way) for way in (-1, 1))
@@ -193,7 +193,7 @@ def _centred(line: Line, row: Sequence[_Dash], sheet: CleanSheet) -> Line:
     return Line((x + shift * normal[0], y + shift * normal[1]), line.direction)
 
 
-def _uphill(profile: Floats, start: int) -> int:
+def _uphill(profile: npt.NDArray[np.float32], start: int) -> int:
     """The nearest place from which a profile does not rise."""
     at = start
     while True:
@@ -204,7 +204,7 @@ def _uphill(profile: Floats, start: int) -> int:
         at = best
 
 
-def _faded(profile: Floats, peak: int, way: int) -> int:
+def _faded(profile: npt.NDArray[np.float32], peak: int, way: int) -> int:
     """Where a profile has fallen to a share of its peak, or rises again, one way from there."""
     at = peak
     while 0 <= at + way < len(profile):

@@ -59,7 +59,7 @@ def fine_ridge_points(weight: npt.NDArray[np.float32], stroke_width: float) -> R
 
 
 def _ridge_points(weight: npt.NDArray[np.float32], sigma: float) -> RidgePoints:
-    smooth = cv2.GaussianBlur(weight, (0, 0), sigma)
+    smooth = np.asarray(cv2.GaussianBlur(weight, (0, 0), sigma), dtype=np.float32)
     candidates = smooth > _LEAST_INK
     ys, xs = np.nonzero(candidates)
     inner = (ys > 0) & (xs > 0) & (ys < weight.shape[0] - 1) & (xs < weight.shape[1] - 1)

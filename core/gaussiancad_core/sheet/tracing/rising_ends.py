@@ -8,9 +8,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.infinite_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
-from gaussiancad_core.sheet.tracing.junctions import Placed
 
 Floats = npt.NDArray[np.float64]
 

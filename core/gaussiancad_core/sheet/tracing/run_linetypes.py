@@ -96,7 +96,7 @@ def _is_joint(
     before, after = _neighbours(runs, index, around)
     starts = before is not None and _is_dash_beside(before, run.start - before.end, rhythm)
     ends = after is not None and _is_dash_beside(after, after.start - run.end, rhythm)
-    if starts and ends:
+    if before is not None and after is not None and starts and ends:
         turns = (after.start - before.start) / (rhythm.dash + rhythm.gap)
         in_step = abs(turns - round(turns)) < _IN_STEP and turns < _MOST_STEPS
         return in_step or run.length <= _LONGEST_JOINT * rhythm.dash

@@ -15,9 +15,9 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import refit_line, sample
-from gaussiancad_core.sheet.tracing.junctions import Placed
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.rising_ends import (
     BEFORE,
@@ -175,7 +175,7 @@ def _step_at(
     back = min(BEFORE, 0.5 * before)
     spans = sorted((-way * before, -way * back)), sorted((0.0, way * after))
     lines = [replace(level, point=tuple(_beside(level, value))) for value in (base, top)]
-    parts = [Piece(*span, piece.linetype, piece.confidence) for span in spans]
+    parts = [Piece(start, end, piece.linetype, piece.confidence) for start, end in spans]
     return End(lines[0], parts[0], -way * back, way), (lines[1], parts[1])
 
 
@@ -209,7 +209,8 @@ def _drawn(end: End, rise: RunOut, sheet: CleanSheet, pieces: Sequence[Placed]) 
     for geometry, piece in pieces:
         if geometry is end.line and piece is end.piece:
             cut = end.at + end.way * rise.foot
-            found.append((geometry, replace(piece, **{"end" if end.way > 0.0 else "start": cut})))
+            shorter = replace(piece, end=cut) if end.way > 0.0 else replace(piece, start=cut)
+            found.append((geometry, shorter))
         elif not _is_within(course, (geometry, piece)):
             found.append(_met(geometry, piece, corner, end))
     if beyond is not None and any(_is_within([pair], beyond, _ALONG) for pair in found):

@@ -11,8 +11,9 @@ import numpy as np
 
 from gaussiancad_core.geometry.infinite_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.explained_ink import path_points
-from gaussiancad_core.sheet.tracing.junctions import Placed, is_full_circle
+from gaussiancad_core.sheet.tracing.junctions import is_full_circle
 
 _LONGEST = 40.0
 """px of a shadow at most: a longer one is crossed at hardly any angle."""
@@ -91,6 +92,8 @@ def _is_one_dash(placed: Placed, dash: float) -> bool:
 def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
     line, piece = stroke
     course, this_piece = shadow
+    if not isinstance(line, Line) or not isinstance(course, Line):
+        return False
     length = this_piece.end - this_piece.start
     if piece.end - piece.start < _LONGER * length:
         return False

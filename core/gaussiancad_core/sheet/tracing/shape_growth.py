@@ -115,6 +115,20 @@ class Grown:
     geometry: Geometry
     members: npt.NDArray[np.int64]
 
+    @property
+    def line(self) -> Line:
+        """Its geometry, of a straight one."""
+        if not isinstance(self.geometry, Line):
+            raise ValueError("the shape is not straight")
+        return self.geometry
+
+    @property
+    def circle(self) -> Circle:
+        """Its geometry, of a circle."""
+        if not isinstance(self.geometry, Circle):
+            raise ValueError("the shape is no circle")
+        return self.geometry
+
 
 def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:
     """Lines and circles that explain ridge points, those that explain most first.
@@ -139,7 +153,7 @@ def grow_all(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Gr
     cosine = float(np.cos(np.radians(rules.turn_degrees)))
     ovals = grow_ovals(
         ridges,
-        [(grown.geometry, grown.members) for grown in seeds],
+        [(grown.circle, grown.members) for grown in seeds],
         adjacent,
         OvalRules(rules.gap, rules.band, cosine),
     )
@@ -155,12 +169,12 @@ def _lines_and_arcs(
     adjacent = np.full(len(ridges.points), np.inf)
     for grown in _chosen(lines, ridges, rules.shortest):
         certain = len(grown.members) >= _LONG
-        if certain and not _bows(grown.geometry, ridges.points[grown.members], rules):
+        if certain and not _bows(grown.line, ridges.points[grown.members], rules):
             away = grown.geometry.distances(ridges.points[grown.members])
             adjacent[grown.members] = np.minimum(adjacent[grown.members], away)
     found = _unpacked(grow_arcs(*_inputs(ridges, rules), adjacent))
     arcs = [Grown(_circle(row), values) for row, values in found]
-    arcs = [grown for grown in arcs if not is_corner(grown.geometry, ridges.points[grown.members])]
+    arcs = [grown for grown in arcs if not is_corner(grown.circle, ridges.points[grown.members])]
     return lines, arcs, adjacent
 
 
@@ -254,7 +268,7 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
         left = free[members]
         if is_line and (circles := loose[members]).max() >= 0:
             # A short line between two arcs that it touches has few points that they leave.
-            left = left | _is_touched(shapes[k].geometry, circles, shapes)
+            left = left | _is_touched(shapes[k].line, circles, shapes)
         count = np.count_nonzero(left)
         if count < shortest:
             continue
@@ -285,7 +299,7 @@ def _worth(shapes: Sequence[Grown], points: Floats) -> list[Floats]:
         # All at once: there are thousands.
         splits = np.cumsum([0, *(len(shapes[k].members) for k in lines)])
         members = np.concatenate([shapes[k].members for k in lines])
-        rows = np.array([(*shapes[k].geometry.point, *shapes[k].geometry.direction) for k in lines])
+        rows = np.array([(*shapes[k].line.point, *shapes[k].line.direction) for k in lines])
         all_worth = _BONUS[Line] * line_worth(points, splits, members, rows, _BESIDE)
         items = np.split(all_worth, splits[1:-1])
         for k, each in zip(lines, items, strict=True):

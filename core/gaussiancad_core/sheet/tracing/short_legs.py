@@ -79,9 +79,9 @@ def with_short_legs(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm)
         rhythm: of its dashes.
     """
     hidden = [
-        this_piece
-        for this_piece in pieces
-        if isinstance(this_piece[0], Line) and this_piece[1].linetype is Linetype.HIDDEN
+        (geometry, piece)
+        for geometry, piece in pieces
+        if isinstance(geometry, Line) and piece.linetype is Linetype.HIDDEN
     ]
     if not hidden or 2 * len(hidden) > _MOST_CORNERS:
         return list(pieces)
@@ -135,7 +135,7 @@ def _around(corner: Floats, view: _View) -> list[Placed]:
     """Pieces within a leg's reach that do not meet at a corner."""
     low, high = view.boxes[:, 0] - view.longest, view.boxes[:, 1] + view.longest
     near = ((low <= corner) & (corner <= high)).all(axis=1)
-    around = [view.pieces[k] for k in np.flatnonzero(near)]
+    around = [view.pieces[k] for k in np.flatnonzero(near).tolist()]
     return [item for item in around if distances_to(item, corner[None])[0] > _ON]
 
 

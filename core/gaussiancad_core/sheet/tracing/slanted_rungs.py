@@ -14,9 +14,9 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.infinite_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, runs_of_ink
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
-from gaussiancad_core.sheet.tracing.junctions import Placed
 from gaussiancad_core.sheet.tracing.line_widths import Pens
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.rungs import Gap, gaps_between
@@ -146,8 +146,8 @@ def _corners(gap: Gap, pieces: Sequence[Placed]) -> tuple[Floats, Floats]:
 
 def _courses(gap: Gap, sheet: CleanSheet) -> Iterator[_Course]:
     """Ink as wide as a pen that goes straight across a gap."""
-    offset = sheet.stroke_width / 2.0 + _CLEAR
-    tracks = np.arange(offset, gap.width - offset + 1e-9, _TRACK)
+    clear = sheet.stroke_width / 2.0 + _CLEAR
+    tracks = np.arange(clear, gap.width - clear + 1e-9, _TRACK)
     places = np.arange(gap.span[0], gap.span[1] + _STEP, _STEP)
     points = gap.origin + places[:, None, None] * gap.along + tracks[None, :, None] * gap.across
     ink = sample(sheet.weight, points[..., 0], points[..., 1])

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.infinite_curves import Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import (
     Corner,
     End,
@@ -27,7 +28,6 @@ from gaussiancad_core.sheet.tracing.corners import (
 )
 from gaussiancad_core.sheet.tracing.flanks import has_flank, is_within, samples
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
-from gaussiancad_core.sheet.tracing.junctions import Placed
 from gaussiancad_core.sheet.tracing.passing_corners import passing_corners
 from gaussiancad_core.sheet.tracing.pen_profile import Pen, visible_pen
 
@@ -357,7 +357,7 @@ def others_near(
     near[[corner.first.index, corner.second.index]] = False
     return [
         placed[index]
-        for index in np.flatnonzero(near.all(1))
+        for index in np.flatnonzero(near.all(1)).tolist()
         if index not in corner.instead
         and not is_within(placed[index][0].points_at(samples(placed[index][1])), corner)
     ]
@@ -376,7 +376,8 @@ def rounded_at(
             continue
         at = float(placed[end.index][0].positions(place[None])[0])
         piece = pieces[end.index]
-        cut.append((end.index, replace(piece, **{"start" if end.at_start else "end": at})))
+        shorter = replace(piece, start=at) if end.at_start else replace(piece, end=at)
+        cut.append((end.index, shorter))
     circle = corner.circle(radius)
     low, high = (float(circle.positions(place[None])[0]) for place in touching)
     if (high - low) % circle.around > circle.around / 2:

@@ -239,7 +239,7 @@ def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewSh
     ]
     if len(others) < len(neighbours) or (others and abs(band.middle) < 0.25 * apart):
         return _Found((shape,))
-    line = shape.geometry
+    line = shape.line
     normal = np.array([-line.direction[1], line.direction[0]])
     middle = np.array(line.point) + band.middle * normal
     pair = [
@@ -261,7 +261,7 @@ def _keeps_pace(other: Shape, shape: Shape) -> bool:
 def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
     """The numbers of lines that run so near beside a line that their ink was measured with that of
     most of its dashes, and px from the one to the other, as the ink's middle is counted."""
-    line, near = shape.geometry, (_REACH + 1.0) * view.sheet.stroke_width + 1.0
+    line, near = shape.line, (_REACH + 1.0) * view.sheet.stroke_width + 1.0
     pair = shape.runs[0].start, shape.runs[-1].end
     for index, other in enumerate(view.shapes):
         if other is shape or not isinstance(other.geometry, Line) or not other.runs:

@@ -125,16 +125,18 @@ def _told_apart(profile: _Profile, pen: float, rhythm: Rhythm) -> tuple[Flags, F
     reach = round(_AROUND * (rhythm.dash + rhythm.gap) / _STEP)
     single &= maximum_filter1d(both.astype(np.uint8), 2 * reach + 1) > 0
     level, apart = profile, 0.0
+    one = other = single
     for _ in range(_ROUNDS):
         parted = _parted(level, single, widest_gap(rhythm) + 2.0)
         if parted is None:
             return None
-        level, apart = _levelled(level, *parted)
+        one, other = parted
+        level, apart = _levelled(level, one, other)
     # Where both have ink it is wider by their distance, less at the ends of dashes.
     wider = float(np.percentile(profile.ink[both], _MOST)) - pen
     if not _NEAREST <= apart <= _FARTHEST * pen or abs(wider - apart) > 2.0 * _TIGHT:
         return None
-    return parted[0] | both, parted[1] | both
+    return one | both, other | both
 
 
 def _one_alone(

@@ -102,6 +102,20 @@ class Shape:
     twin: bool = False
     given_linetype: Linetype | None = None
 
+    @property
+    def line(self) -> Line:
+        """Its geometry, of a straight one."""
+        if not isinstance(self.geometry, Line):
+            raise ValueError("the shape is not straight")
+        return self.geometry
+
+    @property
+    def circle(self) -> Circle:
+        """Its geometry, of a circle."""
+        if not isinstance(self.geometry, Circle):
+            raise ValueError("the shape is no circle")
+        return self.geometry
+
 
 @dataclass(frozen=True)
 class ViewShapes:
@@ -301,8 +315,10 @@ def _longest_stretch(runs: list[Run], gap: float, around: float) -> float:
     """px of the longest series of runs with no wider gap between them, over position 0 too."""
     longest = length = 0.0
     for before, run in zip([None, *runs, *runs], [*runs, *runs], strict=False):
-        follows = before is not None and (run.start - before.end) % around <= gap
-        length = length + (run.end - before.end) % around if follows else run.length
+        if before is not None and (run.start - before.end) % around <= gap:
+            length += (run.end - before.end) % around
+        else:
+            length = run.length
         longest = max(longest, length)
     return min(longest, around)
 

@@ -51,6 +51,10 @@ class Track:
     patterned: bool = False
 
 
+_RoundStroke = tuple[VectorStroke, CircularArc | EllipticArc]
+"""A stroke and its curve."""
+
+
 def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
     """All lines, circles and ellipses of some strokes; chains are passed over.
 
@@ -58,13 +62,17 @@ def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
         strokes: of a view.
         tolerance: px, :data:`EXACT` or :data:`PLOTTED`.
     """
-    lines = [stroke for stroke in strokes if isinstance(stroke.curve, Line)]
-    rounds = [stroke for stroke in strokes if isinstance(stroke.curve, CircularArc | EllipticArc)]
+    lines = [(stroke, stroke.curve) for stroke in strokes if isinstance(stroke.curve, Line)]
+    rounds = [
+        (stroke, stroke.curve)
+        for stroke in strokes
+        if isinstance(stroke.curve, CircularArc | EllipticArc)
+    ]
     return _line_tracks(lines, tolerance) + _round_tracks(rounds, tolerance)
 
 
-def _line_tracks(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
-    ends = np.array([(s.curve.start, s.curve.end) for s in strokes]).reshape(-1, 2, 2)
+def _line_tracks(strokes: Sequence[tuple[VectorStroke, Line]], tolerance: float) -> list[Track]:
+    ends = np.array([(line.start, line.end) for _, line in strokes]).reshape(-1, 2, 2)
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
     free = np.ones(len(strokes), bool)
     found = []
@@ -73,7 +81,7 @@ def _line_tracks(strokes: Sequence[VectorStroke], tolerance: float) -> list[Trac
             members, line = _collinear(int(seed), ends, free, tolerance)
             free[members] = False
             spans = np.sort(line.coordinates(ends[members].reshape(-1, 2))[0].reshape(-1, 2))
-            found.append(_track(line, [strokes[index] for index in members], spans))
+            found.append(_track(line, [strokes[index][0] for index in members], spans))
     return found
 
 
@@ -109,17 +117,21 @@ def _through(low: Floats, high: Floats) -> EndlessLine:
     return EndlessLine((float(low[0]), float(low[1])), (float(way[0]), float(way[1])))
 
 
-def _round_tracks(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
-    groups: list[tuple[Geometry, list[VectorStroke]]] = []
-    for stroke in sorted(strokes, key=lambda vector_stroke: -vector_stroke.curve.length):
-        geometry = _closed(stroke.curve)
+def _round_tracks(strokes: Sequence[_RoundStroke], tolerance: float) -> list[Track]:
+    groups: list[tuple[Circle | WholeEllipse, list[_RoundStroke]]] = []
+    for stroke in sorted(strokes, key=lambda stroke: -stroke[1].length):
+        geometry = _closed(stroke[1])
         same = next((held for item, held in groups if _same(item, geometry, tolerance)), None)
         if same is None:
             groups.append((geometry, [stroke]))
         else:
             same.append(stroke)
     return [
-        _track(geometry, held, np.array([_round_span(geometry, s.curve) for s in held]))
+        _track(
+            geometry,
+            [stroke for stroke, _ in held],
+            np.array([_round_span(geometry, curve) for _, curve in held]),
+        )
         for geometry, held in groups
     ]
 
@@ -132,14 +144,14 @@ def _closed(curve: CircularArc | EllipticArc) -> Circle | WholeEllipse:
     return WholeEllipse(curve.centre, major, curve.ratio * major, turn)
 
 
-def _same(first: Geometry, other: Geometry, tolerance: float) -> bool:
-    if type(first) is not type(other) or isinstance(first, EndlessLine):
-        return False
+def _same(first: Circle | WholeEllipse, other: Circle | WholeEllipse, tolerance: float) -> bool:
     if np.hypot(*np.subtract(first.centre, other.centre)) > tolerance:
         return False
-    if isinstance(first, Circle):
+    if isinstance(first, Circle) and isinstance(other, Circle):
         return abs(first.radius - other.radius) <= tolerance
-    points = other.at(np.arange(8) * (np.pi / 4))
+    if isinstance(first, Circle) or isinstance(other, Circle):
+        return False
+    points = other.at(np.arange(8, dtype=np.float64) * (np.pi / 4))
     return bool(first.distances(points).max() <= tolerance)
 
 
@@ -155,7 +167,8 @@ def _round_span(geometry: Circle | WholeEllipse, curve: CircularArc | EllipticAr
 
 
 def _track(geometry: Geometry, strokes: Sequence[VectorStroke], spans: Floats) -> Track:
-    solid, hidden = [], []
+    solid: list[Span] = []
+    hidden: list[Span] = []
     for stroke, (start, end) in zip(strokes, spans, strict=True):
         of = hidden if stroke.role is StrokeRole.HIDDEN else solid
         of.append((float(start), float(end)))

@@ -63,8 +63,11 @@ class InkMasks:
     def of(cls, whole: CleanSheet, part: CleanSheet) -> "InkMasks":
         """Masks of a sheet as it was cleaned, and as annotations were taken off it."""
         kernel = np.ones((3, 3), np.uint8)
-        masks = (cv2.dilate(sheet.ink.astype(np.uint8), kernel) for sheet in (whole, part))
-        return cls(*masks)
+        of_whole, of_part = (
+            np.asarray(cv2.dilate(sheet.ink.astype(np.uint8), kernel), dtype=np.uint8)
+            for sheet in (whole, part)
+        )
+        return cls(of_whole, of_part)
 
 
 def share_inked(curve: Curve, mask: Mask) -> float:
@@ -173,7 +176,8 @@ def _upright(curve: Curve, turn: Turn) -> Curve:
     if isinstance(curve, CircularArc):
         start = float(np.mod(curve.start_angle - turn.angle, 2.0 * np.pi))
         return replace(curve, centre=to_point(centre), start_angle=start)
-    major = at(np.add(curve.centre, curve.major))[0] - centre
+    end = curve.centre[0] + curve.major[0], curve.centre[1] + curve.major[1]
+    major = at(end)[0] - centre
     minor = curve.ratio * np.array([-major[1], major[0]])
     turned = affine_arc(centre, major, minor, curve.start, curve.sweep)
     return turned if isinstance(turned, EllipticArc) else curve

@@ -106,8 +106,8 @@ def _cut(stroke: Segment, out: npt.NDArray[np.bool_], others: Sequence[Stroke]) 
     end = _nearest(met, last) if cut_last else stroke.length
     origin = np.array(stroke.start)
     way = (np.array(stroke.end) - origin) / stroke.length
-    ends = [tuple(float(v) for v in origin + at * way) for at in (start, end)]
-    return replace(stroke, start=ends[0], end=ends[1])
+    (x0, y0), (x1, y1) = ((float(v) for v in origin + at * way) for at in (start, end))
+    return replace(stroke, start=(x0, y0), end=(x1, y1))
 
 
 def _is_corner(

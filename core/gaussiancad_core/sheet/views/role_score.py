@@ -17,7 +17,12 @@ import numpy.typing as npt
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.views.drawing_neighbours import box_inside, gap_beside, nearest, stands
-from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views, no_views
+from gaussiancad_core.sheet.views.sheet_layout import (
+    Layout,
+    ProjectionSource,
+    may_be_views,
+    no_views,
+)
 from gaussiancad_core.sheet.views.view_levels import Levels, agreement
 
 Ink = npt.NDArray[np.bool_]
@@ -138,7 +143,7 @@ def arrange(drawings: Drawings, given: Mapping[Role, Box], projection: Projectio
     return Layout(dict(best.boxes), best.projection, _source(projection), alternatives, rest)
 
 
-def _source(projection: Projection | None) -> str:
+def _source(projection: Projection | None) -> ProjectionSource:
     return "default" if projection is None else "given"
 
 

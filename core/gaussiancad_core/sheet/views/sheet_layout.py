@@ -2,6 +2,7 @@
 
 from collections.abc import Container, Iterable
 from dataclasses import dataclass
+from typing import Literal
 
 import cv2
 import numpy as np
@@ -32,6 +33,10 @@ _FRAME_SHARE = 0.8
 """A cluster that spans this share of the sheet both ways, around others, is its frame."""
 
 
+ProjectionSource = Literal["given", "inferred", "default"]
+"""Where the reading of an arrangement comes from."""
+
+
 @dataclass(frozen=True)
 class Layout:
     """The views of a sheet.
@@ -49,7 +54,7 @@ class Layout:
 
     boxes: dict[Role, Box]
     projection: Projection
-    source: str
+    source: ProjectionSource
     alternatives: tuple[Projection, ...]
     left_out: tuple[Box, ...]
     special: tuple[SpecialView, ...] = ()
@@ -71,7 +76,7 @@ def lone_layout(clusters: list[Box], projection: Projection | None) -> Layout | 
     if len(large) != 1:
         return None
     rest = tuple(box for box in clusters if box != large[0])
-    source = "default" if projection is None else "given"
+    source: ProjectionSource = "default" if projection is None else "given"
     return Layout({Role.FRONT: large[0]}, projection or Projection.THIRD, source, (), rest)
 
 

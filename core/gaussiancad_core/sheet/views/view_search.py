@@ -61,6 +61,8 @@ def arranged(
         if found is None or (whole and _has_more(pair[1], found[1])):
             found = pair
     if found is None:
+        # Without a layout both tries failed.
+        assert failed is not None
         raise failed
     return found
 

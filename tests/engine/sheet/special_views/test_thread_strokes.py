@@ -38,7 +38,7 @@ def _sides(low: float, high: float) -> list[Segment]:
     return [_upright(x + sign * r, low, high) for r in (_THIN, _RIM) for sign in (-1.0, 1.0)]
 
 
-@pytest.mark.parametrize("beside", [True, False])
+@pytest.mark.parametrize("adjacent", [True, False])
 def test_the_thin_circle_and_its_lines_go_and_the_bore_stays(adjacent: bool) -> None:
     arc = _arc(_THIN, 0.75)
     front = _view(Role.FRONT, _FRONT, _arc(_RIM, 1.0), *([] if adjacent else [arc]))

@@ -47,7 +47,7 @@ def test_lines_that_meet_at_a_flat_angle_end_at_their_corner(degrees: float) -> 
     assert _of(slanted, pieces)[0][1] == pytest.approx(0.0, abs=1e-6)
 
 
-@pytest.mark.parametrize("beside", [1.5, 2.6])
+@pytest.mark.parametrize("offset", [1.5, 2.6])
 @pytest.mark.parametrize("seen", [3.0, 8.0])
 def test_a_hidden_slant_ends_at_the_outline_and_at_no_corner_beyond(
     offset: float, seen: float

@@ -35,7 +35,7 @@ def _is_read(found: list[np.ndarray], start: tuple, end: tuple) -> bool:
 
 
 @pytest.mark.parametrize("deep", [5.3, 6.2, 7.1, 8.3, 9.2])
-@pytest.mark.parametrize("beside", [7.1, 24.0, 33.0])
+@pytest.mark.parametrize("offset", [7.1, 24.0, 33.0])
 def test_the_flanks_of_a_narrow_groove(sketch: Sketch, deep: float, offset: float) -> None:
     """Between two flanges, and with a shoulder on either side of it."""
     levels = [35.3, 35.3 + offset, 35.3 + offset + deep, 35.3 + offset + 2.0 * deep]

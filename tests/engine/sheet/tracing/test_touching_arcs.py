@@ -69,7 +69,7 @@ def test_the_short_sides_of_a_slot_are_lines(
     assert [this_side.length for this_side in sides] == [pytest.approx(length, abs=1.0)] * 2
 
 
-@pytest.mark.parametrize(("beyond", "own"), [(60.0, True), (75.0, True), (90.0, False)])
+@pytest.mark.parametrize(("beyond", "flag"), [(60.0, True), (75.0, True), (90.0, False)])
 def test_a_wide_arc_shares_much_ink_with_its_tangent(beyond: float, flag: bool) -> None:
     """Lines of 2 px lie in one stroke up to 80 px from where an arc of 1243 px touches."""
     arc = Circle((0.0, 0.0), 1243.0)

@@ -60,7 +60,7 @@ def test_untold_projection_is_third_and_first_fits_as_well() -> None:
     assert (sheet_layout.source, sheet_layout.alternatives) == ("default", (Projection.FIRST,))
 
 
-@pytest.mark.parametrize(("beside", "role"), [(RIGHT, Role.LEFT), (LEFT, Role.RIGHT)])
+@pytest.mark.parametrize(("adjacent", "role"), [(RIGHT, Role.LEFT), (LEFT, Role.RIGHT)])
 def test_a_view_below_is_from_above_where_nobody_tells_the_projection(
     adjacent: tuple[int, int, int, int], role: Role
 ) -> None:
