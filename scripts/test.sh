@@ -4,9 +4,15 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . scripts/steps.sh
 
+# Style, names, the order of packages, types.
+lint() {
+    .venv/bin/ruff check . && .venv/bin/ruff format --check . && python3 scripts/lint_names.py &&
+        (cd core && ../.venv/bin/lint-imports --config ../.importlinter) && .venv/bin/mypy
+}
+
 run() {
     case $1 in
-    lint) .venv/bin/ruff check . && .venv/bin/ruff format --check . ;;
+    lint) lint ;;
     engine) .venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --max-worker-restart 0 tests/engine ;;
     workbench | gui) python3 tests/run_freecad_suites.py "$1" ;;
     *) fail "there is no suite '$1'" ;;

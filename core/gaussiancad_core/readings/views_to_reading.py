@@ -91,7 +91,7 @@ _KINDS = {
     AnnotationKind.TANGENT_EDGE: StrokeKind.TANGENT,
 }
 
-_OFFERS = {
+_OFFERS: dict[str, tuple[str, ...]] = {
     Code.OPEN_OUTLINE: ("draw", "view"),
     Code.SCALE_ASSUMED: ("scale",),
     Code.FULL_SCALE_ASSUMED: ("scale",),
