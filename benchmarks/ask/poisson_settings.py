@@ -24,7 +24,7 @@ from benchmarks.judge.surface_distance import chamfer, chamfer_floor, measure_me
 from benchmarks.parts.named_parts import Part, named_classed, named_samples
 from benchmarks.run.outcome import Figure, Outcome
 from benchmarks.sheets.disturbed_views import cases, solid_mesh, views_of
-from gaussiancad_core.hull.depth_maps import CastSolid, relief_of
+from gaussiancad_core.hull.depth_maps import CastSolid, depth_map_of
 from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.kernel.brep import moved_to_origin
 from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces
@@ -143,7 +143,9 @@ def true_hull(shape: TopoDS_Shape, views: ViewSet) -> TriangleMesh:
     settings = training_settings(Recipe.ORTHOGRAPHIC, Preset.STANDARD)
     cameras = training_cameras(Recipe.ORTHOGRAPHIC, settings, views.roles, views.size)
     solid = [CastSolid(shape, views.size)]
-    reliefs = [relief_of(solid, view, behind) for view in views.views for behind in (False, True)]
+    reliefs = [
+        depth_map_of(solid, view, behind) for view in views.views for behind in (False, True)
+    ]
     return visual_hull(views, cameras, tuple(reliefs))
 
 

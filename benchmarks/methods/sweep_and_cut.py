@@ -23,7 +23,7 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve
-from gaussiancad_core.coordinates.carriers import PartSupports, find_supports
+from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import views_as_read
 from gaussiancad_core.kernel.brep import faces_of, soundness, subshapes, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
@@ -63,22 +63,22 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
         One valid closed solid in mm that fills all outlines, or None if the sweeps have no such
         solid in common.
     """
-    supports = _supports(views, tolerance)
-    outlines = {axis: outline_of(axis, supports, views) for axis in Axis}
+    carriers = _supports(views, tolerance)
+    outlines = {axis: outline_of(axis, carriers, views) for axis in Axis}
     try:
-        sweeps = [_sweep(axis, outlines[axis], supports) for axis in Axis]
+        sweeps = [_sweep(axis, outlines[axis], carriers) for axis in Axis]
     except (*KERNEL_FAILURES, RuntimeError):
         return None
     for fuzzy in _FUZZY_COMMON:
         solid = _largest_common(sweeps, fuzzy * max(views.size))
         if solid is None or not _is_sound(solid):
             continue
-        if all(_fills(solid, axis, outlines[axis], supports) for axis in Axis):
+        if all(_fills(solid, axis, outlines[axis], carriers) for axis in Axis):
             return solid
     return None
 
 
-def _supports(views: ViewSet, tolerance: float) -> PartSupports:
+def _supports(views: ViewSet, tolerance: float) -> PartCarriers:
     """The lines of the views, but for those of views that have too many.
 
     There are none at all where they contradict each other so much that they cannot be lined up.
@@ -90,12 +90,12 @@ def _supports(views: ViewSet, tolerance: float) -> PartSupports:
         for role, stroke in drawn.strokes.items()
     }
     try:
-        return find_supports(replace(drawn, strokes=few))
+        return find_carriers(replace(drawn, strokes=few))
     except np.linalg.LinAlgError:
         pass
     scale = UNITS / max(views.size)
     x, y, z = (extent * scale for extent in views.size)
-    return PartSupports({}, {axis: () for axis in Axis}, (x, y, z), scale, tolerance * scale)
+    return PartCarriers({}, {axis: () for axis in Axis}, (x, y, z), scale, tolerance * scale)
 
 
 def _largest_common(sweeps: list[TopoDS_Shape], fuzzy: float) -> TopoDS_Shape | None:
@@ -126,21 +126,21 @@ def _is_sound(solid: TopoDS_Shape) -> bool:
     return facts.valid and facts.closed and facts.solids == 1
 
 
-def _sweep(axis: Axis, outline: Outline, supports: PartSupports) -> TopoDS_Shape:
+def _sweep(axis: Axis, outline: Outline, carriers: PartCarriers) -> TopoDS_Shape:
     """Solids in mm over what an outline encloses, over the whole depth of the box."""
     builder, compound = BRep_Builder(), TopoDS_Compound()
     builder.MakeCompound(compound)
-    along = gp_Vec(*lifted(axis, 0.0, 0.0, supports.size[axis.value] / supports.scale))
-    for face in _faces(axis, outline, supports):
+    along = gp_Vec(*lifted(axis, 0.0, 0.0, carriers.size[axis.value] / carriers.scale))
+    for face in _faces(axis, outline, carriers):
         builder.Add(compound, BRepPrimAPI_MakePrism(face, along).Shape())
     return compound
 
 
-def _faces(axis: Axis, outline: Outline, supports: PartSupports) -> list[TopoDS_Face]:
+def _faces(axis: Axis, outline: Outline, carriers: PartCarriers) -> list[TopoDS_Face]:
     """The covered parts of a plane at depth 0, which the outline's lines divide."""
-    scale = supports.scale
+    scale = carriers.scale
     longest = UNITS / scale
-    first, second = (supports.size[index] / scale for index in IN_PLANE[axis])
+    first, second = (carriers.size[index] / scale for index in IN_PLANE[axis])
     beyond = _BEYOND * longest
     normal, right = _directions(axis)
     plane = gp_Pln(gp_Ax3(gp_Pnt(0.0, 0.0, 0.0), normal, right))
@@ -150,7 +150,7 @@ def _faces(axis: Axis, outline: Outline, supports: PartSupports) -> list[TopoDS_
     fuse = BOPAlgo_Builder()
     fuse.AddArgument(whole)
     for index, low, high in pieces_of(outline.arrangement):
-        curve = outline.arrangement.supports[index].curve
+        curve = outline.arrangement.carriers[index].curve
         fuse.AddArgument(_edge(axis, curve, (low, high), scale))
     fuse.SetRunParallel(False)
     fuse.SetFuzzyValue(_FUZZY * longest)
@@ -197,9 +197,9 @@ def _simplified(solid: TopoDS_Shape) -> TopoDS_Shape:
     return solids[0] if len(solids) == 1 and soundness(solids[0]).valid else solid
 
 
-def _fills(solid: TopoDS_Shape, axis: Axis, outline: Outline, supports: PartSupports) -> bool:
+def _fills(solid: TopoDS_Shape, axis: Axis, outline: Outline, carriers: PartCarriers) -> bool:
     """Whether there is material behind nearly all of an outline."""
-    first, second = (supports.size[index] for index in IN_PLANE[axis])
+    first, second = (carriers.size[index] for index in IN_PLANE[axis])
     covered = [
         (a, b)
         for a, b in plane_grid(first, second, UNITS / _LOOKS)
@@ -208,7 +208,7 @@ def _fills(solid: TopoDS_Shape, axis: Axis, outline: Outline, supports: PartSupp
     if not covered:
         return False
     role = next(role for role in Role if role_plane(role).normal is axis)
-    points = np.array(covered) / supports.scale * np.array(role_plane(role).signs)
-    sight = SightLines(solid, role.frame, 1e-6 * UNITS / supports.scale)
+    points = np.array(covered) / carriers.scale * np.array(role_plane(role).signs)
+    sight = SightLines(solid, role.frame, 1e-6 * UNITS / carriers.scale)
     filled = [len(column.depth) > 0 for column in sight.columns(points)]
     return float(np.mean(filled)) >= _FILLED

@@ -14,8 +14,8 @@ from pathlib import Path
 from benchmarks.run.arguments import is_chosen
 from benchmarks.sheets.published import sheets_of
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.evidence.dimension_constraints import ToldNumbers
-from gaussiancad_core.evidence.dimension_evidence import told_numbers
+from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
+from gaussiancad_core.evidence.dimension_evidence import dimension_constraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.evidence.projected_reading import Reading
 from gaussiancad_core.model.axes import Projection
@@ -43,7 +43,7 @@ class ReadLines:
 
     projection: Projection
     views: DrawnViews
-    numbers: ToldNumbers | None
+    numbers: DimensionConstraints | None
     grid: float
 
 
@@ -112,5 +112,5 @@ def _read(sheet: Path) -> LineCase:
 
 def _lines(reading: Reading) -> ReadLines:
     registered = reading.registered
-    numbers = told_numbers(registered, reading.measures, 0.0)
+    numbers = dimension_constraints(registered, reading.measures, 0.0)
     return ReadLines(reading.projection, reading.drawn, numbers, registered.mm_per_pixel)

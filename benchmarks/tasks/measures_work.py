@@ -17,7 +17,7 @@ from benchmarks.parts.twin_parts import twins
 from benchmarks.run.workers import FIRST, SOLVE, Row
 from benchmarks.sheets.exact_inputs import Input, InputKind, make_input
 from benchmarks.tasks.textbook_work import FAMILIES
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.coordinates.design_step import NominalStep
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import faces_of
@@ -121,15 +121,15 @@ def read(drawing: Input) -> Row:
     row["numbers"] = len(views.dimensions.lengths) if views.dimensions is not None else 0
     row["digit"] = views.dimensions.digit if views.dimensions is not None else 0.0
     for name, item in (("", views), ("likely_", replace(views, likely=True))):
-        supports = find_supports(item)
-        pixel = px * supports.scale
-        places = supports.places
+        carriers = find_carriers(item)
+        pixel = px * carriers.scale
+        places = carriers.places
         row |= {
-            f"{name}nominal": supports.nominal,
-            **{f"{name}{key}": value for key, value in _step(supports.step, supports.scale, pixel)},
-            f"{name}odd": supports.odd,
-            f"{name}moved": supports.moved / pixel,
-            f"{name}unread": supports.unread,
+            f"{name}nominal": carriers.nominal,
+            **{f"{name}{key}": value for key, value in _step(carriers.step, carriers.scale, pixel)},
+            f"{name}odd": carriers.odd,
+            f"{name}moved": carriers.moved / pixel,
+            f"{name}unread": carriers.unread,
             f"{name}places": sum(map(len, places.values.values())) if places is not None else 0,
             f"{name}beside": places.offset / pixel if places is not None else 0.0,
         }

@@ -17,7 +17,7 @@ from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.projection import CameraBatch, project
 from gaussiancad_core.splatting.rasterizer import (
     Backend,
-    Optics,
+    RasterSettings,
     parameters_of,
 )
 from gaussiancad_core.splatting.tiles import warm_up
@@ -116,7 +116,7 @@ def timed(work: Callable[[], Tensors], clock: Callable[[], float]) -> float:
 
 def pair_count(gaussians: Gaussians, cameras: CameraBatch) -> float:
     """Pixels in the boxes of all Gaussians in all views."""
-    parameters, optics = parameters_of(gaussians), Optics()
+    parameters, optics = parameters_of(gaussians), RasterSettings()
     with torch.no_grad():
         splats = project(
             parameters.means,

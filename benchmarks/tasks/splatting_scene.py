@@ -11,8 +11,8 @@ from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
 from gaussiancad_core.splatting.rasterizer import (
     Backend,
-    Optics,
     Parameters,
+    RasterSettings,
     rasteriser,
 )
 
@@ -61,7 +61,7 @@ def gradients(
     backend: Backend, parameters: Parameters, cameras: CameraBatch, upstream: Tensors
 ) -> Tensors:
     """Draw all views and differentiate them."""
-    rendering = rasteriser(backend)(parameters, cameras, Optics())
+    rendering = rasteriser(backend)(parameters, cameras, RasterSettings())
     images = (rendering.colours, rendering.alphas, rendering.depths)
     found = torch.autograd.grad(images, parameters.tensors, upstream)
     if backend is Backend.GSPLAT:

@@ -26,7 +26,7 @@ from gaussiancad_core.coordinates.carrier_curves import (
     Point,
     meetings,
 )
-from gaussiancad_core.coordinates.drawn_intervals import Support, merged_stretches
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, merged_intervals
 from gaussiancad_core.coordinates.point_chains import (
     Chain,
     crossings_with_chain,
@@ -53,7 +53,7 @@ class _Link:
     b0: float
     a1: float
     b1: float
-    support: int
+    carrier: int
 
     @property
     def start(self) -> float:
@@ -87,7 +87,7 @@ class _Bow:
     side: int
     start: float
     end: float
-    support: int
+    carrier: int
 
     def value(self, a: float) -> float:
         square = self.radius**2 - (a - self.x) ** 2
@@ -122,13 +122,13 @@ class Trace:
     Attributes:
         positions: along the line, ascending.
         normals: of the curves there.
-        supports: their supports, or ``CHAIN``.
+        carriers: their supports, or ``CHAIN``.
         regions: between the positions; one more than they are.
     """
 
     positions: tuple[float, ...]
     normals: tuple[Point, ...]
-    supports: tuple[int, ...]
+    carriers: tuple[int, ...]
     regions: tuple[int, ...]
 
 
@@ -136,12 +136,12 @@ class Arrangement:
     """Regions of a plane.
 
     Args:
-        supports: with what is drawn on them.
+        carriers: with what is drawn on them.
         chains: boundaries that are no supports.
         lost: (support, low, high) that bound regions as well, though nothing is drawn there.
 
     Attributes:
-        supports: as given.
+        carriers: as given.
         stretches: (support, low, high) that bound regions: all that are drawn.
         corners: points where something ends, meets or turns.
         regions: how many there are, the outside included.
@@ -149,20 +149,20 @@ class Arrangement:
 
     def __init__(
         self,
-        supports: Sequence[Support],
+        carriers: Sequence[Carrier],
         chains: Sequence[Chain] = (),
         lost: Sequence[tuple[int, float, float]] = (),
     ) -> None:
-        self.supports = tuple(supports)
+        self.carriers = tuple(carriers)
         self._chain_ends: list[float] = []
         self.stretches = tuple(
             (index, low, high)
-            for index, support in enumerate(supports)
-            for low, high in _bounding(support, [pair[1:] for pair in lost if pair[0] == index])
+            for index, carrier in enumerate(carriers)
+            for low, high in _bounding(carrier, [pair[1:] for pair in lost if pair[0] == index])
         )
         self.corners = self._corners()
         self._pieces, self._uprights = self._monotone()
-        curves = [self.supports[index].curve for index, _, _ in self.stretches]
+        curves = [self.carriers[index].curve for index, _, _ in self.stretches]
         for number, chain in enumerate(chains):
             self._add_chain(chain)
             # Pieces must not cross within a slab: they would change their order in it.
@@ -178,7 +178,7 @@ class Arrangement:
         points: list[Point] = []
         boxes = []
         for index, low, high in self.stretches:
-            curve = self.supports[index].curve
+            curve = self.carriers[index].curve
             items = [curve.at(low), curve.at(high)]
             if isinstance(curve, CircleCurve):
                 quarters = [k * pi / 2.0 for k in range(5)]
@@ -196,13 +196,13 @@ class Arrangement:
                 apart = a[0] > b[2] + 1e-4 or b[0] > a[2] + 1e-4
                 if first == second or apart or a[1] > b[3] + 1e-4 or b[1] > a[3] + 1e-4:
                     continue
-                for point in meetings(self.supports[first].curve, self.supports[second].curve):
+                for point in meetings(self.carriers[first].curve, self.carriers[second].curve):
                     if self._on(first, one, point) and self._on(second, other, point):
                         points.append(point)
         return tuple(points)
 
     def _on(self, index: int, stretch: Sequence[float], point: Point) -> bool:
-        curve = self.supports[index].curve
+        curve = self.carriers[index].curve
         at, slack = curve.parameter(point), _ON / curve.speed
         turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
         return any(stretch[0] - slack <= at + t <= stretch[1] + slack for t in turns)
@@ -212,7 +212,7 @@ class Arrangement:
         pieces: list[_Piece] = []
         uprights = []
         for index, low, high in self.stretches:
-            curve = self.supports[index].curve
+            curve = self.carriers[index].curve
             if isinstance(curve, LineCurve):
                 start, end = curve.at(low), curve.at(high)
                 if start[0] == end[0]:
@@ -249,7 +249,7 @@ class Arrangement:
             if first == last:
                 # Too steep for a slab of its own, yet still a wall.
                 ends = sorted((piece.value(piece.start), piece.value(piece.end)))
-                self._uprights.append((borders[first], ends[0], ends[1], piece.support))
+                self._uprights.append((borders[first], ends[0], ends[1], piece.carrier))
             for slab in range(first, last):
                 slabs[slab].append(piece)
         for slab, this_slabs in enumerate(slabs):
@@ -310,7 +310,7 @@ class Arrangement:
             (offsets[slab] + place, offsets[slab] + place + 1)
             for slab, slabs in enumerate(self._slabs)
             for place, piece in enumerate(slabs)
-            if piece.support == CHAIN
+            if piece.carrier == CHAIN
         ]
         void = sets.root(outside)
         return [pair for pair in pairs if void not in (sets.root(pair[0]), sets.root(pair[1]))]
@@ -327,7 +327,7 @@ class Arrangement:
             np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]),
             np.array([number[id(one)] for slab in self._slabs for one in slab], dtype=np.int64),
             pieces,
-            np.array([piece.support for piece in self._pieces], dtype=np.int64),
+            np.array([piece.carrier for piece in self._pieces], dtype=np.int64),
             uprights,
             np.array([upright[3] for upright in self._uprights], dtype=np.int64),
             np.array(self._region, dtype=np.int64),
@@ -405,17 +405,17 @@ class Arrangement:
         return Trace(
             tuple(piece.value(a) for piece in items),
             tuple(piece.normal(a) for piece in items),
-            tuple(piece.support for piece in items),
+            tuple(piece.carrier for piece in items),
             tuple(self._region[offset : offset + len(items) + 1]),
         )
 
     def _flat(self, b: float) -> Trace:
         met: list[tuple[float, Point, int]] = []
         for piece in self._pieces:
-            met += [(a, piece.normal(a), piece.support) for a in piece.firsts_at(b)]
-        for a, bottom, top, support in self._uprights:
+            met += [(a, piece.normal(a), piece.carrier) for a in piece.firsts_at(b)]
+        for a, bottom, top, carrier in self._uprights:
             if bottom < b < top:
-                met.append((a, (1.0, 0.0), support))
+                met.append((a, (1.0, 0.0), carrier))
         met.sort(key=lambda item: item[0])
         positions = [item[0] for item in met]
         between = [self.locate((low + high) / 2.0, b) for low, high in pairwise(positions)]
@@ -445,9 +445,9 @@ class _Sets:
         self._parent[self.root(one)] = self.root(other)
 
 
-def _bounding(support: Support, lost: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    drawn = support.drawn()
-    return merged_stretches([*drawn, *lost], 1e-4 / support.curve.speed) if lost else drawn
+def _bounding(carrier: Carrier, lost: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    drawn = carrier.drawn()
+    return merged_intervals([*drawn, *lost], 1e-4 / carrier.curve.speed) if lost else drawn
 
 
 def distinct(values: Sequence[float], same: float = _SAME) -> list[float]:

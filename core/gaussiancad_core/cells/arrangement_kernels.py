@@ -29,7 +29,7 @@ class Table(NamedTuple):
         order: pieces of the slabs, in each from low to high.
         pieces: (n, 7) of a link 0, both ends, and its interval of the first coordinate; of a bow 1,
             centre, radius, side, interval.
-        supports: (n,) of the pieces.
+        carriers: (n,) of the pieces.
         uprights: (m, 3) first coordinate, lower and upper end.
         upright_supports: (m,).
         regions: of the trapezoids of the slabs, each from low to high.
@@ -39,7 +39,7 @@ class Table(NamedTuple):
     slabs: Integers
     order: Integers
     pieces: Floats
-    supports: Integers
+    carriers: Integers
     uprights: Floats
     upright_supports: Integers
     regions: Integers
@@ -52,7 +52,7 @@ class Traces(NamedTuple):
         starts: (n + 1,) where the meetings of each line begin, and the last ones end.
         positions: along the lines, ascending.
         normals: (k, 2) of the curves there.
-        supports: (k,) or ``CHAIN``.
+        carriers: (k,) or ``CHAIN``.
         regions: (k,) behind the meetings.
         first: (n,) regions before the first one.
         chained: (n,) whether a line meets a chain.
@@ -61,7 +61,7 @@ class Traces(NamedTuple):
     starts: Integers
     positions: Floats
     normals: Floats
-    supports: Integers
+    carriers: Integers
     regions: Integers
     first: Integers
     chained: npt.NDArray[np.bool_]
@@ -120,7 +120,7 @@ def _firsts_at(piece, b, out):  # noqa: ANN001, ANN202
 @njit(cache=True)
 def _trace_upright(table, a, out):  # noqa: ANN001, ANN202
     """Fills what an upright line meets; how much that is, and the region it starts in."""
-    positions, normals, supports, regions = out
+    positions, normals, carriers, regions = out
     slab = np.searchsorted(table.borders, a, side="right") - 1
     if slab < 0 or slab >= table.slabs.size - 1:
         return 0, 0
@@ -129,7 +129,7 @@ def _trace_upright(table, a, out):  # noqa: ANN001, ANN202
         piece = table.order[start + k]
         positions[k] = _value(table.pieces[piece], a)
         normals[k, 0], normals[k, 1] = _normal(table.pieces[piece], a)
-        supports[k] = table.supports[piece]
+        carriers[k] = table.carriers[piece]
         regions[k] = table.regions[start + slab + k + 1]
     return end - start, table.regions[start + slab]
 
@@ -137,25 +137,25 @@ def _trace_upright(table, a, out):  # noqa: ANN001, ANN202
 @njit(cache=True)
 def _trace_level(table, b, out):  # noqa: ANN001, ANN202
     """The same of a level line."""
-    positions, normals, supports, regions = out
+    positions, normals, carriers, regions = out
     hits = np.empty(2)
     count = 0
     for piece in range(table.pieces.shape[0]):
         for k in range(_firsts_at(table.pieces[piece], b, hits)):
             positions[count] = hits[k]
             normals[count, 0], normals[count, 1] = _normal(table.pieces[piece], hits[k])
-            supports[count] = table.supports[piece]
+            carriers[count] = table.carriers[piece]
             count += 1
     for upright in range(table.uprights.shape[0]):
         if table.uprights[upright, 1] < b < table.uprights[upright, 2]:
             positions[count] = table.uprights[upright, 0]
             normals[count, 0], normals[count, 1] = 1.0, 0.0
-            supports[count] = table.upright_supports[upright]
+            carriers[count] = table.upright_supports[upright]
             count += 1
     order = np.argsort(positions[:count], kind="mergesort")
     positions[:count] = positions[:count][order]
     normals[:count] = normals[:count][order]
-    supports[:count] = supports[:count][order]
+    carriers[:count] = carriers[:count][order]
     for k in range(count - 1):
         regions[k] = locate(table, (positions[k] + positions[k + 1]) / 2.0, b)
     if count:
@@ -166,7 +166,7 @@ def _trace_level(table, b, out):  # noqa: ANN001, ANN202
 @njit(cache=True)
 def _without_slivers(count, out):  # noqa: ANN001, ANN202
     """Leaves out the outside between a chain and a support right beside it; how much is left."""
-    positions, normals, supports, regions = out
+    positions, normals, carriers, regions = out
     kept = 0
     for k in range(count):
         last = kept - 1
@@ -174,17 +174,17 @@ def _without_slivers(count, out):  # noqa: ANN001, ANN202
             kept > 0
             and regions[last] == 0
             and positions[k] - positions[last] < ROUGH
-            and (supports[last] == CHAIN) != (supports[k] == CHAIN)
+            and (carriers[last] == CHAIN) != (carriers[k] == CHAIN)
         ):
-            if supports[last] == CHAIN:
+            if carriers[last] == CHAIN:
                 positions[last] = positions[k]
                 normals[last] = normals[k]
-                supports[last] = supports[k]
+                carriers[last] = carriers[k]
             regions[last] = regions[k]
         else:
             positions[kept] = positions[k]
             normals[kept] = normals[k]
-            supports[kept] = supports[k]
+            carriers[kept] = carriers[k]
             regions[kept] = regions[k]
             kept += 1
     return kept
@@ -203,8 +203,8 @@ def traces(table, coordinate, values):  # noqa: ANN001, ANN201
     """What the lines meet on which a coordinate (0 or 1) has values, without slivers."""
     room = 2 * table.pieces.shape[0] + table.uprights.shape[0] + 1
     positions, normals = np.empty(room), np.empty((room, 2))
-    supports, regions = np.empty(room, np.int64), np.empty(room, np.int64)
-    out = (positions, normals, supports, regions)
+    carriers, regions = np.empty(room, np.int64), np.empty(room, np.int64)
+    out = (positions, normals, carriers, regions)
     starts = np.zeros(values.size + 1, np.int64)
     first = np.zeros(values.size, np.int64)
     chained = np.zeros(values.size, np.bool_)
@@ -219,7 +219,7 @@ def traces(table, coordinate, values):  # noqa: ANN001, ANN201
             count, region = _trace_level(table, value, out)
         first[line] = region
         for k in range(count):
-            chained[line] |= supports[k] == CHAIN
+            chained[line] |= carriers[k] == CHAIN
         if chained[line]:
             count = _without_slivers(count, out)
         start = starts[line]
@@ -231,7 +231,7 @@ def traces(table, coordinate, values):  # noqa: ANN001, ANN201
             all_regions = longer(all_regions, start, 2 * end)
         all_positions[start:end] = positions[:count]
         all_normals[start:end] = normals[:count]
-        all_supports[start:end] = supports[:count]
+        all_supports[start:end] = carriers[:count]
         all_regions[start:end] = regions[:count]
         starts[line + 1] = end
     end = starts[values.size]

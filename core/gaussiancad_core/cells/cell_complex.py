@@ -247,14 +247,14 @@ class Space:
             trace = self.planes[plane].trace(place, coordinate)
             axes = IN_PLANE[plane]
             steps = []
-            for position, flat, support, region in zip(
-                trace.positions, trace.normals, trace.supports, trace.regions[1:], strict=True
+            for position, flat, carrier, region in zip(
+                trace.positions, trace.normals, trace.carriers, trace.regions[1:], strict=True
             ):
                 along = [0.0, 0.0, 0.0]
                 along[axes[0]], along[axes[1]] = flat
                 direction = along[0], along[1], along[2]
-                steps.append((position, direction, (plane.value, support), region))
-            found = trace.regions[0], tuple(_without_slivers(steps)), CHAIN in trace.supports
+                steps.append((position, direction, (plane.value, carrier), region))
+            found = trace.regions[0], tuple(_without_slivers(steps)), CHAIN in trace.carriers
             self._steps[key] = found
         return found
 
@@ -277,8 +277,8 @@ def _without_slivers(steps: list[_Step]) -> list[_Step]:
             and step[0] - last[0] < ROUGH
             and (last[2][1] == CHAIN) != (step[2][1] == CHAIN)
         ):
-            support = step if last[2][1] == CHAIN else last
-            kept[-1] = (*support[:3], step[3])
+            carrier = step if last[2][1] == CHAIN else last
+            kept[-1] = (*carrier[:3], step[3])
         else:
             kept.append(step)
     return kept

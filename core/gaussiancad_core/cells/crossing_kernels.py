@@ -156,7 +156,7 @@ def _steps(frame, sides, which, steps):  # noqa: ANN001, ANN202
             normals[count, plane] = 0.0
             normals[count, one] = traces.normals[k, 0]
             normals[count, two] = traces.normals[k, 1]
-            surfaces[count] = plane * SURFACES + traces.supports[k] + 1
+            surfaces[count] = plane * SURFACES + traces.carriers[k] + 1
             behind[count] = traces.regions[k]
             count += 1
     counting = frame.counting[frame.normal, item]

@@ -22,8 +22,8 @@ from gaussiancad_core.coordinates.carrier_curves import (
     axis_line,
     meetings,
 )
-from gaussiancad_core.coordinates.carriers import PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.coordinates.carriers import PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.coordinates.point_chains import chain_distances
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -81,7 +81,7 @@ class Piece:
 
 def find_pieces(
     space: Space,
-    planes: dict[Axis, PlaneSupports],
+    planes: dict[Axis, PlaneCarriers],
     near: float,
     tolerance: float = 0.0,
     rows: Mapping[Axis, Sequence[Row]] | None = None,
@@ -98,11 +98,11 @@ def find_pieces(
     """
     for normal, plane in planes.items():
         this_rows = find_rows(space, normal) if rows is None else rows[normal]
-        for point, across, support, length in _lines(space, normal, this_rows):
+        for point, across, carrier, length in _lines(space, normal, this_rows):
             for role in plane.roles:
-                if support is not None and _may_be_drawn(support, role, point, length, tolerance):
+                if carrier is not None and _may_be_drawn(carrier, role, point, length, tolerance):
                     continue
-                linetype, confidence = _drawn(support, role, point)
+                linetype, confidence = _drawn(carrier, role, point)
                 short = linetype is Linetype.HIDDEN and length <= _DASH * tolerance
                 if short and _is_outline(space.planes[normal], point, across):
                     linetype = Linetype.VISIBLE
@@ -132,29 +132,29 @@ def _is_outside(arrangement: Arrangement, point: Point, across: Point) -> bool:
     return all(arrangement.locate(a + way * da, b + way * db) == OUTSIDE for way in (-SIDE, SIDE))
 
 
-def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype | None, float]:
-    if support is None:
+def _drawn(carrier: Carrier | None, role: Role, point: Point) -> tuple[Linetype | None, float]:
+    if carrier is None:
         return None, 1.0
-    at = support.curve.parameter(point)
-    slack = 1e-4 / support.curve.speed
+    at = carrier.curve.parameter(point)
+    slack = 1e-4 / carrier.curve.speed
     confidence = [
-        span.confidence
-        for span in support.spans.get(role, ())
-        if span.low - slack <= at <= span.high + slack
+        interval.confidence
+        for interval in carrier.intervals.get(role, ())
+        if interval.low - slack <= at <= interval.high + slack
     ]
-    return support.linetype_at(role, at), max(confidence, default=1.0)
+    return carrier.linetype_at(role, at), max(confidence, default=1.0)
 
 
 def _may_be_drawn(
-    support: Support, role: Role, point: Point, length: float, tolerance: float
+    carrier: Carrier, role: Role, point: Point, length: float, tolerance: float
 ) -> bool:
     """Whether a piece may be drawn or not, as one so short and so near to a stroke's end."""
-    at = support.curve.parameter(point)
-    if support.is_open_at(role, at):
+    at = carrier.curve.parameter(point)
+    if carrier.is_open_at(role, at):
         return True
-    for span in support.spans.get(role, ()):
-        reach = _LOOSE_ENDS[span.linetype] * tolerance
-        away = min(abs(at - span.low), abs(at - span.high)) * support.curve.speed
+    for interval in carrier.intervals.get(role, ()):
+        reach = _LOOSE_ENDS[interval.linetype] * tolerance
+        away = min(abs(at - interval.low), abs(at - interval.high)) * carrier.curve.speed
         if length <= reach and away <= reach:
             return True
     return False
@@ -162,7 +162,7 @@ def _may_be_drawn(
 
 def _lines(
     space: Space, normal: Axis, rows: Sequence[Row]
-) -> Iterator[tuple[Point, Point, Support | None, float]]:
+) -> Iterator[tuple[Point, Point, Carrier | None, float]]:
     """Pieces of the grid of values, and of the supports that are not parallel to an axis."""
     plane = space.planes[normal]
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
@@ -171,20 +171,20 @@ def _lines(
         for low, high in row.pieces():
             at = low + SHARE * (high - low)
             point = (row.value, at) if row.coordinate == 0 else (at, row.value)
-            yield point, across, row.support, high - low
+            yield point, across, row.carrier, high - low
     for index, low, high in plane.stretches:
-        support = plane.supports[index]
-        if support.curve.axis is None:
-            yield from _cut(support, (low, high), values)
+        carrier = plane.carriers[index]
+        if carrier.curve.axis is None:
+            yield from _cut(carrier, (low, high), values)
 
 
 def _cut(
-    support: Support, stretch: tuple[float, float], values: list[list[float]]
-) -> Iterator[tuple[Point, Point, Support, float]]:
-    curve = support.curve
+    carrier: Carrier, stretch: tuple[float, float], values: list[list[float]]
+) -> Iterator[tuple[Point, Point, Carrier, float]]:
+    curve = carrier.curve
     for low, high in _cuts(curve, stretch, values):
         at = low + SHARE * (high - low)
-        yield curve.at(at), curve.normal(at), support, (high - low) * curve.speed
+        yield curve.at(at), curve.normal(at), carrier, (high - low) * curve.speed
 
 
 def _cuts(
@@ -218,7 +218,7 @@ def _rims(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
     for body in space.bodies:
         for curve, stretch in body.rims(normal):
-            if any(_near_same(curve, support.curve) for support in space.planes[normal].supports):
+            if any(_near_same(curve, carrier.curve) for carrier in space.planes[normal].carriers):
                 continue
             for low, high in _cuts(curve, stretch, values):
                 for at, share in _runs(space.planes[normal], curve.at, (low, high)):
@@ -257,9 +257,9 @@ class _Branch:
 def _branches(space: Space, normal: Axis) -> list[_Branch]:
     plane = space.planes[normal]
     return [
-        _Branch(plane.supports[index].curve, low, high)
+        _Branch(plane.carriers[index].curve, low, high)
         for index, low, high in plane.stretches
-        if plane.supports[index].curve.axis is None
+        if plane.carriers[index].curve.axis is None
     ]
 
 
@@ -332,17 +332,17 @@ def _planes_across(
 ) -> Iterator[tuple[float, list[tuple[float, float]]]]:
     """Planes at right angles to an axis that another plane draws: depths, and where it does."""
     place = IN_PLANE[facing].index(normal.value)
-    for support in plane.supports:
-        if support.curve.axis == place:
-            depth = support.curve.point[place]
-            origin = support.curve.point[1 - place]
-            yield depth, [(origin + low, origin + high) for low, high in support.drawn()]
+    for carrier in plane.carriers:
+        if carrier.curve.axis == place:
+            depth = carrier.curve.point[place]
+            origin = carrier.curve.point[1 - place]
+            yield depth, [(origin + low, origin + high) for low, high in carrier.drawn()]
 
 
 class _DrawnNear:
     """What is drawn within reach of a point, be it on a support or along a chain."""
 
-    def __init__(self, plane: PlaneSupports, near: float) -> None:
+    def __init__(self, plane: PlaneCarriers, near: float) -> None:
         self._plane = plane
         self._near = near
         self._chains = [(role, np.array(chain), linetype) for role, chain, linetype in plane.chains]
@@ -355,15 +355,15 @@ class _DrawnNear:
         """
         found: set[Linetype | None] = set()
         linetypes: set[Linetype | None] = set()
-        for support in self._plane.supports:
-            away = support.curve.distance(point)
+        for carrier in self._plane.carriers:
+            away = carrier.curve.distance(point)
             if away < self._near:
-                at = support.curve.parameter(point)
-                a, b = support.curve.normal(at)
+                at = carrier.curve.parameter(point)
+                a, b = carrier.curve.normal(at)
                 if abs(a * across[0] + b * across[1]) > _ALONG:
-                    known = away < _ON and not support.is_unsure_at(role, at)
-                    (found if known else linetypes).add(support.linetype_at(role, at))
-                    if support.is_open_at(role, at):
+                    known = away < _ON and not carrier.is_unsure_at(role, at)
+                    (found if known else linetypes).add(carrier.linetype_at(role, at))
+                    if carrier.is_open_at(role, at):
                         linetypes.add(Linetype.HIDDEN)
         for other, drawn, linetype in self._chains:
             if other is role and self._is_near(drawn, point):

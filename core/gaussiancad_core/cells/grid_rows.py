@@ -14,7 +14,7 @@ from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.arrangement_kernels import CHAIN, traces
 from gaussiancad_core.cells.cell_complex import Space
 from gaussiancad_core.coordinates.carrier_curves import LineCurve, PlaneCurve
-from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -35,13 +35,13 @@ class Row:
     Attributes:
         coordinate: which one is the same all along.
         value: of that.
-        support: that the plane has there.
+        carrier: that the plane has there.
         cuts: of the other coordinate, ascending: between two of them nothing changes.
     """
 
     coordinate: int
     value: float
-    support: Support | None
+    carrier: Carrier | None
     cuts: tuple[float, ...]
 
     def pieces(self) -> Iterator[tuple[float, float]]:
@@ -57,19 +57,19 @@ def find_rows(space: Space, normal: Axis) -> list[Row]:
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
     rows = []
     for coordinate in (0, 1):
-        on_axis = [s for s in plane.supports if s.curve.axis == coordinate]
+        on_axis = [s for s in plane.carriers if s.curve.axis == coordinate]
         changes = _changes(space, normal, coordinate, values[coordinate])
         for value, change in zip(values[coordinate], changes, strict=True):
-            support = next((s for s in on_axis if _is_at(s.curve, coordinate, value)), None)
-            if support is None and not change:
+            carrier = next((s for s in on_axis if _is_at(s.curve, coordinate, value)), None)
+            if carrier is None and not change:
                 continue
             slanted = [
                 position
                 for position, number in _met(plane, coordinate, value)
-                if number != CHAIN and plane.supports[number].curve.axis is None
+                if number != CHAIN and plane.carriers[number].curve.axis is None
             ]
             cuts = tuple(sorted([*values[1 - coordinate], *slanted]))
-            rows.append(Row(coordinate, value, support, cuts))
+            rows.append(Row(coordinate, value, carrier, cuts))
     return rows
 
 
@@ -81,7 +81,7 @@ def count_pieces(rows: Sequence[Row]) -> int:
 def _met(plane: Arrangement, coordinate: int, value: float) -> Iterator[tuple[float, int]]:
     """Where a line of the grid meets supports, and which."""
     trace = plane.trace(coordinate, value)
-    return zip(trace.positions, trace.supports, strict=True)
+    return zip(trace.positions, trace.carriers, strict=True)
 
 
 def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float]) -> list[bool]:
@@ -99,7 +99,7 @@ def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float
     slices = [slice(low, high) for low, high in pairwise(found.starts.tolist())]
     return [
         found.first[k] != found.first[k + 1]
-        or not np.array_equal(found.supports[slices[k]], found.supports[slices[k + 1]])
+        or not np.array_equal(found.carriers[slices[k]], found.carriers[slices[k + 1]])
         or not np.array_equal(found.regions[slices[k]], found.regions[slices[k + 1]])
         for k in range(0, len(slices), 2)
     ]

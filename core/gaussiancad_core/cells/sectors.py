@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from math import pi
 
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
-from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier
 
 Sector = tuple[float, float]
 """(start, sweep) in radians of the axis' projection plane, sweep at most pi."""
@@ -23,7 +23,7 @@ _SMOOTH = 0.02
 def sector_of(
     arc: CircleCurve,
     stretch: tuple[float, float],
-    supports: Sequence[Support],
+    carriers: Sequence[Carrier],
     near: float,
 ) -> Sector | None:
     """The angles through which the profile turns whose rim is an arc; None for a whole turn.
@@ -31,14 +31,14 @@ def sector_of(
     Args:
         arc: the circle that it is a part of.
         stretch: (low, high) radians, high up to a turn more than 2 pi.
-        supports: of the plane of the axis.
+        carriers: of the plane of the axis.
         near: units within which a line ends at an arc's end.
     """
     low, high = stretch
     if high - low > pi + _TINY:
         # More than a half has no sides.
         return None
-    begins, ends = (_goes_on(arc, angle, supports, near) for angle in stretch)
+    begins, ends = (_goes_on(arc, angle, carriers, near) for angle in stretch)
     if begins and ends:
         return low, high - low
     if not begins and not ends:
@@ -46,24 +46,24 @@ def sector_of(
     return (low if begins else high - pi, pi)
 
 
-def _goes_on(arc: CircleCurve, angle: float, supports: Sequence[Support], near: float) -> bool:
+def _goes_on(arc: CircleCurve, angle: float, carriers: Sequence[Carrier], near: float) -> bool:
     """Whether another line or circle touches an arc at an angle, and is drawn there."""
     end = arc.at(angle)
     a, b = arc.normal(angle)
-    for support in supports:
-        curve = support.curve
+    for carrier in carriers:
+        curve = carrier.curve
         if curve == arc or curve.distance(end) > near:
             continue
         at = curve.parameter(end)
         x, y = curve.normal(at)
-        if abs(a * y - b * x) <= _SMOOTH and _is_drawn(support, at, near):
+        if abs(a * y - b * x) <= _SMOOTH and _is_drawn(carrier, at, near):
             return True
     return False
 
 
-def _is_drawn(support: Support, at: float, near: float) -> bool:
-    slack = near / support.curve.speed
-    turns = (0.0,) if not isinstance(support.curve, CircleCurve) else (-TURN, 0.0, TURN)
+def _is_drawn(carrier: Carrier, at: float, near: float) -> bool:
+    slack = near / carrier.curve.speed
+    turns = (0.0,) if not isinstance(carrier.curve, CircleCurve) else (-TURN, 0.0, TURN)
     return any(
-        low - slack <= at + turn <= high + slack for low, high in support.drawn() for turn in turns
+        low - slack <= at + turn <= high + slack for low, high in carrier.drawn() for turn in turns
     )

@@ -34,7 +34,7 @@ from gaussiancad_core.cells.revolution_kernels import (
     ROUND,
     SECTOR,
 )
-from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, RevolvedBody
+from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, SurfaceOfRevolution
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import role_plane
 from gaussiancad_core.model.views import Linetype
@@ -110,8 +110,8 @@ class Seen:
         rows = np.stack([found.before, found.after, found.surfaces], axis=1)
         _, first = np.unique(rows, axis=0, return_index=True)
         for one, other, surface in rows[np.sort(first)].tolist():
-            plane, support = divmod(surface, SURFACES)
-            yield self.keys.cell(one), self.keys.cell(other), (plane, support - 1)
+            plane, carrier = divmod(surface, SURFACES)
+            yield self.keys.cell(one), self.keys.cell(other), (plane, carrier - 1)
 
 
 class SightLines:
@@ -201,7 +201,7 @@ def body_table(bodies: Sequence[Body]) -> npt.NDArray[np.float64] | None:
     for row, body in zip(table, bodies, strict=True):
         if isinstance(body, HalfSpace):
             row[:5] = HALF_SPACE, *body.normal, body.offset
-        elif isinstance(body, RevolvedBody):
+        elif isinstance(body, SurfaceOfRevolution):
             profile = body.profile
             row[:PROFILE] = (
                 ROUND if isinstance(profile, ArcProfile) else CONE,

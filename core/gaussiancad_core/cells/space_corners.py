@@ -14,7 +14,7 @@ import numpy.typing as npt
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.coordinates.carrier_curves import LineCurve, Point, meetings
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.model.axes import Axis
 
 _MOST = 4000
@@ -42,11 +42,11 @@ class _Places:
         lines: of each place the straight supports that are drawn there.
     """
 
-    def __init__(self, plane: PlaneSupports, near: float, short: float) -> None:
+    def __init__(self, plane: PlaneCarriers, near: float, short: float) -> None:
         self._near = near
         self._short = max(near, short)
-        self._curves = [support.curve for support in plane.supports]
-        self._drawn = [support.drawn(near) for support in plane.supports]
+        self._curves = [carrier.curve for carrier in plane.carriers]
+        self._drawn = [carrier.drawn(near) for carrier in plane.carriers]
         self.points = np.array(_merged(self._meetings(), near)).reshape(-1, 2)
         self.lines: list[set[int]] = [set() for _ in self.points]
         for index, curve in enumerate(self._curves):
@@ -101,21 +101,21 @@ class _Places:
         return False
 
 
-def spatial_edges(supports: PartSupports, near: float, short: float = 0.0) -> SpatialEdges:
+def spatial_edges(carriers: PartCarriers, near: float, short: float = 0.0) -> SpatialEdges:
     """Slanted edges that three views show.
 
     Args:
-        supports: of all three planes, or there are none.
+        carriers: of all three planes, or there are none.
         near: units within which coordinates are the same.
         short: units by which slanted lines may end too early, where they run into others.
     """
     nothing = SpatialEdges(np.empty((0, 3)), ())
-    if len(supports.planes) < len(Axis) or not _has_slants(supports):
+    if len(carriers.planes) < len(Axis) or not _has_slants(carriers):
         return nothing
-    planes = [_Places(supports.planes[axis], near, short) for axis in Axis]
+    planes = [_Places(carriers.planes[axis], near, short) for axis in Axis]
     if any(not len(plane.points) for plane in planes):
         return nothing
-    points, places = _corners(planes, near, supports)
+    points, places = _corners(planes, near, carriers)
     if not 0 < len(points) <= _MOST:
         return nothing
     pairs: set[tuple[int, int]] = set()
@@ -129,16 +129,16 @@ def spatial_edges(supports: PartSupports, near: float, short: float = 0.0) -> Sp
     return SpatialEdges(points, tuple(_without_corners_between(points, sorted(pairs), near)))
 
 
-def _has_slants(supports: PartSupports) -> bool:
+def _has_slants(carriers: PartCarriers) -> bool:
     return any(
-        isinstance(support.curve, LineCurve) and support.curve.axis is None
-        for plane in supports.planes.values()
-        for support in plane.supports
+        isinstance(carrier.curve, LineCurve) and carrier.curve.axis is None
+        for plane in carriers.planes.values()
+        for carrier in plane.carriers
     )
 
 
 def _corners(
-    planes: list[_Places], near: float, supports: PartSupports
+    planes: list[_Places], near: float, carriers: PartCarriers
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
     """(n, 3) points that all views show, and (n, 3) the places that show them."""
     sides, fronts, tops = (plane.points for plane in planes)
@@ -154,7 +154,7 @@ def _corners(
                 places.append((side, front, top))
     points = np.array(found).reshape(-1, 3)
     for axis in Axis:
-        values = np.array(sorted(supports.values[axis]))
+        values = np.array(sorted(carriers.values[axis]))
         if len(values) and len(points):
             nearest = values[np.abs(points[:, axis.value, None] - values).argmin(1)]
             close = np.abs(points[:, axis.value] - nearest) <= near

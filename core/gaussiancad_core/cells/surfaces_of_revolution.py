@@ -106,7 +106,7 @@ Profile = LineProfile | ArcProfile
 
 
 @dataclass(frozen=True)
-class RevolvedBody:
+class SurfaceOfRevolution:
     """The space below a profile that turns about an axis.
 
     With a sector the profile turns only through that angle, as at a rounded corner.  What lies in

@@ -21,7 +21,7 @@ from gaussiancad_core.coordinates.carrier_curves import (
     line_through,
 )
 from gaussiancad_core.coordinates.chords import find_chords
-from gaussiancad_core.coordinates.constrained_places import ToldPlaces
+from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
     Reading,
@@ -31,7 +31,11 @@ from gaussiancad_core.coordinates.coordinate_clustering import (
 )
 from gaussiancad_core.coordinates.corner_equations import Slant, crossings
 from gaussiancad_core.coordinates.design_step import NominalStep, designed_scale
-from gaussiancad_core.coordinates.drawn_intervals import DrawnStretch, Support, supports_with_spans
+from gaussiancad_core.coordinates.drawn_intervals import (
+    Carrier,
+    DrawnInterval,
+    carriers_with_intervals,
+)
 from gaussiancad_core.coordinates.geometric_constraints import (
     Adjusted,
     Facet,
@@ -43,7 +47,7 @@ from gaussiancad_core.coordinates.roundings import is_quarter, is_rounding
 from gaussiancad_core.coordinates.skewed_dashes import without_askew_dashes
 from gaussiancad_core.coordinates.split_arcs import is_piece, with_pieces_of_arcs
 from gaussiancad_core.coordinates.tangents import touched_circles
-from gaussiancad_core.evidence.dimension_constraints import ToldNumbers
+from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, plane_points, role_plane
@@ -76,13 +80,13 @@ _WEIGHTY_SWEEP = pi
 
 
 @dataclass(frozen=True)
-class PlaneSupports:
+class PlaneCarriers:
     """What is drawn in one projection plane.
 
     Attributes:
         normal: axis that the plane's views look along.
         roles: its views.
-        supports: lines and circles.
+        carriers: lines and circles.
         chains: drawn curves that are neither: projections of intersection curves and silhouettes;
             (role, points, linetype).
         lost: (number of the support, low, high) of stretches that no view draws and one may lack.
@@ -90,13 +94,13 @@ class PlaneSupports:
 
     normal: Axis
     roles: tuple[Role, ...]
-    supports: tuple[Support, ...]
+    carriers: tuple[Carrier, ...]
     chains: tuple[tuple[Role, Chain, Linetype], ...]
     lost: tuple[tuple[int, float, float], ...] = ()
 
 
 @dataclass(frozen=True)
-class PartSupports:
+class PartCarriers:
     """The supports of all planes.
 
     Attributes:
@@ -113,7 +117,7 @@ class PartSupports:
         places: that follow from what these say; None where they say nothing.
     """
 
-    planes: dict[Axis, PlaneSupports]
+    planes: dict[Axis, PlaneCarriers]
     values: dict[Axis, tuple[float, ...]]
     size: tuple[float, float, float]
     scale: float
@@ -123,7 +127,7 @@ class PartSupports:
     odd: int = 0
     moved: float = 0.0
     unread: bool = False
-    places: ToldPlaces | None = None
+    places: ConstrainedPlaces | None = None
 
 
 @dataclass(frozen=True)
@@ -165,7 +169,7 @@ class _Plane:
     chains: list[tuple[Role, Chain, Linetype]]
 
 
-def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSupports:
+def find_carriers(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartCarriers:
     """Supports of the strokes of all views, in shared coordinates.
 
     Args:
@@ -193,7 +197,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
     known = adjusted(with_lone_values(snap, lone), shown, tolerance, facets)
     found = {
-        axis: PlaneSupports(
+        axis: PlaneCarriers(
             axis, tuple(plane.roles), _supports(plane, known, tolerance), tuple(plane.chains)
         )
         for axis, plane in planes.items()
@@ -202,7 +206,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     if views.known is not None:
         known_size = size[views.known.value], views.size[views.known.value]
         scale = designed_scale(snapped.step, known_size, scale)
-    return PartSupports(
+    return PartCarriers(
         found,
         snapped.values,
         size,
@@ -300,7 +304,7 @@ def _snap(
     limits: tuple[float, float | None],
     *,
     noise: float,
-    stated: ToldNumbers | None,
+    stated: DimensionConstraints | None,
     scaled: bool,
 ) -> Snapped:
     """Values and circles, with what lies together made equal."""
@@ -369,11 +373,11 @@ def _parallel_axis(line: _Line, tolerance: float) -> int | None:
     return None
 
 
-def _supports(plane: _Plane, known: Adjusted, tolerance: float) -> tuple[Support, ...]:
+def _supports(plane: _Plane, known: Adjusted, tolerance: float) -> tuple[Carrier, ...]:
     snap, lines = known.snap, known.lines[plane.normal]
     circles = [(snap.circle(plane.normal, c.circle) or c.circle, c) for c in plane.circles]
     curves: list[PlaneCurve] = []
-    strokes: list[tuple[int, DrawnStretch]] = []
+    strokes: list[tuple[int, DrawnInterval]] = []
     for circle, stroke in circles:
         if circle not in curves:
             curves.append(circle)
@@ -395,16 +399,16 @@ def _supports(plane: _Plane, known: Adjusted, tolerance: float) -> tuple[Support
         curves.append(curve)
         strokes += [(len(curves) - 1, _line_stretch(curve, line)) for line in group]
     grid = [axis_line(index, value) for index in (0, 1) for value in snap.values[axes[index]]]
-    return supports_with_spans(curves, strokes, grid, tolerance)
+    return carriers_with_intervals(curves, strokes, grid, tolerance)
 
 
-def _line_stretch(curve: LineCurve, line: _Line) -> DrawnStretch:
+def _line_stretch(curve: LineCurve, line: _Line) -> DrawnInterval:
     low, high = sorted((curve.parameter(line.start), curve.parameter(line.end)))
-    return DrawnStretch(line.role, (low, high), line.linetype, line.confidence)
+    return DrawnInterval(line.role, (low, high), line.linetype, line.confidence)
 
 
-def _arc_stretch(arc: _Circle) -> DrawnStretch:
-    return DrawnStretch(arc.role, (arc.low, arc.low + arc.sweep), arc.linetype, arc.confidence)
+def _arc_stretch(arc: _Circle) -> DrawnInterval:
+    return DrawnInterval(arc.role, (arc.low, arc.low + arc.sweep), arc.linetype, arc.confidence)
 
 
 def _collinear(lines: list[_Line], tolerance: float) -> list[list[_Line]]:

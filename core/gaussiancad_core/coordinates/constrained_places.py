@@ -19,7 +19,7 @@ _FOLLOWS = 1e-6
 
 
 @dataclass(frozen=True)
-class ToldPlaces:
+class ConstrainedPlaces:
     """Coordinates and radii that follow from numbers on the sheet.
 
     Attributes:
@@ -35,9 +35,9 @@ class ToldPlaces:
     offset: float
     digit: float
 
-    def scaled(self, factor: float) -> "ToldPlaces":
+    def scaled(self, factor: float) -> "ConstrainedPlaces":
         """The same in another unit."""
-        return ToldPlaces(
+        return ConstrainedPlaces(
             {axis: tuple(factor * at for at in values) for axis, values in self.values.items()},
             tuple(factor * radius for radius in self.radii),
             factor * self.offset,
@@ -45,12 +45,12 @@ class ToldPlaces:
         )
 
 
-def told_places(
+def constrained_places(
     numbers: tuple[Numbers, Numbers],
     of: tuple[Mapping[Axis, Sequence[int]], Sequence[tuple[Axis, int, int, int]]],
     equations: tuple[Sequence[Linear], Sequence[Linear]],
     digit: float,
-) -> ToldPlaces:
+) -> ConstrainedPlaces:
     """Which coordinates and radii follow from numbers on the sheet.
 
     Args:
@@ -82,7 +82,7 @@ def told_places(
                 }
             )
         )
-    return ToldPlaces(found, tuple(sorted(radii)), offset, digit)
+    return ConstrainedPlaces(found, tuple(sorted(radii)), offset, digit)
 
 
 def _is_still(component: Numbers) -> bool:

@@ -14,13 +14,13 @@ import numpy as np
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.circle_constraints import circle_relations
-from gaussiancad_core.coordinates.constrained_places import ToldPlaces, told_places
+from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces, constrained_places
 from gaussiancad_core.coordinates.design_step import NominalStep, nominal_step
-from gaussiancad_core.coordinates.dimension_equations import as_told, told_relations
+from gaussiancad_core.coordinates.dimension_equations import dimension_relations, with_dimensions
 from gaussiancad_core.coordinates.grid_fitting import Roughness, likely_numbers
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, solved
 from gaussiancad_core.coordinates.round_numbers import round_numbers
-from gaussiancad_core.evidence.dimension_constraints import ToldNumbers
+from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -106,7 +106,7 @@ class Snapped:
     moved: float = 0.0
     begins: Mapping[Axis, float] = field(default_factory=dict)
     unread: bool = False
-    places: ToldPlaces | None = None
+    places: ConstrainedPlaces | None = None
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
         """The value nearest to a reading, if it is within reach."""
@@ -148,7 +148,7 @@ def snapped(
     millimetre: float = 0.0,
     *,
     noise: float = 0.0,
-    stated: ToldNumbers | None = None,
+    stated: DimensionConstraints | None = None,
     scaled: bool = False,
 ) -> Snapped:
     """Make readings that belong together equal.
@@ -182,8 +182,10 @@ def snapped(
     relations = circle_relations(variables.observed, clusters, items, tolerance)
     read, known = variables.weights, None
     if stated is not None:
-        said = told_relations(variables.observed, clusters, items, stated, tolerance)
-        known = as_told(variables.observed, (clusters, items), (relations, said), _FAR * tolerance)
+        said = dimension_relations(variables.observed, clusters, items, stated, tolerance)
+        known = with_dimensions(
+            variables.observed, (clusters, items), (relations, said), _FAR * tolerance
+        )
         variables.observed, relations = known.numbers, [*relations, *known.kept]
         variables.weights = (known.factors * variables.weights).tolist()
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
@@ -223,7 +225,7 @@ def snapped(
     if stated is None or known is None:
         return snap
     unread = step is not None and _is_unread(step, numbers, known.drawn)
-    places = told_places(
+    places = constrained_places(
         (numbers, known.drawn), (clusters, items), (relations, known.kept), stated.digit
     )
     return replace(snap, begins=known.begins, unread=unread, places=places)

@@ -11,7 +11,11 @@ from itertools import product
 import numpy as np
 
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, solved
-from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.evidence.dimension_constraints import (
+    DimensionConstraints,
+    LengthDimension,
+    RadiusDimension,
+)
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -25,11 +29,11 @@ _FIRMLY = 1e3
 """Factor of the weight of a coordinate or radius that a number tells."""
 
 
-def told_relations(
+def dimension_relations(
     observed: Sequence[float],
     values: Mapping[Axis, Sequence[int]],
     circles: Sequence[tuple[Axis, int, int, int]],
-    stated: ToldNumbers,
+    stated: DimensionConstraints,
     tolerance: float,
 ) -> list[Linear]:
     """Equations between values, centres and radii that numbers tell.
@@ -43,7 +47,7 @@ def told_relations(
     """
     found: list[Linear] = []
     for length in stated.lengths:
-        if isinstance(length, ToldRadius):
+        if isinstance(length, RadiusDimension):
             found += _radii(observed, circles, length, stated.reach, tolerance)
             continue
         places = list(_places(observed, values, circles, length.axis))
@@ -65,7 +69,7 @@ Terms = tuple[tuple[int, float], ...]
 
 
 @dataclass(frozen=True, eq=False)
-class AsTold:
+class WithDimensions:
     """Numbers as the sheet says, as far as it says them.
 
     Attributes:
@@ -84,12 +88,12 @@ class AsTold:
     begins: dict[Axis, float]
 
 
-def as_told(
+def with_dimensions(
     observed: Sequence[float],
     of: tuple[Mapping[Axis, Sequence[int]], Sequence[tuple[Axis, int, int, int]]],
     equations: tuple[Sequence[Linear], Sequence[Linear]],
     far: float,
-) -> AsTold:
+) -> WithDimensions:
     """Move numbers to what the sheet says.
 
     A line is drawn as far beside its place as any other, be it short or long, and so is the end of
@@ -126,7 +130,7 @@ def as_told(
     numbers = _from_their_ends(numbers, values, circles, begins)
     factors = np.ones(len(numbers))
     factors[list({column for item in kept for column, _ in item.terms})] = _FIRMLY
-    return AsTold(numbers.tolist(), drawn, factors, kept, begins)
+    return WithDimensions(numbers.tolist(), drawn, factors, kept, begins)
 
 
 def _from_their_ends(
@@ -162,7 +166,7 @@ def _places(
                     yield at, ((centre, 1.0), (radius, side))
 
 
-def _misfit(length: ToldLength, low: float, high: float) -> float:
+def _misfit(length: LengthDimension, low: float, high: float) -> float:
     away = abs(low - length.low) + abs(high - length.high)
     return abs(high - low - length.value) + _OWN * away
 
@@ -174,7 +178,7 @@ def _negative(terms: Terms) -> Terms:
 def _radii(
     observed: Sequence[float],
     circles: Sequence[tuple[Axis, int, int, int]],
-    this_radius: ToldRadius,
+    this_radius: RadiusDimension,
     reach: float,
     tolerance: float,
 ) -> Iterator[Linear]:

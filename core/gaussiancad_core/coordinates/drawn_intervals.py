@@ -35,7 +35,7 @@ _STEP = 2.0
 
 
 @dataclass(frozen=True)
-class Span:
+class Interval:
     """A stretch of a support that a view draws.
 
     Attributes:
@@ -51,21 +51,25 @@ class Span:
 
 
 @dataclass(frozen=True)
-class Support:
+class Carrier:
     """A curve with what the views draw on it.
 
     Attributes:
         curve: line or circle, in plane units.
-        spans: of each view of the plane.
+        intervals: of each view of the plane.
     """
 
     curve: PlaneCurve
-    spans: dict[Role, tuple[Span, ...]]
+    intervals: dict[Role, tuple[Interval, ...]]
 
     def drawn(self, reach: float = 1e-4) -> list[tuple[float, float]]:
         """The stretches that any view draws, merged, ascending."""
-        return merged_stretches(
-            ((span.low, span.high) for spans in self.spans.values() for span in spans),
+        return merged_intervals(
+            (
+                (interval.low, interval.high)
+                for intervals in self.intervals.values()
+                for interval in intervals
+            ),
             reach / self.curve.speed,
         )
 
@@ -73,9 +77,12 @@ class Support:
         """What a view draws at a parameter; visible lines hide hidden ones under them."""
         slack = reach / self.curve.speed
         found = None
-        for span in self.spans.get(role, ()):
-            if span.confidence > 0.0 and span.low - slack <= parameter <= span.high + slack:
-                if span.linetype is Linetype.VISIBLE:
+        for interval in self.intervals.get(role, ()):
+            if (
+                interval.confidence > 0.0
+                and interval.low - slack <= parameter <= interval.high + slack
+            ):
+                if interval.linetype is Linetype.VISIBLE:
                     return Linetype.VISIBLE
                 found = Linetype.HIDDEN
         return found
@@ -84,22 +91,23 @@ class Support:
         """Whether a view may draw the support at a parameter, or may not."""
         slack = reach / self.curve.speed
         return any(
-            span.confidence == 0.0 and span.low - slack <= parameter <= span.high + slack
-            for span in self.spans.get(role, ())
+            interval.confidence == 0.0
+            and interval.low - slack <= parameter <= interval.high + slack
+            for interval in self.intervals.get(role, ())
         )
 
     def is_unsure_at(self, role: Role, parameter: float, reach: float = 1e-4) -> bool:
         """Whether a view draws the support at a parameter without telling its linetype."""
         slack = reach / self.curve.speed
         found = [
-            span.confidence
-            for span in self.spans.get(role, ())
-            if span.low - slack <= parameter <= span.high + slack
+            interval.confidence
+            for interval in self.intervals.get(role, ())
+            if interval.low - slack <= parameter <= interval.high + slack
         ]
         return 0.0 < max(found, default=0.0) <= UNSURE
 
 
-def merged_stretches(
+def merged_intervals(
     stretches: Iterable[tuple[float, float]], slack: float
 ) -> list[tuple[float, float]]:
     """Intervals that overlap or lie within ``slack`` of each other as one, ascending."""
@@ -113,7 +121,7 @@ def merged_stretches(
 
 
 @dataclass(frozen=True)
-class DrawnStretch:
+class DrawnInterval:
     """A stroke on its curve.
 
     Attributes:
@@ -129,12 +137,12 @@ class DrawnStretch:
     confidence: float
 
 
-def supports_with_spans(
+def carriers_with_intervals(
     curves: Sequence[PlaneCurve],
-    strokes: Sequence[tuple[int, DrawnStretch]],
+    strokes: Sequence[tuple[int, DrawnInterval]],
     grid: Sequence[PlaneCurve],
     tolerance: float,
-) -> tuple[Support, ...]:
+) -> tuple[Carrier, ...]:
     """Curves with what is drawn on them.
 
     Args:
@@ -150,21 +158,21 @@ def supports_with_spans(
         for curve, items in zip(curves, own_stations, strict=True)
     ]
     joints = joints_of(curves, [(index, stroke.ends) for index, stroke in strokes], reach)
-    spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
+    intervals: list[dict[Role, list[Interval]]] = [{} for _ in curves]
     for (index, stroke), joint in zip(strokes, joints, strict=True):
         curve = curves[index]
-        this_spans = spans[index].setdefault(stroke.role, [])
+        this_spans = intervals[index].setdefault(stroke.role, [])
         slack = reach / curve.speed
         ends = _joined(curve, stroke.ends, joint, own_stations[index])
         ends = _slid(curve, ends, (stations[index], slack), curves, tolerance)
         for low, high in _settled(curve, ends, stations[index], slack):
             if high - low > 1e-9:
-                this_spans.append(Span(low, high, stroke.linetype, stroke.confidence))
+                this_spans.append(Interval(low, high, stroke.linetype, stroke.confidence))
     found = [
-        Support(curve, {role: tuple(items) for role, items in by_role.items()})
-        for curve, by_role in zip(curves, spans, strict=True)
+        Carrier(curve, {role: tuple(items) for role, items in by_role.items()})
+        for curve, by_role in zip(curves, intervals, strict=True)
     ]
-    return tuple(_filled(support, found, tolerance) for support in found)
+    return tuple(_filled(carrier, found, tolerance) for carrier in found)
 
 
 def _joined(
@@ -250,42 +258,44 @@ def _settled(
     return [(low, TURN), (0.0, high - TURN)]
 
 
-def _filled(support: Support, others: Sequence[Support], tolerance: float) -> Support:
+def _filled(carrier: Carrier, others: Sequence[Carrier], tolerance: float) -> Carrier:
     """The support without cracks, and with those gaps closed along which another line runs."""
-    spans = {}
-    for role, this_spans in support.spans.items():
+    intervals = {}
+    for role, this_spans in carrier.intervals.items():
         gaps = [
-            Span(one.high, two.low, one.linetype, min(one.confidence, two.confidence))
+            Interval(one.high, two.low, one.linetype, min(one.confidence, two.confidence))
             for one, two in _neighbours(this_spans)
             if all(
                 any(
-                    _runs_by(other, role, support.curve.at(at), _BESIDE * tolerance)
+                    _runs_by(other, role, carrier.curve.at(at), _BESIDE * tolerance)
                     for other in others
-                    if other is not support
+                    if other is not carrier
                 )
-                for at in _places(support.curve, one.high, two.low, _STEP * tolerance)
+                for at in _places(carrier.curve, one.high, two.low, _STEP * tolerance)
             )
         ]
-        cracks = _cracks(this_spans, tolerance / support.curve.speed)
-        spans[role] = (*this_spans, *gaps, *cracks)
-    return Support(support.curve, spans)
+        cracks = _cracks(this_spans, tolerance / carrier.curve.speed)
+        intervals[role] = (*this_spans, *gaps, *cracks)
+    return Carrier(carrier.curve, intervals)
 
 
-def _cracks(spans: Sequence[Span], slack: float) -> Iterator[Span]:
+def _cracks(intervals: Sequence[Interval], slack: float) -> Iterator[Interval]:
     """What lacks between spans that end within ``slack`` of each other."""
-    before: Span | None = None
-    for span in sorted(spans, key=lambda this_span: this_span.low):
-        if before is not None and 1e-9 < span.low - before.high <= slack:
-            confidence = min(before.confidence, span.confidence)
-            yield Span(before.high, span.low, before.linetype, confidence)
-        if before is None or span.high > before.high:
-            before = span
+    before: Interval | None = None
+    for interval in sorted(intervals, key=lambda this_span: this_span.low):
+        if before is not None and 1e-9 < interval.low - before.high <= slack:
+            confidence = min(before.confidence, interval.confidence)
+            yield Interval(before.high, interval.low, before.linetype, confidence)
+        if before is None or interval.high > before.high:
+            before = interval
 
 
-def _neighbours(spans: Sequence[Span]) -> Iterator[tuple[Span, Span]]:
+def _neighbours(intervals: Sequence[Interval]) -> Iterator[tuple[Interval, Interval]]:
     """Spans of one linetype with a gap between them."""
     for linetype in Linetype:
-        this_spans = sorted((s for s in spans if s.linetype is linetype), key=lambda span: span.low)
+        this_spans = sorted(
+            (s for s in intervals if s.linetype is linetype), key=lambda interval: interval.low
+        )
         yield from ((one, two) for one, two in pairwise(this_spans) if two.low - one.high > 1e-9)
 
 
@@ -294,7 +304,7 @@ def _places(curve: PlaneCurve, low: float, high: float, step: float) -> list[flo
     return [low + (high - low) * (k + 0.5) / count for k in range(count)]
 
 
-def _runs_by(other: Support, role: Role, point: Point, near: float) -> bool:
+def _runs_by(other: Carrier, role: Role, point: Point, near: float) -> bool:
     """Whether a view draws a line near a point."""
     if other.curve.distance(point) > near:
         return False

@@ -125,7 +125,7 @@ def likely_numbers(
         circles: normal, and places of both coordinates of the centre and of the radius.
         rough: how roughly they are known.
     """
-    lattice = told_lattice(independent(numbers, values, circles, rough.tolerance), rough)
+    lattice = fitted_lattice(independent(numbers, values, circles, rough.tolerance), rough)
     if lattice is None:
         return None
     group = np.zeros(len(numbers), dtype=np.int64)
@@ -145,7 +145,7 @@ def likely_numbers(
     return LikelyNumbers(likely.tolist(), np.where(fits, LIKELY, 1.0), moved)
 
 
-def told_lattice(groups: Sequence[Sequence[float]], rough: Roughness) -> Lattice | None:
+def fitted_lattice(groups: Sequence[Sequence[float]], rough: Roughness) -> Lattice | None:
     """The lattice that numbers lie on, or None where none is told.
 
     Args:

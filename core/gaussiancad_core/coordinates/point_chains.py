@@ -69,11 +69,11 @@ def through_points(
     chain: npt.NDArray[np.float64], targets: npt.NDArray[np.float64], near: float
 ) -> Chain:
     """The chain with those of (n, 2) targets as further points that lie within ``near`` of it."""
-    starts, spans = chain[:-1], np.diff(chain, axis=0)
-    squares = np.maximum((spans**2).sum(axis=1), 1e-300)
+    starts, intervals = chain[:-1], np.diff(chain, axis=0)
+    squares = np.maximum((intervals**2).sum(axis=1), 1e-300)
     offsets = targets[:, None, :] - starts[None]
-    shares = np.clip((offsets * spans).sum(axis=2) / squares, 0.0, 1.0)
-    away = np.sqrt(((offsets - shares[..., None] * spans) ** 2).sum(axis=2))
+    shares = np.clip((offsets * intervals).sum(axis=2) / squares, 0.0, 1.0)
+    away = np.sqrt(((offsets - shares[..., None] * intervals) ** 2).sum(axis=2))
     closest = away.argmin(axis=1)
     rows = np.flatnonzero(away.min(axis=1) < near)
     extra = [
@@ -113,13 +113,13 @@ def crossings_with_chain(one: Chain, other: Chain) -> list[float]:
     high = np.minimum(first.max(0), second.max(0))
     if (low > high).any():
         return []
-    starts, spans = first[:-1, None], np.diff(first, axis=0)[:, None]
+    starts, intervals = first[:-1, None], np.diff(first, axis=0)[:, None]
     others, ways = second[None, :-1], np.diff(second, axis=0)[None]
-    sines = spans[..., 0] * ways[..., 1] - spans[..., 1] * ways[..., 0]
+    sines = intervals[..., 0] * ways[..., 1] - intervals[..., 1] * ways[..., 0]
     with np.errstate(divide="ignore", invalid="ignore"):
         between = others - starts
         along = (between[..., 0] * ways[..., 1] - between[..., 1] * ways[..., 0]) / sines
-        across = (between[..., 0] * spans[..., 1] - between[..., 1] * spans[..., 0]) / sines
+        across = (between[..., 0] * intervals[..., 1] - between[..., 1] * intervals[..., 0]) / sines
     inside = (along > 0.0) & (along < 1.0) & (across > 0.0) & (across < 1.0)
     rows, columns = np.nonzero(inside)
     return [
@@ -132,9 +132,9 @@ def chain_distances(
     chain: npt.NDArray[np.float64], points: npt.NDArray[np.float64]
 ) -> npt.NDArray[np.float64]:
     """(n,) distances of (n, 2) points from a chain of (m, 2) points."""
-    starts, spans = chain[:-1], np.diff(chain, axis=0)
-    squares = np.maximum((spans**2).sum(axis=1), 1e-300)
+    starts, intervals = chain[:-1], np.diff(chain, axis=0)
+    squares = np.maximum((intervals**2).sum(axis=1), 1e-300)
     offsets = points[:, None, :] - starts[None]
-    shares = np.clip((offsets * spans).sum(axis=2) / squares, 0.0, 1.0)
-    nearest = offsets - shares[..., None] * spans
+    shares = np.clip((offsets * intervals).sum(axis=2) / squares, 0.0, 1.0)
+    nearest = offsets - shares[..., None] * intervals
     return np.sqrt((nearest**2).sum(axis=2).min(axis=1))

@@ -7,7 +7,7 @@ from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Box
 from gaussiancad_core.drawing.annotation_pen import Direction, Pen
 from gaussiancad_core.drawing.lettering import label, text_width
 from gaussiancad_core.drawing.sheet_style import TextPlace
-from gaussiancad_core.drawing.stations import Station
+from gaussiancad_core.drawing.stations import DimensionableFeature
 from gaussiancad_core.model.views import Segment
 
 Span = tuple[float, float]
@@ -30,7 +30,7 @@ class DimensionLine:
     direction: Direction
     side: int
     at: float
-    ends: tuple[Station, Station]
+    ends: tuple[DimensionableFeature, DimensionableFeature]
     text: str
     pen: Pen
 
@@ -166,7 +166,7 @@ class DimensionLine:
             if high > low
         )
 
-    def _extension(self, station: Station) -> Segment:
+    def _extension(self, station: DimensionableFeature) -> Segment:
         border = station.high if self.side > 0 else station.low
         near, far = border + self.side * self.pen.gap, self.at + self.side * self.pen.overshoot
         return self.direction.segment((station.at, near), (station.at, far))

@@ -12,7 +12,7 @@ from gaussiancad_core.drawing.annotation_pen import Board, Direction
 from gaussiancad_core.drawing.centre_lines import Round, model_axis, rounds, to_model
 from gaussiancad_core.drawing.dimension_line import DimensionLine
 from gaussiancad_core.drawing.drawn_view import DrawnView
-from gaussiancad_core.drawing.stations import Station, border_station, stations
+from gaussiancad_core.drawing.stations import DimensionableFeature, border_station, stations
 from gaussiancad_core.model.axes import Axis
 
 _INNER = 2
@@ -108,18 +108,20 @@ def _fills(circle: Round, view: DrawnView, direction: Direction) -> bool:
     return circle.whole and abs(2.0 * circle.radius - (high - low)) < _KNOWN
 
 
-def _by_distance(wanted: list[Station], first: float) -> list[Station]:
+def _by_distance(wanted: list[DimensionableFeature], first: float) -> list[DimensionableFeature]:
     """Stations, those nearest to a place first."""
     return sorted(wanted, key=lambda station: abs(station.at - first))
 
 
-def _inner(view: DrawnView, direction: Direction, places: _Places, board: Board) -> list[Station]:
+def _inner(
+    view: DrawnView, direction: Direction, places: _Places, board: Board
+) -> list[DimensionableFeature]:
     """The weightiest stations between a view's borders that nothing has said yet.
 
     Places of holes come first: a machinist looks for them first.
     """
     low, high = direction.span(view.box)
-    chosen: list[Station] = []
+    chosen: list[DimensionableFeature] = []
     for station in sorted(
         stations(view, direction, board.centre_lines), key=lambda item: -item.weight
     ):
@@ -166,7 +168,9 @@ class _Beside:
         self._pen = board.pen
         self._room = board.room
 
-    def place(self, datum: Station, station: Station, text: str) -> list[Annotation]:
+    def place(
+        self, datum: DimensionableFeature, station: DimensionableFeature, text: str
+    ) -> list[Annotation]:
         """A dimension in the first row that is free; nothing if there is none."""
         low, high = self._direction.other.span(self._view.box)
         first, second = sorted((datum, station), key=lambda item: item.at)

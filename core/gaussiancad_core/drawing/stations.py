@@ -16,7 +16,7 @@ _BORDER = 0.5
 
 
 @dataclass(frozen=True)
-class Station:
+class DimensionableFeature:
     """Something that can be dimensioned, at a coordinate along a direction.
 
     Attributes:
@@ -33,7 +33,7 @@ class Station:
     centre: bool = False
 
 
-def border_station(view: DrawnView, direction: Direction, at: float) -> Station:
+def border_station(view: DrawnView, direction: Direction, at: float) -> DimensionableFeature:
     """The part's outermost point in a direction."""
     across = [
         float(point[direction.other.value])
@@ -41,12 +41,12 @@ def border_station(view: DrawnView, direction: Direction, at: float) -> Station:
         for point in stroke.sample(1.0)
         if abs(point[direction.value] - at) < _BORDER
     ]
-    return Station(at, min(across), max(across), 0.0)
+    return DimensionableFeature(at, min(across), max(across), 0.0)
 
 
 def stations(
     view: DrawnView, direction: Direction, centre_lines: tuple[DrawnStroke, ...]
-) -> list[Station]:
+) -> list[DimensionableFeature]:
     """Visible edges across a direction, and the centres of visible circles.
 
     Args:
@@ -55,13 +55,13 @@ def stations(
         centre_lines: of all views; extension lines continue them.
     """
     along, across = direction.value, direction.other.value
-    found: dict[float, Station] = {}
+    found: dict[float, DimensionableFeature] = {}
 
-    def add(station: Station) -> None:
+    def add(station: DimensionableFeature) -> None:
         key = round(station.at, 1)
         old = found.get(key)
         if old is not None:
-            station = Station(
+            station = DimensionableFeature(
                 old.at,
                 min(old.low, station.low),
                 max(old.high, station.high),
@@ -74,13 +74,13 @@ def stations(
         if isinstance(stroke, Segment) and stroke.linetype is Linetype.VISIBLE:
             low, high = sorted((stroke.start[across], stroke.end[across]))
             if abs(stroke.start[along] - stroke.end[along]) < _ON:
-                add(Station(stroke.start[along], low, high, high - low))
+                add(DimensionableFeature(stroke.start[along], low, high, high - low))
     for circle in rounds(view):
         if not circle.visible:
             continue
         at, centre = circle.centre[along], circle.centre[across]
         low, high = _marked(direction, at, centre_lines, (centre, circle.radius))
-        add(Station(at, low, high, 2.0 * circle.radius, True))
+        add(DimensionableFeature(at, low, high, 2.0 * circle.radius, True))
     return list(found.values())
 
 

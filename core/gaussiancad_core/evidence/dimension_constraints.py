@@ -10,7 +10,7 @@ from gaussiancad_core.model.axes import Axis
 
 
 @dataclass(frozen=True)
-class ToldLength:
+class LengthDimension:
     """A distance along an axis.
 
     Attributes:
@@ -24,7 +24,7 @@ class ToldLength:
     high: float
     value: float
 
-    def scaled(self, factor: float) -> "ToldLength":
+    def scaled(self, factor: float) -> "LengthDimension":
         """The same in another unit."""
         return replace(
             self, low=factor * self.low, high=factor * self.high, value=factor * self.value
@@ -32,7 +32,7 @@ class ToldLength:
 
 
 @dataclass(frozen=True)
-class ToldRadius:
+class RadiusDimension:
     """The radius of a circle or an arc.
 
     Attributes:
@@ -47,7 +47,7 @@ class ToldRadius:
     radius: float
     value: float
 
-    def scaled(self, factor: float) -> "ToldRadius":
+    def scaled(self, factor: float) -> "RadiusDimension":
         """The same in another unit."""
         x, y = self.centre
         return replace(
@@ -58,11 +58,11 @@ class ToldRadius:
         )
 
 
-Told = ToldLength | ToldRadius
+Told = LengthDimension | RadiusDimension
 
 
 @dataclass(frozen=True)
-class ToldNumbers:
+class DimensionConstraints:
     """What numbers say.
 
     Attributes:
@@ -75,7 +75,7 @@ class ToldNumbers:
     reach: float = 0.0
     digit: float = 0.0
 
-    def scaled(self, factor: float) -> "ToldNumbers":
+    def scaled(self, factor: float) -> "DimensionConstraints":
         """The same in another unit."""
         lengths = tuple(length.scaled(factor) for length in self.lengths)
-        return ToldNumbers(lengths, factor * self.reach, factor * self.digit)
+        return DimensionConstraints(lengths, factor * self.reach, factor * self.digit)

@@ -10,10 +10,10 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from gaussiancad_core.evidence.dimension_constraints import (
+    DimensionConstraints,
+    LengthDimension,
+    RadiusDimension,
     Told,
-    ToldLength,
-    ToldNumbers,
-    ToldRadius,
 )
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import plane_points, role_plane
@@ -39,9 +39,9 @@ _LEAST_PX, _NOISES, _MOST_PX = 0.5, 5.0, 0.75
 from and to."""
 
 
-def told_numbers(
+def dimension_constraints(
     registered: RegisteredSheet, measures: Sequence[Measure], noise_px: float
-) -> ToldNumbers | None:
+) -> DimensionConstraints | None:
     """What dimensions say of a part, in mm; None where they say nothing.
 
     Args:
@@ -58,7 +58,7 @@ def told_numbers(
     reach = min(max(_NOISES * noise_px, _LEAST_PX), _MOST_PX)
     # Zeros at the end are left out: the longest number tells how all are rounded.
     digit = min((measure.digit_mm for measure in measures), default=0.0)
-    return ToldNumbers(found, reach * registered.mm_per_pixel, digit)
+    return DimensionConstraints(found, reach * registered.mm_per_pixel, digit)
 
 
 def trusted(registered: RegisteredSheet, scale: SheetScale | None) -> tuple[Measure, ...]:
@@ -93,7 +93,7 @@ def _told(registered: RegisteredSheet, measure: Measure) -> Iterator[Told]:
             return
 
 
-def _length(role: Role, placement: Placement, span: Span, value: float) -> ToldLength | None:
+def _length(role: Role, placement: Placement, span: Span, value: float) -> LengthDimension | None:
     x0, y0, x1, y1 = placement.box
     first, last = (x0, x1) if span.level else (y0, y1)
     if span.low < first - _BEYOND_PX or span.high > last + _BEYOND_PX:
@@ -102,18 +102,18 @@ def _length(role: Role, placement: Placement, span: Span, value: float) -> ToldL
     right, up = placement.to_plane(np.array(ends)).T
     along, (axis, sign) = (right, role.frame.right_axis) if span.level else (up, role.frame.up_axis)
     low, high = sorted((sign * along).tolist())
-    return ToldLength(axis, low, high, value)
+    return LengthDimension(axis, low, high, value)
 
 
-def _thickness(unseen: Unseen | None) -> Iterator[ToldLength]:
+def _thickness(unseen: Unseen | None) -> Iterator[LengthDimension]:
     """That the part is as thick as was said, where no view shows it."""
     if unseen is not None and unseen.thickness is not None:
-        yield ToldLength(unseen.axis, 0.0, unseen.thickness, unseen.thickness)
+        yield LengthDimension(unseen.axis, 0.0, unseen.thickness, unseen.thickness)
 
 
 def _radius(
     role: Role, placement: Placement, mm_per_pixel: float, measure: Measure, arc: Arc
-) -> ToldRadius | None:
+) -> RadiusDimension | None:
     x0, y0, x1, y1 = placement.box
     x, y = arc.centre
     radius = arc.radius
@@ -122,4 +122,4 @@ def _radius(
     ((a, b),) = plane_points(placement.to_plane(np.array([[x, y]])), role, 1.0)
     centre = (float(a), float(b))
     drawn = radius * mm_per_pixel
-    return ToldRadius(role_plane(role).normal, centre, drawn, measure.value_mm)
+    return RadiusDimension(role_plane(role).normal, centre, drawn, measure.value_mm)

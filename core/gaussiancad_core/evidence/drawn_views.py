@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from gaussiancad_core.evidence.dimension_constraints import ToldNumbers
+from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
@@ -45,7 +45,7 @@ class DrawnViews:
     bound: float = 0.0
     likely: bool = False
     dash: float | None = None
-    dimensions: ToldNumbers | None = None
+    dimensions: DimensionConstraints | None = None
     known: Axis | None = None
     undrawn: tuple[Role, ...] = ()
     cuts: Mapping[Role, Cut] = field(default_factory=dict)

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import cast
 
-from gaussiancad_core.evidence.dimension_evidence import told_numbers
+from gaussiancad_core.evidence.dimension_evidence import dimension_constraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.evidence.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.evidence.section_evidence import SectionBeside
@@ -72,7 +72,9 @@ class Reading:
         drawn = self.drawn
         if drawn.dimensions is not None:
             return drawn
-        return replace(drawn, dimensions=told_numbers(self.registered, self.measures, drawn.noise))
+        return replace(
+            drawn, dimensions=dimension_constraints(self.registered, self.measures, drawn.noise)
+        )
 
 
 def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -> DrawnViews:
@@ -96,5 +98,5 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
         noise * pixel,
         max(dashes, default=None),
     )
-    numbers = told_numbers(registered, measures, noise)
+    numbers = dimension_constraints(registered, measures, noise)
     return replace(drawn, bound=bound * pixel, dimensions=numbers, known=registered.given_axis)

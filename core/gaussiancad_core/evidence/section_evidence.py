@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.model.section_planes import Cut, Opening, SectionRole
+from gaussiancad_core.model.section_planes import Cut, CutRegion, SectionRole
 from gaussiancad_core.model.views import Arc, Stroke
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.registration.view_registration import (
@@ -92,7 +92,7 @@ def _cut(
     rings = [shapely.Polygon(place.to_plane(np.array(ring))).buffer(0.0) for ring in view.hatched]
     areas = reduce(shapely.symmetric_difference, rings)
     section = _named(view.box, sections)
-    openings: tuple[Opening, ...] = ()
+    openings: tuple[CutRegion, ...] = ()
     if section is not None and section.trace is not None:
         openings = tuple(_traced(view.role, section.trace, registered))
     if not openings:
@@ -104,7 +104,7 @@ def _cut(
     return Cut(openings, areas)
 
 
-def _untraced(role: Role, axis: Axis, registered: RegisteredSheet) -> Opening:
+def _untraced(role: Role, axis: Axis, registered: RegisteredSheet) -> CutRegion:
     """The plane of a section without a cutting line: through the most circles that other views
     draw, where none of them is in the middle; else through that."""
     middle = registered.views.size[axis.value] / 2.0
@@ -119,16 +119,16 @@ def _untraced(role: Role, axis: Axis, registered: RegisteredSheet) -> Opening:
             ]
             places += _along(view.role, axis, np.array(centres).reshape(-1, 2)) or []
     if not places or any(abs(place - middle) <= pixel for place in places):
-        return Opening(middle, source="symmetry")
+        return CutRegion(middle, source="symmetry")
     likely = max(places, key=lambda place: sum(abs(place - other) <= pixel for other in places))
-    return Opening(likely, source="circle")
+    return CutRegion(likely, source="circle")
 
 
 def _named(box: Box, sections: Sequence[NamedSection]) -> NamedSection | None:
     return next((section for section in sections if overlap(section.box, box)), None)
 
 
-def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[Opening]:
+def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[CutRegion]:
     """The openings of a cutting line that runs in another view, in steps where it has some."""
     axis = role.frame.look_axis[0]
     middle = np.mean(trace.ends, axis=0)
@@ -154,12 +154,12 @@ def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[O
             if abs(after - depth) < abs(end - start)
         ]
         if len(runs) == 1:
-            yield Opening(runs[0][0])
+            yield CutRegion(runs[0][0])
             return
         runs = runs if runs[0][1] < runs[-1][2] else [(d, e, s) for d, s, e in runs[::-1]]
         ends = [-_FAR, *(run[1] for run in runs[1:]), _FAR]
         for (depth, _, _), low, high in zip(runs, ends, ends[1:], strict=False):
-            yield Opening(depth, _band(role, across, low, high))
+            yield CutRegion(depth, _band(role, across, low, high))
         return
 
 

@@ -22,7 +22,7 @@ from gaussiancad_core.coordinates.carrier_curves import (
     Point,
     line_through,
 )
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, u_range
 from gaussiancad_core.kernel.brep import edges_of
@@ -114,10 +114,10 @@ def _edge_points(face: TopoDS_Face) -> Points:
     return np.array(found)
 
 
-def supports_of(stretches: Iterable[Stretch]) -> list[Support]:
+def supports_of(stretches: Iterable[Stretch]) -> list[Carrier]:
     """Stretches by the curves that they lie on; curves within :data:`SAME` of each other are
     one."""
-    found: list[tuple[PlaneCurve, list[Span]]] = []
+    found: list[tuple[PlaneCurve, list[Interval]]] = []
     for stretch in sorted(stretches, key=lambda one: -_length(one)):
         for curve, spans in found:
             if _is_same(curve, stretch):
@@ -125,7 +125,7 @@ def supports_of(stretches: Iterable[Stretch]) -> list[Support]:
                 break
         else:
             found.append((stretch.curve, list(_spans(stretch.curve, stretch))))
-    return [Support(curve, {Role.FRONT: tuple(spans)}) for curve, spans in found]
+    return [Carrier(curve, {Role.FRONT: tuple(spans)}) for curve, spans in found]
 
 
 def segment(start: Point, end: Point) -> Stretch | None:
@@ -213,14 +213,14 @@ def _is_same(curve: PlaneCurve, stretch: Stretch) -> bool:
     return all(curve.distance(other.at(at)) < SAME for at in (stretch.low, stretch.high))
 
 
-def _spans(curve: PlaneCurve, stretch: Stretch) -> Iterator[Span]:
+def _spans(curve: PlaneCurve, stretch: Stretch) -> Iterator[Interval]:
     """A stretch by the parameters of the curve that it lies on."""
     if isinstance(curve, CircleCurve):
         low, high = stretch.low, stretch.high
     else:
         ends = (stretch.curve.at(at) for at in (stretch.low, stretch.high))
         low, high = sorted(curve.parameter(point) for point in ends)
-    yield Span(low, high, Linetype.VISIBLE, 1.0)
+    yield Interval(low, high, Linetype.VISIBLE, 1.0)
 
 
 def angle_between(start: Point, end: Point, centre: Point) -> float:

@@ -104,7 +104,7 @@ class Cells:
 
     def _pieces(self) -> Iterable[Piece]:
         for support, low, high in pieces_of(self.arrangement):
-            curve = self.arrangement.supports[support].curve
+            curve = self.arrangement.carriers[support].curve
             at = low + 0.438 * (high - low)
             (a, b), (da, db) = curve.at(at), curve.normal(at)
             left, right = (

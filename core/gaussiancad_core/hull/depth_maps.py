@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.hull.visual_hull import Relief
+from gaussiancad_core.hull.visual_hull import DepthMap
 from gaussiancad_core.lines.line_agreement import MatchedLines
 from gaussiancad_core.lines.mesh_rays import RayCaster, RayGrid
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
@@ -55,7 +55,7 @@ class CastSolid:
         self._size = size
 
     def seen(self, view: View, behind: bool) -> tuple[Depths, Numbers]:
-        """Depths and patches on the pixels of a view's mask, as :class:`Relief` counts them.
+        """Depths and patches on the pixels of a view's mask, as :class:`DepthMap` counts them.
 
         Args:
             view: whose pixels are rays.
@@ -110,7 +110,7 @@ def _smooth_patches(mesh: TriangleMesh) -> npt.NDArray[np.int64]:
     return connected_components(graph, directed=False)[1].astype(np.int64)
 
 
-def relief_of(solids: Sequence[CastSolid], view: View, behind: bool) -> Relief:
+def depth_map_of(solids: Sequence[CastSolid], view: View, behind: bool) -> DepthMap:
     """What all of some solids leave empty in front of a view, or behind it.
 
     Args:
@@ -126,7 +126,7 @@ def relief_of(solids: Sequence[CastSolid], view: View, behind: bool) -> Relief:
         depths = np.where(nearer, deeper, depths)
         patches = np.where(nearer, its_patches + offset, patches)
         offset += int(its_patches.max()) + 1
-    return Relief(view.role, _regions(patches, view), _finite(depths), behind)
+    return DepthMap(view.role, _regions(patches, view), _finite(depths), behind)
 
 
 def _finite(depths: Depths) -> Depths:
@@ -153,7 +153,7 @@ class Confidence:
     shares: npt.NDArray[np.float64]
 
 
-def confidence(relief: Relief, view: View, matched: MatchedLines) -> Confidence:
+def confidence(relief: DepthMap, view: View, matched: MatchedLines) -> Confidence:
     """How much of what bounds each region is on the sheet.
 
     Args:
@@ -199,7 +199,7 @@ def _beside(
     return found
 
 
-def trusted(relief: Relief, sure: Confidence, least: float) -> Relief:
+def trusted(relief: DepthMap, sure: Confidence, least: float) -> DepthMap:
     """The relief without the regions that are less sure: nothing is known there."""
     kept = sure.shares[relief.regions] >= least
     return replace(relief, regions=np.where(kept, relief.regions, 0).astype(np.int32))

@@ -18,11 +18,11 @@ from gaussiancad_core.hull.depth_maps import (
     CastSolid,
     Depths,
     confidence,
+    depth_map_of,
     first_surface,
-    relief_of,
     trusted,
 )
-from gaussiancad_core.hull.visual_hull import Relief, visual_hull
+from gaussiancad_core.hull.visual_hull import DepthMap, visual_hull
 from gaussiancad_core.lines.line_agreement import agreeing_share, match_lines
 from gaussiancad_core.lines.mesh_lines import RedrawSettings, redraw_mesh
 from gaussiancad_core.lines.mesh_rays import RayCaster
@@ -156,7 +156,7 @@ class _Coarse:
         return found[:height, :width]
 
 
-def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[Relief, ...], int]:
+def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[DepthMap, ...], int]:
     """Depths from all sides that have regions worth carving; how many were doubted."""
     views = coarse.views
     solids = [CastSolid(shape, views.size) for shape in (result.shape, *result.alternatives)]
@@ -165,10 +165,10 @@ def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[Relief, ...]
         for behind in (False, True):
             few = coarse.view(view.role)
             slack = _SLACK_PX * view.mm_per_pixel
-            rough = relief_of(solids, few, behind)
+            rough = depth_map_of(solids, few, behind)
             if not _filled_regions(rough, coarse.depths(view.role, behind), slack, _COARSE_SPOT):
                 continue
-            relief = relief_of(solids, view, behind)
+            relief = depth_map_of(solids, view, behind)
             worth = _filled_regions(relief, coarse.fine_depths(view.role, behind), slack, _SPOT)
             if result.status is not Status.VERIFIED and worth:
                 sure = confidence(relief, view, result.checked.matched[view.role])
@@ -181,7 +181,7 @@ def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[Relief, ...]
 
 
 def _filled_regions(
-    relief: Relief, hull: Depths, slack: float, spot: npt.NDArray[np.uint8]
+    relief: DepthMap, hull: Depths, slack: float, spot: npt.NDArray[np.uint8]
 ) -> frozenset[int]:
     """The regions of a relief that the hull fills by more than ``slack`` mm.
 

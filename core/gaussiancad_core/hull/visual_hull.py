@@ -10,7 +10,7 @@ two planes of nodes close to each side of the box and to each straight, axis-par
 outline: edges between such faces are cut by a fiftieth of a cell only.
 
 Masks alone cannot show pockets, nor that a boss is round.  Where the depth of a view's regions is
-known (a :class:`Relief`), what lies in front of it is carved away, or what lies behind the last
+known (a :class:`DepthMap`), what lies in front of it is carved away, or what lies behind the last
 surface there.
 """
 
@@ -63,7 +63,7 @@ Coordinates = tuple[npt.NDArray[np.float64], ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Relief:
+class DepthMap:
     """How deep the part's first surface, or its last one, lies in the regions of a view.
 
     Attributes:
@@ -86,7 +86,7 @@ class Relief:
 def visual_hull(
     views: ViewSet,
     cameras: tuple[Camera, ...],
-    reliefs: tuple[Relief, ...] = (),
+    reliefs: tuple[DepthMap, ...] = (),
     cells: int = DEFAULT_CELLS,
 ) -> TriangleMesh:
     """Surface of the largest body that all masks, the box and the reliefs allow.
@@ -154,7 +154,7 @@ class _Carving:
     flat: float | None
 
 
-def _carvings(relief: Relief, view: View, step: float) -> list[_Carving]:
+def _carvings(relief: DepthMap, view: View, step: float) -> list[_Carving]:
     """The regions of a relief; ``step`` is the size of a cell in mm."""
     regions = np.pad(relief.regions, PAD_PX)
     depths = np.pad(relief.depths.astype(np.float32), PAD_PX)

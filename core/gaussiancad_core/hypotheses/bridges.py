@@ -28,7 +28,7 @@ def bridges(arrangement: Arrangement, chains: Sequence[Chain], reach: float) -> 
     """
     found: list[Chain] = []
     for number, (index, low, high) in enumerate(arrangement.stretches):
-        curve = arrangement.supports[index].curve
+        curve = arrangement.carriers[index].curve
         if isinstance(curve, CircleCurve) and high - low > TURN - 1e-9:
             continue
         for end in (curve.at(low), curve.at(high)):
@@ -66,7 +66,7 @@ def _feet(
     feet = []
     for number, (index, low, high) in enumerate(arrangement.stretches):
         if number != own_stretch:
-            curve = arrangement.supports[index].curve
+            curve = arrangement.carriers[index].curve
             feet.append(curve.at(_clamped(curve.parameter(end), low, high, curve)))
     for number, chain in enumerate(chains):
         if number != own_chain:
@@ -86,9 +86,9 @@ def _clamped(at: float, low: float, high: float, curve: object) -> float:
 def _chain_foot(
     chain: npt.NDArray[np.float64], point: npt.NDArray[np.float64]
 ) -> tuple[float, float]:
-    starts, spans = chain[:-1], np.diff(chain, axis=0)
-    squares = np.maximum((spans**2).sum(axis=1), 1e-300)
-    shares = np.clip(((point - starts) * spans).sum(axis=1) / squares, 0.0, 1.0)
-    feet = starts + shares[:, None] * spans
+    starts, intervals = chain[:-1], np.diff(chain, axis=0)
+    squares = np.maximum((intervals**2).sum(axis=1), 1e-300)
+    shares = np.clip(((point - starts) * intervals).sum(axis=1) / squares, 0.0, 1.0)
+    feet = starts + shares[:, None] * intervals
     best = feet[int(np.hypot(*(feet - point).T).argmin())]
     return float(best[0]), float(best[1])

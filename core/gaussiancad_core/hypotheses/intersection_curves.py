@@ -15,9 +15,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.cell_complex import BODY
-from gaussiancad_core.cells.surfaces_of_revolution import RevolvedBody
+from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve, axis_line, meetings
-from gaussiancad_core.coordinates.carriers import PartSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.coordinates.curve_ends import with_common_ends
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
@@ -91,21 +91,21 @@ class _Surface(NamedTuple):
     reach: tuple[float, float]
 
 
-def with_followed_curves(views: DrawnViews, supports: PartSupports) -> DrawnViews | None:
+def with_followed_curves(views: DrawnViews, carriers: PartCarriers) -> DrawnViews | None:
     """The views with the curves in which surfaces meet instead of strokes that follow them.
 
     Args:
         views: as they were read.
-        supports: of the views.
+        carriers: of the views.
 
     Returns:
         None if no stroke follows such a curve.
     """
-    bodies = find_bodies(supports, lone=True)
-    shown = frozenset(find_bodies(supports))
+    bodies = find_bodies(carriers, lone=True)
+    shown = frozenset(find_bodies(carriers))
     strokes = {}
     for role, this_curves in views.strokes.items():
-        sights = _Sights(role, supports, bodies, shown)
+        sights = _Sights(role, carriers, bodies, shown)
         curves = [sights.curve(stroke) or stroke for stroke in this_curves]
         strokes[role] = tuple(with_common_ends(this_curves, curves, views.tolerance))
     if strokes == dict(views.strokes):
@@ -119,44 +119,44 @@ class _Sights:
     def __init__(
         self,
         role: Role,
-        supports: PartSupports,
-        bodies: Sequence[RevolvedBody],
-        shown: Container[RevolvedBody],
+        carriers: PartCarriers,
+        bodies: Sequence[SurfaceOfRevolution],
+        shown: Container[SurfaceOfRevolution],
     ) -> None:
         self._role = role
         self._normal = role_plane(role).normal
-        self._scale = supports.scale
-        self._tolerance = supports.tolerance
+        self._scale = carriers.scale
+        self._tolerance = carriers.tolerance
         self._bodies = bodies
         self._shown = [body in shown for body in bodies]
         self._rims = [[rim for rim, _ in body.rims(self._normal)] for body in bodies]
-        reach = _REACH * supports.tolerance
+        reach = _REACH * carriers.tolerance
         self._offsets = np.linspace(-reach, reach, _LOOKS)
         self._surfaces = [
             _Surface(
                 coordinate,
                 place,
                 (axis.value, number),
-                support.curve,
-                support.drawn(self._tolerance),
-                _reach(support.curve, support.drawn(self._tolerance), place),
+                carrier.curve,
+                carrier.drawn(self._tolerance),
+                _reach(carrier.curve, carrier.drawn(self._tolerance), place),
             )
             for coordinate, index in enumerate(IN_PLANE[self._normal])
-            for axis, plane in supports.planes.items()
+            for axis, plane in carriers.planes.items()
             if axis is not self._normal and index in IN_PLANE[axis]
             for place in [IN_PLANE[axis].index(index)]
-            for number, support in enumerate(plane.supports)
-            if support.curve.axis != place
+            for number, carrier in enumerate(plane.carriers)
+            if carrier.curve.axis != place
         ]
 
         self._levels = [
             [
-                support.curve.point[place]
-                for axis, plane in supports.planes.items()
+                carrier.curve.point[place]
+                for axis, plane in carriers.planes.items()
                 if axis is not self._normal and index in IN_PLANE[axis]
                 for place in [IN_PLANE[axis].index(index)]
-                for support in plane.supports
-                if support.curve.axis == place and support.drawn()
+                for carrier in plane.carriers
+                if carrier.curve.axis == place and carrier.drawn()
             ]
             for index in IN_PLANE[self._normal]
         ]

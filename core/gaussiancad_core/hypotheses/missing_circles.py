@@ -5,7 +5,7 @@ from itertools import combinations, islice
 from math import pi
 
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, LineCurve
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -22,8 +22,8 @@ Band = tuple[float, float, float, float]
 """Middle and half of the width of two parallel lines, and from where to where both are drawn."""
 
 
-def lost_circles(
-    supports: PartSupports, normal: Axis, near: float
+def missing_circles(
+    carriers: PartCarriers, normal: Axis, near: float
 ) -> Iterator[tuple[CircleCurve, float, float]]:
     """Circles of a plane of whose cylinders both other planes show the sides.
 
@@ -31,21 +31,21 @@ def lost_circles(
     most likely none.
 
     Args:
-        supports: of all planes.
+        carriers: of all planes.
         normal: of the plane.
         near: units within which coordinates are one.
     """
     if not any(
-        isinstance(support.curve, CircleCurve)
-        for plane in supports.planes.values()
-        for support in plane.supports
+        isinstance(carrier.curve, CircleCurve)
+        for plane in carriers.planes.values()
+        for carrier in plane.carriers
     ):
         return
     first, second = (Axis(index) for index in IN_PLANE[normal])
-    one = [*islice(_bands(supports.planes[second], first, near), _MOST_BANDS)]
-    other = [*islice(_bands(supports.planes[first], second, near), _MOST_BANDS)]
-    plane = supports.planes[normal]
-    drawn = [s.curve for s in plane.supports if isinstance(s.curve, CircleCurve)]
+    one = [*islice(_bands(carriers.planes[second], first, near), _MOST_BANDS)]
+    other = [*islice(_bands(carriers.planes[first], second, near), _MOST_BANDS)]
+    plane = carriers.planes[normal]
+    drawn = [s.curve for s in plane.carriers if isinstance(s.curve, CircleCurve)]
     found: list[CircleCurve] = []
     for a, radius, *ends in one:
         for b, width, *others in other:
@@ -61,19 +61,19 @@ def lost_circles(
 
 
 def sectioned_circles(
-    supports: PartSupports, normal: Axis, cuts: Collection[tuple[Axis, float]], near: float
+    carriers: PartCarriers, normal: Axis, cuts: Collection[tuple[Axis, float]], near: float
 ) -> Iterator[tuple[CircleCurve, float, float]]:
     """Circles of a plane that sections through the centre of a drawn one show: grooves, and bores
     that are wider inside.
 
     Args:
-        supports: of all planes.
+        carriers: of all planes.
         normal: of the plane.
         cuts: cutting planes: the axis that one is across, units along it.
         near: units within which coordinates are one.
     """
-    plane = supports.planes[normal]
-    drawn = [s.curve for s in plane.supports if isinstance(s.curve, CircleCurve)]
+    plane = carriers.planes[normal]
+    drawn = [s.curve for s in plane.carriers if isinstance(s.curve, CircleCurve)]
     found: list[CircleCurve] = []
     for axis, at in cuts:
         if axis is normal:
@@ -81,7 +81,7 @@ def sectioned_circles(
         along = IN_PLANE[normal].index(axis.value)
         across = Axis(IN_PLANE[normal][1 - along])
         through = [curve.centre for curve in drawn if abs(curve.centre[along] - at) <= near]
-        for middle, radius, *_ in islice(_bands(supports.planes[axis], across, near), _MOST_BANDS):
+        for middle, radius, *_ in islice(_bands(carriers.planes[axis], across, near), _MOST_BANDS):
             for centre in through:
                 circle = CircleCurve(centre, radius)
                 known = any(_alike(circle, other, near) for other in (*drawn, *found))
@@ -111,15 +111,15 @@ def _shows(
     )
 
 
-def _bands(plane: PlaneSupports, across: Axis, near: float) -> Iterator[Band]:
+def _bands(plane: PlaneCarriers, across: Axis, near: float) -> Iterator[Band]:
     """Pairs of lines at right angles to an axis that are drawn from and to the same depths."""
     place = IN_PLANE[plane.normal].index(across.value)
     lines = []
-    for support in plane.supports:
-        curve = support.curve
+    for carrier in plane.carriers:
+        curve = carrier.curve
         if isinstance(curve, LineCurve) and curve.axis == place:
             start = curve.point[1 - place]
-            for low, high in support.drawn():
+            for low, high in carrier.drawn():
                 lines.append((curve.point[place], start + low, start + high))
     for (a, low, high), (b, other_low, other_high) in combinations(sorted(lines), 2):
         same = abs(low - other_low) <= near and abs(high - other_high) <= near
@@ -127,16 +127,16 @@ def _bands(plane: PlaneSupports, across: Axis, near: float) -> Iterator[Band]:
             yield (a + b) / 2.0, (b - a) / 2.0, low, high
 
 
-def _sides(plane: PlaneSupports, circle: CircleCurve, near: float) -> int:
+def _sides(plane: PlaneCarriers, circle: CircleCurve, near: float) -> int:
     """How many sides of the square around a circle are drawn where they touch it."""
     places = [circle.at(quarter * pi / 2.0) for quarter in range(4)]
     found = 0
     for quarter, place in enumerate(places):
         found += any(
-            support.curve.axis == quarter % 2
-            and support.curve.distance(place) <= near
-            and any(low < support.curve.parameter(place) < high for low, high in support.drawn())
-            for support in plane.supports
+            carrier.curve.axis == quarter % 2
+            and carrier.curve.distance(place) <= near
+            and any(low < carrier.curve.parameter(place) < high for low, high in carrier.drawn())
+            for carrier in plane.carriers
         )
     return found
 

@@ -21,10 +21,10 @@ from gaussiancad_core.coordinates.carrier_curves import (
     Point,
     axis_line,
 )
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support, merged_stretches
-from gaussiancad_core.hypotheses.missing_circles import lost_circles, sectioned_circles
-from gaussiancad_core.hypotheses.missing_slants import lost_slants
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
+from gaussiancad_core.hypotheses.missing_circles import missing_circles, sectioned_circles
+from gaussiancad_core.hypotheses.missing_slants import missing_slants
 from gaussiancad_core.hypotheses.open_corners import joining
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -40,58 +40,58 @@ Stretch = tuple[PlaneCurve, float, float]
 """A curve and its parameters from a low to a high one."""
 
 
-def with_lost_lines(
-    supports: PartSupports,
+def with_missing_edges(
+    carriers: PartCarriers,
     *,
     undrawn: Collection[Role] = (),
     cuts: Collection[tuple[Axis, float]] = (),
     floors: Mapping[Axis, Sequence[float]] = MappingProxyType({}),
-) -> PartSupports:
+) -> PartCarriers:
     """The supports with stretches that views may lack.
 
     Where an edge has to be drawn is known of three planes only.
 
     Args:
-        supports: of the strokes.
+        carriers: of the strokes.
         undrawn: views that may lack any line along the axes.
         cuts: cutting planes of sections: the axis that one is across, units along it.
         floors: coordinates in units at which nothing is drawn and a surface may lie.
     """
-    near = max(NEAR, supports.tolerance)
-    if len(supports.planes) < len(Axis):
+    near = max(NEAR, carriers.tolerance)
+    if len(carriers.planes) < len(Axis):
         grids = {
             axis: _divided(
                 plane,
                 chain(
-                    _grid(supports, axis, (), floors), sectioned_circles(supports, axis, cuts, near)
+                    _grid(carriers, axis, (), floors), sectioned_circles(carriers, axis, cuts, near)
                 ),
             )
-            for axis, plane in supports.planes.items()
+            for axis, plane in carriers.planes.items()
             if all(role in undrawn for role in plane.roles)
         }
-        return replace(supports, planes={**supports.planes, **grids})
-    corners = {axis: Arrangement(plane.supports).corners for axis, plane in supports.planes.items()}
+        return replace(carriers, planes={**carriers.planes, **grids})
+    corners = {axis: Arrangement(plane.carriers).corners for axis, plane in carriers.planes.items()}
     silent = {
         axis
         for axis in Axis
         if all(
             role in undrawn
             for number in IN_PLANE[axis]
-            for role in supports.planes[Axis(number)].roles
+            for role in carriers.planes[Axis(number)].roles
         )
     }
     planes = {}
-    for axis, plane in supports.planes.items():
-        edges = _edges(supports, corners, axis, near)
+    for axis, plane in carriers.planes.items():
+        edges = _edges(carriers, corners, axis, near)
         if all(role in undrawn for role in plane.roles):
-            edges = chain(edges, _grid(supports, axis, silent, floors))
-        slanted = lost_slants(supports, corners[axis], axis, near)
+            edges = chain(edges, _grid(carriers, axis, silent, floors))
+        slanted = missing_slants(carriers, corners[axis], axis, near)
         round_ones = chain(
-            lost_circles(supports, axis, near), sectioned_circles(supports, axis, cuts, near)
+            missing_circles(carriers, axis, near), sectioned_circles(carriers, axis, cuts, near)
         )
-        found = chain(edges, slanted, round_ones, joining(supports, axis, near))
+        found = chain(edges, slanted, round_ones, joining(carriers, axis, near))
         planes[axis] = _divided(plane, found)
-    return replace(supports, planes=planes)
+    return replace(carriers, planes=planes)
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class _Beside:
         along: place of the coordinate among the plane's.
     """
 
-    plane: PlaneSupports
+    plane: PlaneCarriers
     along: int
 
     @property
@@ -113,26 +113,26 @@ class _Beside:
 
 
 def _edges(
-    supports: PartSupports, corners: dict[Axis, tuple[Point, ...]], normal: Axis, near: float
+    carriers: PartCarriers, corners: dict[Axis, tuple[Point, ...]], normal: Axis, near: float
 ) -> Iterator[Stretch]:
     """Lines parallel to an axis that show an edge which both other planes show."""
     for coordinate, index in enumerate(IN_PLANE[normal]):
         other = Axis(IN_PLANE[normal][1 - coordinate])
         # The plane in which such an edge is a point, and the one in which it is a line.
-        point = _Beside(supports.planes[other], IN_PLANE[other].index(index))
-        line_plane = supports.planes[Axis(index)]
+        point = _Beside(carriers.planes[other], IN_PLANE[other].index(index))
+        line_plane = carriers.planes[Axis(index)]
         line = _Beside(line_plane, IN_PLANE[Axis(index)].index(other.value))
         drawn = _lines_by_depth(line, near)
-        for value in distinct([*supports.values[Axis(index)], *_extremes(point)]):
+        for value in distinct([*carriers.values[Axis(index)], *_extremes(point)]):
             depths = _depths_at(point, corners[other], value, near)
             stretches = [stretch for depth in depths for stretch in _at(drawn, depth, near)]
             curve = axis_line(coordinate, value)
-            for low, high in merged_stretches(stretches, near):
+            for low, high in merged_intervals(stretches, near):
                 yield curve, low, high
 
 
 def _grid(
-    supports: PartSupports,
+    carriers: PartCarriers,
     normal: Axis,
     silent: Collection[Axis],
     floors: Mapping[Axis, Sequence[float]],
@@ -143,8 +143,8 @@ def _grid(
     between: the middle stands for that.
     """
     for coordinate, index in enumerate(IN_PLANE[normal]):
-        along = supports.values[Axis(IN_PLANE[normal][1 - coordinate])]
-        values = sorted(supports.values[Axis(index)])
+        along = carriers.values[Axis(IN_PLANE[normal][1 - coordinate])]
+        values = sorted(carriers.values[Axis(index)])
         if Axis(index) in silent:
             values += [0.5 * (low + high) for low, high in pairwise(values)]
         for floor in floors.get(Axis(index), ()):
@@ -157,12 +157,12 @@ def _grid(
 def _lines_by_depth(neighbour: _Beside, near: float) -> dict[int, list[tuple[float, float]]]:
     """Where lines of one depth are drawn, by multiples of ``near``."""
     found: dict[int, list[tuple[float, float]]] = defaultdict(list)
-    for support in neighbour.plane.supports:
-        curve = support.curve
+    for carrier in neighbour.plane.carriers:
+        curve = carrier.curve
         if isinstance(curve, LineCurve) and curve.axis == neighbour.depth:
             start = curve.point[neighbour.along]
             at = round(curve.point[neighbour.depth] / near)
-            found[at] += [(start + low, start + high) for low, high in support.drawn()]
+            found[at] += [(start + low, start + high) for low, high in carrier.drawn()]
     return found
 
 
@@ -176,8 +176,8 @@ def _at(
 
 def _extremes(neighbour: _Beside) -> Iterator[float]:
     """Where circles reach farthest: in the view across nothing else may be there."""
-    for support in neighbour.plane.supports:
-        curve = support.curve
+    for carrier in neighbour.plane.carriers:
+        curve = carrier.curve
         if isinstance(curve, CircleCurve):
             yield curve.centre[neighbour.along] - curve.radius
             yield curve.centre[neighbour.along] + curve.radius
@@ -192,8 +192,8 @@ def _depths_at(
         for corner in corners
         if abs(corner[neighbour.along] - value) <= near
     }
-    for support in neighbour.plane.supports:
-        curve = support.curve
+    for carrier in neighbour.plane.carriers:
+        curve = carrier.curve
         if isinstance(curve, CircleCurve):
             away = abs(curve.centre[neighbour.along] - value)
             if abs(away - curve.radius) <= near:
@@ -203,41 +203,41 @@ def _depths_at(
     return iter(sorted(found))
 
 
-def as_if_drawn(supports: PartSupports) -> PartSupports:
+def as_if_drawn(carriers: PartCarriers) -> PartCarriers:
     """The supports with what views may lack as lines that may be drawn or not."""
     planes = {}
-    for axis, plane in supports.planes.items():
-        found = list(plane.supports)
+    for axis, plane in carriers.planes.items():
+        found = list(plane.carriers)
         for number, low, high in plane.lost:
-            support = found[number]
-            span = Span(low, high, Linetype.HIDDEN, 0.0)
-            spans = {role: (*support.spans.get(role, ()), span) for role in plane.roles}
-            found[number] = Support(support.curve, spans)
-        planes[axis] = replace(plane, supports=tuple(found), lost=())
-    return replace(supports, planes=planes)
+            carrier = found[number]
+            interval = Interval(low, high, Linetype.HIDDEN, 0.0)
+            intervals = {role: (*carrier.intervals.get(role, ()), interval) for role in plane.roles}
+            found[number] = Carrier(carrier.curve, intervals)
+        planes[axis] = replace(plane, carriers=tuple(found), lost=())
+    return replace(carriers, planes=planes)
 
 
-def _divided(plane: PlaneSupports, found: Iterable[Stretch]) -> PlaneSupports:
+def _divided(plane: PlaneCarriers, found: Iterable[Stretch]) -> PlaneCarriers:
     """The plane with stretches on its supports, or on new ones, where nothing is drawn yet."""
-    supports = list(plane.supports)
+    carriers = list(plane.carriers)
     lost: list[tuple[int, float, float]] = []
     for curve, low, high in found:
         number = next(
-            (n for n, support in enumerate(supports) if _same(support.curve, curve)), None
+            (n for n, carrier in enumerate(carriers) if _same(carrier.curve, curve)), None
         )
         if number is None:
-            supports.append(Support(curve, {}))
-            number = len(supports) - 1
-        line_curve = supports[number].curve
+            carriers.append(Carrier(curve, {}))
+            number = len(carriers) - 1
+        line_curve = carriers[number].curve
         ends = (low, high)
         if isinstance(line_curve, LineCurve) and isinstance(curve, LineCurve):
             first, last = sorted(line_curve.parameter(curve.at(end)) for end in (low, high))
             ends = first, last
         slack = NEAR / line_curve.speed
-        drawn = supports[number].drawn()
+        drawn = carriers[number].drawn()
         if not any(a - slack <= ends[0] and ends[1] <= b + slack for a, b in drawn):
             lost.append((number, *ends))
-    return replace(plane, supports=tuple(supports), lost=tuple(lost))
+    return replace(plane, carriers=tuple(carriers), lost=tuple(lost))
 
 
 def _same(one: PlaneCurve, other: PlaneCurve) -> bool:

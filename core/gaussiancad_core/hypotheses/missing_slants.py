@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, line_through
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.hypotheses.suppressed_slants import shows, slanted_edges
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS
@@ -16,21 +16,21 @@ _MOST = 16
 """Slanted lines of a view that may be lost; where more would be, ends agree by chance."""
 
 
-def lost_slants(
-    supports: PartSupports, corners: Sequence[Point], normal: Axis, near: float
+def missing_slants(
+    carriers: PartCarriers, corners: Sequence[Point], normal: Axis, near: float
 ) -> Iterator[tuple[LineCurve, float, float]]:
     """Slanted lines of a plane between corners that are drawn there.
 
     Args:
-        supports: of all planes.
+        carriers: of all planes.
         corners: of the plane.
         normal: of the plane.
         near: units within which coordinates are one.
     """
-    plane = supports.planes[normal]
+    plane = carriers.planes[normal]
     stated = [
-        *_mirrored(supports, normal),
-        *islice(slanted_edges(supports, normal, UNITS), _LOOKED_AT),
+        *_mirrored(carriers, normal),
+        *islice(slanted_edges(carriers, normal, UNITS), _LOOKED_AT),
     ]
     found: list[tuple[Point, Point]] = []
     for start, end in stated:
@@ -39,7 +39,7 @@ def lost_slants(
         if flat or first is None or last is None or first == last:
             continue
         edge = min(first, last), max(first, last)
-        if edge not in found and not any(shows(support, *edge, near) for support in plane.supports):
+        if edge not in found and not any(shows(carrier, *edge, near) for carrier in plane.carriers):
             found.append(edge)
     for start, end in found[:_MOST]:
         line = line_through(start, end)
@@ -55,27 +55,27 @@ def _corner(corners: Sequence[Point], point: Point, near: float) -> Point | None
     return None
 
 
-def _mirrored(supports: PartSupports, normal: Axis) -> Iterator[tuple[Point, Point]]:
+def _mirrored(carriers: PartCarriers, normal: Axis) -> Iterator[tuple[Point, Point]]:
     """Slanted lines of a plane on the other side of the axes of circles."""
-    plane = supports.planes[normal]
+    plane = carriers.planes[normal]
     slanted = [
-        (support.curve.at(low), support.curve.at(high))
-        for support in plane.supports
-        if isinstance(support.curve, LineCurve) and support.curve.axis is None
-        for low, high in support.drawn()
+        (carrier.curve.at(low), carrier.curve.at(high))
+        for carrier in plane.carriers
+        if isinstance(carrier.curve, LineCurve) and carrier.curve.axis is None
+        for low, high in carrier.drawn()
     ]
     for coordinate, index in enumerate(IN_PLANE[normal]):
         along = Axis(IN_PLANE[normal][1 - coordinate])
-        for centre in sorted(_centres(supports.planes[along], Axis(index))):
+        for centre in sorted(_centres(carriers.planes[along], Axis(index))):
             for ends in slanted:
                 start, end = (_across(point, coordinate, centre) for point in ends)
                 yield start, end
 
 
-def _centres(plane: PlaneSupports, axis: Axis) -> set[float]:
+def _centres(plane: PlaneCarriers, axis: Axis) -> set[float]:
     """Coordinates of the centres of circles."""
     place = IN_PLANE[plane.normal].index(axis.value)
-    circles = (s.curve for s in plane.supports if isinstance(s.curve, CircleCurve))
+    circles = (s.curve for s in plane.carriers if isinstance(s.curve, CircleCurve))
     return {round(circle.centre[place], 6) for circle in circles}
 
 

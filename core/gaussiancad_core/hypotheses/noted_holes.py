@@ -11,7 +11,7 @@ from math import cos, sin
 
 from gaussiancad_core.cells.cell_complex import Cell, Space
 from gaussiancad_core.coordinates.carrier_curves import TURN, Point
-from gaussiancad_core.coordinates.carriers import PartSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import RolePlane, role_plane
@@ -38,32 +38,32 @@ class Kept:
     solid: tuple[Cell, ...]
 
 
-def floors(holes: Iterable[NotedHole], supports: PartSupports) -> dict[Axis, tuple[float, ...]]:
+def floors(holes: Iterable[NotedHole], carriers: PartCarriers) -> dict[Axis, tuple[float, ...]]:
     """Coordinates in units at which holes may end, beside those that any view shows."""
     found: dict[Axis, list[float]] = {}
-    near = max(_SAME, supports.tolerance)
+    near = max(_SAME, carriers.tolerance)
     for hole in holes:
         plane = role_plane(hole.role)
         sign = 1.0 if plane.looks_up else -1.0
         items = found.setdefault(plane.normal, [])
-        known = supports.values.get(plane.normal, ())
+        known = carriers.values.get(plane.normal, ())
         for step in hole.steps:
             if step.depth is None:
                 continue
             for value in known:
-                floor = value + sign * step.depth * supports.scale
-                inside = 0.0 < floor < supports.size[plane.normal.value]
+                floor = value + sign * step.depth * carriers.scale
+                inside = 0.0 < floor < carriers.size[plane.normal.value]
                 if inside and all(abs(floor - other) > near for other in (*known, *items)):
                     items.append(floor)
     return {axis: tuple(entries) for axis, entries in found.items()}
 
 
 def kept_notes(
-    holes: Iterable[NotedHole], space: Space, supports: PartSupports
+    holes: Iterable[NotedHole], space: Space, carriers: PartCarriers
 ) -> tuple[tuple[Kept, ...], ...]:
     """For each note the labels under which it is kept; notes that no labels keep are left out."""
-    near = max(_SAME, supports.tolerance)
-    found = (tuple(dict.fromkeys(_kept(hole, space, supports.scale, near))) for hole in holes)
+    near = max(_SAME, carriers.tolerance)
+    found = (tuple(dict.fromkeys(_kept(hole, space, carriers.scale, near))) for hole in holes)
     return tuple(kepts for kepts in found if kepts)
 
 
@@ -127,9 +127,13 @@ def _columns(space: Space, plane: RolePlane, centre: Point, radius: float) -> li
     for angle in _ANGLES:
         at = centre[0] + radius * cos(angle), centre[1] + radius * sin(angle)
         column = space.column(plane.normal, *at)
-        spans = [(c.depth, d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
+        intervals = [
+            (c.depth, d.depth, c.after) for c, d in pairwise(column) if c.after is not None
+        ]
         if plane.looks_up:
-            found[tuple(_Stretch(*pair) for pair in spans)] = None
+            found[tuple(_Stretch(*pair) for pair in intervals)] = None
         else:
-            found[tuple(_Stretch(-end, -start, cell) for start, end, cell in spans[::-1])] = None
+            found[tuple(_Stretch(-end, -start, cell) for start, end, cell in intervals[::-1])] = (
+                None
+            )
     return [column for column in found if column]

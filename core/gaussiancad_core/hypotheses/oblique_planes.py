@@ -16,7 +16,7 @@ from scipy.spatial import ConvexHull
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.space_corners import SpatialEdges, spatial_edges
 from gaussiancad_core.coordinates.carrier_curves import LineCurve
-from gaussiancad_core.coordinates.carriers import PartSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -41,14 +41,14 @@ Plane = tuple[npt.NDArray[np.float64], float]
 """Unit normal and offset."""
 
 
-def find_half_spaces(supports: PartSupports) -> tuple[HalfSpace, ...]:
+def find_half_spaces(carriers: PartCarriers) -> tuple[HalfSpace, ...]:
     """Half spaces below the planes in which slanted edges close loops; the largest faces first."""
-    near = max(_SAME, 2.0 * supports.tolerance)
-    shown = spatial_edges(supports, near, SHORT * supports.tolerance)
+    near = max(_SAME, 2.0 * carriers.tolerance)
+    shown = spatial_edges(carriers, near, SHORT * carriers.tolerance)
     candidates = _candidates(shown, near)
     candidates.sort(key=lambda candidate: -candidate.area)
-    found = _settled([candidate.half_space for candidate in candidates[:_MOST]], supports)
-    flat = _known_planes(supports)
+    found = _settled([candidate.half_space for candidate in candidates[:_MOST]], carriers)
+    flat = _known_planes(carriers)
     return tuple(
         replace(body, creases=tuple(_creases(body, [*flat, *_others(found, body)], near)))
         for body in found
@@ -67,16 +67,16 @@ def _candidates(shown: SpatialEdges, near: float) -> list[_Candidate]:
     for one, other in shown.edges:
         at_corner[one].append(other)
         at_corner[other].append(one)
-    spans = []
+    intervals = []
     for corner, others in at_corner.items():
         for one, other in combinations(others, 2):
             ways = points[[one, other]] - points[corner]
             area = float(np.linalg.norm(np.cross(*ways)))
             if area > _PARALLEL * float(np.prod(np.linalg.norm(ways, axis=1))):
-                spans.append((-area, corner, one, other))
+                intervals.append((-area, corner, one, other))
     done: set[tuple[int, int, int]] = set()
     found = []
-    for _, corner, one, other in sorted(spans):
+    for _, corner, one, other in sorted(intervals):
         if (corner, one, other) in done:
             continue
         plane = _fitted(points[[corner, one, other]])
@@ -154,7 +154,7 @@ def _loops(edges: list[tuple[int, int]]) -> list[list[int]]:
     return found
 
 
-def _settled(bodies: list[HalfSpace], supports: PartSupports) -> list[HalfSpace]:
+def _settled(bodies: list[HalfSpace], carriers: PartCarriers) -> list[HalfSpace]:
     """Half spaces whose corners lie exactly on all planes that meet in them."""
     rows: dict[Vector, list[tuple[Vector, float]]] = defaultdict(list)
     for body in bodies:
@@ -164,7 +164,7 @@ def _settled(bodies: list[HalfSpace], supports: PartSupports) -> list[HalfSpace]
     settled: dict[Vector, Vector] = {}
     for corner, planes in rows.items():
         for axis in Axis:
-            if corner[axis.value] in supports.values[axis]:
+            if corner[axis.value] in carriers.values[axis]:
                 planes.append((_vector(np.eye(3)[axis.value]), corner[axis.value]))
         normals = np.array([normal for normal, _ in planes])
         missing = np.array([offset for _, offset in planes]) - normals @ np.array(corner)
@@ -175,15 +175,15 @@ def _settled(bodies: list[HalfSpace], supports: PartSupports) -> list[HalfSpace]
     ]
 
 
-def _known_planes(supports: PartSupports) -> list[Plane]:
+def _known_planes(carriers: PartCarriers) -> list[Plane]:
     """Planes at right angles to an axis, and those that some view sees edge-on."""
     found = []
     for axis in Axis:
         normal = np.eye(3)[axis.value]
-        found += [(normal, value) for value in supports.values[axis]]
-    for view, plane in supports.planes.items():
-        for support in plane.supports:
-            curve = support.curve
+        found += [(normal, value) for value in carriers.values[axis]]
+    for view, plane in carriers.planes.items():
+        for carrier in plane.carriers:
+            curve = carrier.curve
             if isinstance(curve, LineCurve) and curve.axis is None:
                 normal = np.zeros(3)
                 normal[list(IN_PLANE[view])] = curve.normal(0.0)

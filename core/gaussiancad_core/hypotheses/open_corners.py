@@ -14,8 +14,8 @@ from gaussiancad_core.coordinates.carrier_curves import (
     axis_line,
     line_through,
 )
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -40,7 +40,7 @@ class _End:
 
 
 def joining(
-    supports: PartSupports, normal: Axis, near: float
+    carriers: PartCarriers, normal: Axis, near: float
 ) -> Iterator[tuple[PlaneCurve, float, float]]:
     """Curves of a plane, with stretches, that join open ends with each other.
 
@@ -48,15 +48,15 @@ def joining(
     of a circle at a corner and half of one between parallels.
 
     Args:
-        supports: of all planes.
+        carriers: of all planes.
         normal: of the plane.
         near: units within which coordinates are one.
     """
-    plane = supports.planes[normal]
+    plane = carriers.planes[normal]
     ends = _open_ends(plane, near)
     if len(ends) > _MOST_ENDS:
         return
-    values = [supports.values[Axis(index)] for index in IN_PLANE[normal]]
+    values = [carriers.values[Axis(index)] for index in IN_PLANE[normal]]
     slanted = []
     # Where more than two end beside each other, it is a straight line that they ended at.
     corners = [end for end in ends if _aligned(end, ends, near) <= 1]
@@ -71,15 +71,15 @@ def joining(
     for one, other in combinations(corners, 2):
         yield from _rounded(one, other, near)
     for one, other in combinations(ends, 2):
-        span = [abs(a - b) for a, b in zip(one.point, other.point, strict=True)]
-        if min(span) <= near:
+        interval = [abs(a - b) for a, b in zip(one.point, other.point, strict=True)]
+        if min(interval) <= near:
             yield _straight(one.point, other.point, near)
         elif one in known and other in known and _turn(one, other):
-            slanted.append((hypot(*span), one.point, other.point))
+            slanted.append((hypot(*interval), one.point, other.point))
     edges = (
         (start, end)
         for _, start, end in sorted(slanted)
-        if _is_edge(supports, normal, start, end, near)
+        if _is_edge(carriers, normal, start, end, near)
     )
     for start, end in islice(edges, _MOST_SLANTED):
         yield _straight(start, end, near)
@@ -97,18 +97,18 @@ def _straight(start: Point, end: Point, near: float) -> tuple[LineCurve, float, 
     return line, low, high
 
 
-def _open_ends(plane: PlaneSupports, near: float) -> list[_End]:
+def _open_ends(plane: PlaneCarriers, near: float) -> list[_End]:
     found: list[_End] = []
-    for support in plane.supports:
-        curve = support.curve
-        for low, high in support.drawn():
+    for carrier in plane.carriers:
+        curve = carrier.curve
+        for low, high in carrier.drawn():
             if isinstance(curve, CircleCurve) and high - low > TURN - 1e-6:
                 continue
             for at, sign in ((low, -1.0), (high, 1.0)):
                 point = curve.at(at)
-                if any(_is_on(other, point, near) for other in plane.supports if other != support):
+                if any(_is_on(other, point, near) for other in plane.carriers if other != carrier):
                     continue
-                if _goes_round(support, at):
+                if _goes_round(carrier, at):
                     continue
                 way = None
                 if isinstance(curve, LineCurve):
@@ -118,22 +118,22 @@ def _open_ends(plane: PlaneSupports, near: float) -> list[_End]:
     return found
 
 
-def _goes_round(support: Support, at: float) -> bool:
+def _goes_round(carrier: Carrier, at: float) -> bool:
     """Whether an arc ends only where angles begin again."""
-    if not isinstance(support.curve, CircleCurve) or 1e-6 < at < TURN - 1e-6:
+    if not isinstance(carrier.curve, CircleCurve) or 1e-6 < at < TURN - 1e-6:
         return False
-    drawn = support.drawn()
+    drawn = carrier.drawn()
     return any(low < 1e-6 for low, _ in drawn) and any(high > TURN - 1e-6 for _, high in drawn)
 
 
-def _is_on(support: Support, point: Point, near: float) -> bool:
-    curve = support.curve
+def _is_on(carrier: Carrier, point: Point, near: float) -> bool:
+    curve = carrier.curve
     if curve.distance(point) > near:
         return False
     at, slack = curve.parameter(point), near / curve.speed
     turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
     return any(
-        low - slack <= at + turn <= high + slack for low, high in support.drawn() for turn in turns
+        low - slack <= at + turn <= high + slack for low, high in carrier.drawn() for turn in turns
     )
 
 
@@ -202,22 +202,22 @@ def _arc(
         yield circle, high, TURN
 
 
-def _is_edge(supports: PartSupports, normal: Axis, start: Point, end: Point, near: float) -> bool:
+def _is_edge(carriers: PartCarriers, normal: Axis, start: Point, end: Point, near: float) -> bool:
     """Whether both other planes draw a line over all of what two points of a plane span."""
     for coordinate, index in enumerate(IN_PLANE[normal]):
-        plane = supports.planes[Axis(IN_PLANE[normal][1 - coordinate])]
+        plane = carriers.planes[Axis(IN_PLANE[normal][1 - coordinate])]
         place = IN_PLANE[plane.normal].index(index)
         low, high = sorted((start[coordinate], end[coordinate]))
-        if not any(_covers(support, place, low, high, near) for support in plane.supports):
+        if not any(_covers(carrier, place, low, high, near) for carrier in plane.carriers):
             return False
     return True
 
 
-def _covers(support: Support, place: int, low: float, high: float, near: float) -> bool:
-    if not isinstance(support.curve, LineCurve):
+def _covers(carrier: Carrier, place: int, low: float, high: float, near: float) -> bool:
+    if not isinstance(carrier.curve, LineCurve):
         return False
-    for stretch in support.drawn():
-        first, last = sorted(support.curve.at(at)[place] for at in stretch)
+    for stretch in carrier.drawn():
+        first, last = sorted(carrier.curve.at(at)[place] for at in stretch)
         if first <= low + near and high <= last + near:
             return True
     return False

@@ -153,8 +153,8 @@ def _across(
 
 def _unlikely(ends: npt.NDArray[np.float64], reach: float) -> float:
     """Short lines are likely, and lines along an axis more so than slanted ones."""
-    span = np.abs(ends[1] - ends[0])
-    return float(np.hypot(*span)) * (_SLANTED if span.min() > reach else 1.0)
+    interval = np.abs(ends[1] - ends[0])
+    return float(np.hypot(*interval)) * (_SLANTED if interval.min() > reach else 1.0)
 
 
 def _apart(points: npt.NDArray[np.float64], reach: float) -> list[npt.NDArray[np.float64]]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, LineProfile, Profile
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import nearest_value
-from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier
 
 _STEEP = 0.05
 """Share of a line's change of radius that is left of it at least: a cone that would become a
@@ -34,7 +34,7 @@ class ProfileEnds:
 
     @classmethod
     def of(
-        cls, heights: Sequence[float], concentric: Sequence[Support], near: float
+        cls, heights: Sequence[float], concentric: Sequence[Carrier], near: float
     ) -> "ProfileEnds":
         """What edges across an axis and circles about it say."""
         circles = [s.curve.radius for s in concentric if isinstance(s.curve, CircleCurve)]

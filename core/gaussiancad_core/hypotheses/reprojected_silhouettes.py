@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 
 from gaussiancad_core.cells.half_spaces import HalfSpace
-from gaussiancad_core.cells.surfaces_of_revolution import RevolvedBody
+from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
 from gaussiancad_core.coordinates.carrier_curves import (
     LineCurve,
     PlaneCurve,
@@ -19,8 +19,13 @@ from gaussiancad_core.coordinates.carrier_curves import (
     axis_line,
     line_through,
 )
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support, nearest_station, stations_on
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import (
+    Carrier,
+    Interval,
+    nearest_station,
+    stations_on,
+)
 from gaussiancad_core.hypotheses.oblique_planes import SHORT
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -36,29 +41,31 @@ _OUTLINE = 1.5
 
 
 def retraced(
-    supports: PartSupports, half_spaces: Sequence[HalfSpace], bodies: Sequence[RevolvedBody] = ()
-) -> PartSupports:
+    carriers: PartCarriers,
+    half_spaces: Sequence[HalfSpace],
+    bodies: Sequence[SurfaceOfRevolution] = (),
+) -> PartCarriers:
     """The supports with those lines moved that are edges of half spaces, or outlines of bodies."""
     if not half_spaces and not bodies:
-        return supports
-    reach = _REACH * supports.tolerance
+        return carriers
+    reach = _REACH * carriers.tolerance
     planes = {}
-    for axis, plane in supports.planes.items():
+    for axis, plane in carriers.planes.items():
         grid = [
             axis_line(index, value)
             for index, other in enumerate(IN_PLANE[axis])
-            for value in supports.values[Axis(other)]
+            for value in carriers.values[Axis(other)]
         ]
-        short = max(reach, SHORT * supports.tolerance)
-        outlines = _outlines(plane, bodies, _OUTLINE * supports.tolerance, short)
+        short = max(reach, SHORT * carriers.tolerance)
+        outlines = _outlines(plane, bodies, _OUTLINE * carriers.tolerance, short)
         lines = {**outlines, **_edges(plane, half_spaces, reach, short)}
         corners = [c for body in half_spaces for hull in body.outlines(axis) for c in hull]
         planes[axis] = _moved(plane, lines, _Ends(grid, corners, reach, short))
-    return replace(supports, planes=planes)
+    return replace(carriers, planes=planes)
 
 
 def _edges(
-    plane: PlaneSupports, half_spaces: Sequence[HalfSpace], reach: float, short: float
+    plane: PlaneCarriers, half_spaces: Sequence[HalfSpace], reach: float, short: float
 ) -> dict[int, LineCurve]:
     """The longest edge of a half space along each slanted line that misses it a little."""
     longest: dict[int, float] = {}
@@ -72,15 +79,15 @@ def _edges(
                 line = line_through(start, end)
                 if line.axis is not None:
                     continue
-                for index, support in enumerate(plane.supports):
-                    length = _length_along(support, start, end, reach, short)
+                for index, carrier in enumerate(plane.carriers):
+                    length = _length_along(carrier, start, end, reach, short)
                     if length > longest.get(index, 0.0):
                         longest[index], found[index] = length, line
     return _missed(plane, found)
 
 
 def _outlines(
-    plane: PlaneSupports, bodies: Sequence[RevolvedBody], near: float, short: float
+    plane: PlaneCarriers, bodies: Sequence[SurfaceOfRevolution], near: float, short: float
 ) -> dict[int, LineCurve]:
     """The nearest outline of a body along each slanted line that misses it a little."""
     nearest: dict[int, float] = {}
@@ -89,9 +96,9 @@ def _outlines(
         for line, (low, high) in body.rims(plane.normal):
             if not isinstance(line, LineCurve) or line.axis is not None:
                 continue
-            for index, support in enumerate(plane.supports):
-                ends = _ends(support)
-                if not isinstance(support.curve, LineCurve) or not ends:
+            for index, carrier in enumerate(plane.carriers):
+                ends = _ends(carrier)
+                if not isinstance(carrier.curve, LineCurve) or not ends:
                     continue
                 within = all(low - short <= line.parameter(end) <= high + short for end in ends)
                 off = max(line.distance(end) for end in ends)
@@ -100,29 +107,29 @@ def _outlines(
     return _missed(plane, found)
 
 
-def _missed(plane: PlaneSupports, lines: dict[int, LineCurve]) -> dict[int, LineCurve]:
+def _missed(plane: PlaneCarriers, lines: dict[int, LineCurve]) -> dict[int, LineCurve]:
     """Those of the lines that supports miss."""
     return {
         index: line
         for index, line in lines.items()
-        if max(line.distance(end) for end in _ends(plane.supports[index])) > _EXACT
+        if max(line.distance(end) for end in _ends(plane.carriers[index])) > _EXACT
     }
 
 
-def _length_along(support: Support, start: Point, end: Point, reach: float, short: float) -> float:
+def _length_along(carrier: Carrier, start: Point, end: Point, reach: float, short: float) -> float:
     """Length of a segment that a slanted line is drawn along; 0 if it is not."""
-    curve = support.curve
+    curve = carrier.curve
     if not isinstance(curve, LineCurve) or curve.axis is not None:
         return 0.0
     if max(curve.distance(start), curve.distance(end)) > reach:
         return 0.0
     low, high = sorted((curve.parameter(start), curve.parameter(end)))
-    along = any(first - short <= low and high <= last + short for first, last in support.drawn())
+    along = any(first - short <= low and high <= last + short for first, last in carrier.drawn())
     return high - low if along else 0.0
 
 
-def _ends(support: Support) -> list[Point]:
-    return [support.curve.at(end) for stretch in support.drawn() for end in stretch]
+def _ends(carrier: Carrier) -> list[Point]:
+    return [carrier.curve.at(end) for stretch in carrier.drawn() for end in stretch]
 
 
 @dataclass(frozen=True)
@@ -142,43 +149,44 @@ class _Ends:
     short: float
 
 
-def _moved(plane: PlaneSupports, lines: dict[int, LineCurve], ends: _Ends) -> PlaneSupports:
+def _moved(plane: PlaneCarriers, lines: dict[int, LineCurve], ends: _Ends) -> PlaneCarriers:
     """The plane with other lines; whatever ends at a line that moved ends there still."""
     if not lines:
         return plane
-    curves = [lines.get(index, support.curve) for index, support in enumerate(plane.supports)]
+    curves = [lines.get(index, carrier.curve) for index, carrier in enumerate(plane.carriers)]
     moved = []
-    for index, (support, curve) in enumerate(zip(plane.supports, curves, strict=True)):
+    for index, (carrier, curve) in enumerate(zip(plane.carriers, curves, strict=True)):
         stations = stations_on(curve, [*curves, *ends.grid])
         corners = []
         if index in lines:
             corners = sorted(curve.parameter(c) for c in ends.corners if curve.distance(c) < _EXACT)
-        spans = {
+        intervals = {
             role: tuple(
-                _span(span, support.curve, curve, (corners, stations), ends) for span in this_spans
+                _span(interval, carrier.curve, curve, (corners, stations), ends)
+                for interval in this_spans
             )
-            for role, this_spans in support.spans.items()
+            for role, this_spans in carrier.intervals.items()
         }
-        moved.append(Support(curve, spans))
-    return replace(plane, supports=tuple(moved))
+        moved.append(Carrier(curve, intervals))
+    return replace(plane, carriers=tuple(moved))
 
 
 def _span(
-    span: Span,
+    interval: Interval,
     old: PlaneCurve,
     new: PlaneCurve,
     known: tuple[list[float], list[float]],
     ends: _Ends,
-) -> Span:
+) -> Interval:
     """A span between corners of half spaces, or where the line meets others, or as it was."""
     if not isinstance(old, LineCurve):
         # Circles stay; so do the places where their angles begin again.
-        return span
+        return interval
     corners, stations = known
     found = []
-    for end in (span.low, span.high):
+    for end in (interval.low, interval.high):
         at = new.parameter(old.at(end))
         corner = nearest_station(corners, at, ends.short)
         found.append(corner if corner in corners else nearest_station(stations, at, ends.reach))
     low, high = sorted(found)
-    return replace(span, low=low, high=high)
+    return replace(interval, low=low, high=high)

@@ -14,11 +14,11 @@ from gaussiancad_core.cells.surfaces_of_revolution import (
     ArcProfile,
     LineProfile,
     Profile,
-    RevolvedBody,
+    SurfaceOfRevolution,
 )
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Support
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.hypotheses.profile_ends import ProfileEnds, with_continuations
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -38,33 +38,33 @@ _THIN = 0.05
 """Units of height or radius that a profile has at least."""
 
 
-_Round = tuple[CircleCurve, Support]
+_Round = tuple[CircleCurve, Carrier]
 """A circle, and the support whose curve it is."""
 
 
-def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBody, ...]:
+def find_bodies(carriers: PartCarriers, lone: bool = False) -> tuple[SurfaceOfRevolution, ...]:
     """Bodies whose profile is seen beside an axis in every view that shows the axis lengthwise.
 
     Args:
-        supports: of all views.
+        carriers: of all views.
         lone: whether bodies count as well whose profile one of these views shows, if its ends have
             the radii of drawn circles: in the other view something may be cut away there, as the
             outline of a groove by a bore, or the profile lies in front of no edge.
     """
-    near = max(_SAME, 1.5 * supports.tolerance)
-    found: list[RevolvedBody] = []
-    faint: list[RevolvedBody] = []
-    for axis, plane in supports.planes.items():
-        sides = [other for normal, other in supports.planes.items() if normal is not axis]
+    near = max(_SAME, 1.5 * carriers.tolerance)
+    found: list[SurfaceOfRevolution] = []
+    faint: list[SurfaceOfRevolution] = []
+    for axis, plane in carriers.planes.items():
+        sides = [other for normal, other in carriers.planes.items() if normal is not axis]
         if not sides:
             continue
         for centre in _centres(plane, near):
             concentric = _concentric(plane, centre, near)
             drawn = ([*_profiles(side, axis, centre, near)] for side in sides)
             # What was read exactly is not moved.
-            exact = 1.5 * supports.tolerance
-            rounds = [support for _, support in concentric]
-            ends = ProfileEnds.of(supports.values[axis], rounds, exact)
+            exact = 1.5 * carriers.tolerance
+            rounds = [carrier for _, carrier in concentric]
+            ends = ProfileEnds.of(carriers.values[axis], rounds, exact)
             by_side = [
                 _merged((ends.met_by(profile) for profile in items), near) for items in drawn
             ]
@@ -82,21 +82,21 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
     return tuple([*found, *sorted(faint, key=_height)][:_MOST])
 
 
-def _height(body: RevolvedBody) -> float:
+def _height(body: SurfaceOfRevolution) -> float:
     return body.profile.low - body.profile.high
 
 
 def _add(
-    found: list[RevolvedBody],
+    found: list[SurfaceOfRevolution],
     about: tuple[Axis, tuple[float, float]],
     profiles: list[Profile],
-    plane: PlaneSupports,
+    plane: PlaneCarriers,
     near: float,
 ) -> None:
     """The bodies of profiles about one axis that are not among those found."""
     for profile in profiles:
         for sector in _sectors(plane, about[1], profile, near):
-            body = RevolvedBody(*about, profile, sector)
+            body = SurfaceOfRevolution(*about, profile, sector)
             if not any(_repeats(body, other, near) for other in found):
                 found.append(body)
 
@@ -137,28 +137,28 @@ def _ends_at_circles(profile: Profile, concentric: list[_Round], near: float) ->
     ]
 
 
-def _centres(plane: PlaneSupports, near: float) -> list[tuple[float, float]]:
+def _centres(plane: PlaneCarriers, near: float) -> list[tuple[float, float]]:
     centres: list[tuple[float, float]] = []
-    for support in plane.supports:
-        if isinstance(support.curve, CircleCurve):
-            a, b = support.curve.centre
+    for carrier in plane.carriers:
+        if isinstance(carrier.curve, CircleCurve):
+            a, b = carrier.curve.centre
             if not any(abs(a - x) <= near and abs(b - y) <= near for x, y in centres):
                 centres.append((a, b))
     return centres
 
 
-def _concentric(plane: PlaneSupports, centre: tuple[float, float], near: float) -> list[_Round]:
+def _concentric(plane: PlaneCarriers, centre: tuple[float, float], near: float) -> list[_Round]:
     return [
-        (support.curve, support)
-        for support in plane.supports
-        if isinstance(support.curve, CircleCurve)
-        and abs(support.curve.centre[0] - centre[0]) <= near
-        and abs(support.curve.centre[1] - centre[1]) <= near
+        (carrier.curve, carrier)
+        for carrier in plane.carriers
+        if isinstance(carrier.curve, CircleCurve)
+        and abs(carrier.curve.centre[0] - centre[0]) <= near
+        and abs(carrier.curve.centre[1] - centre[1]) <= near
     ]
 
 
 def _sectors(
-    plane: PlaneSupports, centre: tuple[float, float], profile: Profile, near: float
+    plane: PlaneCarriers, centre: tuple[float, float], profile: Profile, near: float
 ) -> list[Sector | None]:
     """Through which angles a profile turns: a whole turn, or those of the arcs at its ends.
 
@@ -170,34 +170,34 @@ def _sectors(
     if any(sum(high - low for low, high in s.drawn()) > _WHOLE for _, s in rims or concentric):
         return [None]
     found: list[Sector | None] = []
-    for circle, support in rims:
-        arcs = support.drawn()
+    for circle, carrier in rims:
+        arcs = carrier.drawn()
         if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
             arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
-        found += [sector_of(circle, arc, plane.supports, near) for arc in arcs]
+        found += [sector_of(circle, arc, plane.carriers, near) for arc in arcs]
     return [None] if None in found else found
 
 
 def _profiles(
-    side: PlaneSupports, axis: Axis, centre: tuple[float, float], near: float
+    side: PlaneCarriers, axis: Axis, centre: tuple[float, float], near: float
 ) -> Iterator[Profile]:
     """What the drawn lines and arcs of a view are as profiles about an axis in its plane."""
     axes = IN_PLANE[side.normal]
     along = axes.index(axis.value)
     other = axes[1 - along]
     middle = centre[IN_PLANE[axis].index(other)]
-    for support in side.supports:
-        if support.curve.axis is not None:
+    for carrier in side.carriers:
+        if carrier.curve.axis is not None:
             continue
-        for low, high in support.drawn():
-            if isinstance(support.curve, CircleCurve):
-                yield from _arcs(support.curve, (low, high), (along, middle), near)
+        for low, high in carrier.drawn():
+            if isinstance(carrier.curve, CircleCurve):
+                yield from _arcs(carrier.curve, (low, high), (along, middle), near)
             else:
-                yield from _line(support, (low, high), (along, middle), near)
+                yield from _line(carrier, (low, high), (along, middle), near)
 
 
 def _line(
-    support: Support,
+    carrier: Carrier,
     stretch: tuple[float, float],
     frame: tuple[int, float],
     near: float,
@@ -205,7 +205,7 @@ def _line(
     along, middle = frame
     ends = sorted(
         (point[along], point[1 - along] - middle)
-        for point in (support.curve.at(at) for at in stretch)
+        for point in (carrier.curve.at(at) for at in stretch)
     )
     (low, at_low), (high, at_high) = ends
     if at_low * at_high < 0.0 and min(abs(at_low), abs(at_high)) > near:
@@ -306,7 +306,7 @@ def _joined(profiles: list[Profile]) -> Profile:
     return LineProfile(low, high, max(at_low, 0.0), max(at_high, 0.0))
 
 
-def _repeats(one: RevolvedBody, other: RevolvedBody, near: float) -> bool:
+def _repeats(one: SurfaceOfRevolution, other: SurfaceOfRevolution, near: float) -> bool:
     return (
         one.axis is other.axis
         and one.sector == other.sector

@@ -12,8 +12,8 @@ from itertools import pairwise, permutations
 from math import hypot, pi
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, line_through
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.hypotheses.suppressed_slants import LEAST, MOST, SAME, shows
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -49,59 +49,59 @@ class _Chamfer:
 class _Side:
     """A view beside an axis: where its lines run along that axis and across it."""
 
-    plane: PlaneSupports
+    plane: PlaneCarriers
     along: int
     middle: float
 
     def across(self) -> Iterator[tuple[float, float, float]]:
         """(height, low, high) of the edges across the axis; low and high from the axis."""
-        for support in self.plane.supports:
-            if support.curve.axis == self.along:
-                origin = support.curve.point[1 - self.along] - self.middle
-                for low, high in support.drawn():
-                    yield support.curve.point[self.along], origin + low, origin + high
+        for carrier in self.plane.carriers:
+            if carrier.curve.axis == self.along:
+                origin = carrier.curve.point[1 - self.along] - self.middle
+                for low, high in carrier.drawn():
+                    yield carrier.curve.point[self.along], origin + low, origin + high
 
     def has_along(self, radius: float, height: float, near: float) -> bool:
         """Whether a line along the axis is drawn at a radius, and passes a height."""
-        for support in self.plane.supports:
-            curve = support.curve
+        for carrier in self.plane.carriers:
+            curve = carrier.curve
             if curve.axis != 1 - self.along:
                 continue
             off = abs(curve.point[1 - self.along] - self.middle)
             at = height - curve.point[self.along]
-            if abs(off - radius) <= near and any(a < at < b for a, b in support.drawn()):
+            if abs(off - radius) <= near and any(a < at < b for a, b in carrier.drawn()):
                 return True
         return False
 
     def slants(self) -> Iterator[tuple[Point, Point]]:
         """Both ends of each slanted line: distances from the axis, and heights."""
-        for support in self.plane.supports:
-            if isinstance(support.curve, LineCurve) and support.curve.axis is None:
-                for stretch in support.drawn():
-                    one, other = (support.curve.at(at) for at in stretch)
+        for carrier in self.plane.carriers:
+            if isinstance(carrier.curve, LineCurve) and carrier.curve.axis is None:
+                for stretch in carrier.drawn():
+                    one, other = (carrier.curve.at(at) for at in stretch)
                     yield self._seen(one), self._seen(other)
 
     def _seen(self, point: Point) -> Point:
         return point[1 - self.along] - self.middle, point[self.along]
 
 
-def with_untold_chamfers(supports: PartSupports) -> PartSupports:
+def with_short_chamfers(carriers: PartCarriers) -> PartCarriers:
     """The supports with the lines of chamfers that may be drawn; they have no confidence."""
-    if len(supports.planes) < len(Axis):
-        return supports
-    near = SAME * supports.tolerance
+    if len(carriers.planes) < len(Axis):
+        return carriers
+    near = SAME * carriers.tolerance
     found: list[_Chamfer] = []
     for axis in Axis:
-        for chamfer in _chamfers(supports, axis):
+        for chamfer in _chamfers(carriers, axis):
             # Both views may tell it, and a line of one of them once more.
             if not any(_is_same(chamfer, other, near) for other in found):
                 found.append(chamfer)
-    planes, added = dict(supports.planes), 0
+    planes, added = dict(carriers.planes), 0
     for chamfer in found:
         completed = {normal: _completed(plane, chamfer, near) for normal, plane in planes.items()}
         added += completed != planes
         planes = completed
-    return replace(supports, planes=planes) if 0 < added <= _CHANCE else supports
+    return replace(carriers, planes=planes) if 0 < added <= _CHANCE else carriers
 
 
 def _is_same(one: _Chamfer, other: _Chamfer, near: float) -> bool:
@@ -116,10 +116,10 @@ def _is_same(one: _Chamfer, other: _Chamfer, near: float) -> bool:
     return all(abs(a - b) <= near for a, b in numbers)
 
 
-def _chamfers(supports: PartSupports, axis: Axis) -> Iterator[_Chamfer]:
-    near, least, lost, most = (k * supports.tolerance for k in (SAME, LEAST, _WIDEST, MOST))
-    for centre, radii in _round_edges(supports.planes[axis], near):
-        sides = [_side(p, axis, centre) for normal, p in supports.planes.items() if normal != axis]
+def _chamfers(carriers: PartCarriers, axis: Axis) -> Iterator[_Chamfer]:
+    near, least, lost, most = (k * carriers.tolerance for k in (SAME, LEAST, _WIDEST, MOST))
+    for centre, radii in _round_edges(carriers.planes[axis], near):
+        sides = [_side(p, axis, centre) for normal, p in carriers.planes.items() if normal != axis]
         for small, large in pairwise(radii):
             if not least < large - small < lost:
                 continue
@@ -138,13 +138,13 @@ def _chamfers(supports: PartSupports, axis: Axis) -> Iterator[_Chamfer]:
                     yield _Chamfer(axis, centre, inner, outer)
 
 
-def _round_edges(plane: PlaneSupports, near: float) -> Iterator[tuple[Point, list[float]]]:
+def _round_edges(plane: PlaneCarriers, near: float) -> Iterator[tuple[Point, list[float]]]:
     """Centres of whole circles, and the radii about each, ascending."""
     left = [
-        support.curve
-        for support in plane.supports
-        if isinstance(support.curve, CircleCurve)
-        and sum(high - low for low, high in support.drawn()) > _WHOLE
+        carrier.curve
+        for carrier in plane.carriers
+        if isinstance(carrier.curve, CircleCurve)
+        and sum(high - low for low, high in carrier.drawn()) > _WHOLE
     ]
     while left:
         (x, y) = left[0].centre
@@ -153,7 +153,7 @@ def _round_edges(plane: PlaneSupports, near: float) -> Iterator[tuple[Point, lis
         yield (x, y), sorted(circle.radius for circle in cs)
 
 
-def _side(plane: PlaneSupports, axis: Axis, centre: Point) -> _Side:
+def _side(plane: PlaneCarriers, axis: Axis, centre: Point) -> _Side:
     along = IN_PLANE[plane.normal].index(axis.value)
     other = IN_PLANE[plane.normal][1 - along]
     return _Side(plane, along, centre[IN_PLANE[axis].index(other)])
@@ -238,22 +238,24 @@ def _shown(side: _Side, radii: list[float], near: float) -> Iterator[tuple[Point
             yield ends[0], ends[1]
 
 
-def _completed(plane: PlaneSupports, chamfer: _Chamfer, near: float) -> PlaneSupports:
+def _completed(plane: PlaneCarriers, chamfer: _Chamfer, near: float) -> PlaneCarriers:
     """The plane with those lines of a chamfer that it does not show yet."""
     if plane.normal is chamfer.axis:
         return plane
-    supports = list(plane.supports)
+    carriers = list(plane.carriers)
     side = _side(plane, chamfer.axis, chamfer.centre)
     for way in (-1.0, 1.0):
         start, end = (_placed(side, way * r, z) for r, z in (chamfer.inner, chamfer.outer))
-        if not any(shows(support, start, end, near) for support in supports):
+        if not any(shows(carrier, start, end, near) for carrier in carriers):
             line = line_through(start, end)
             low, high = sorted((line.parameter(start), line.parameter(end)))
-            span = Span(low, high, Linetype.HIDDEN, 0.0)
-            spans: dict[Role, tuple[Span, ...]] = {role: (span,) for role in plane.roles}
-            supports.append(Support(line, spans))
+            interval = Interval(low, high, Linetype.HIDDEN, 0.0)
+            intervals: dict[Role, tuple[Interval, ...]] = {
+                role: (interval,) for role in plane.roles
+            }
+            carriers.append(Carrier(line, intervals))
     return (
-        plane if len(supports) == len(plane.supports) else replace(plane, supports=tuple(supports))
+        plane if len(carriers) == len(plane.carriers) else replace(plane, carriers=tuple(carriers))
     )
 
 

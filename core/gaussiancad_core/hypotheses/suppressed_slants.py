@@ -12,8 +12,13 @@ from itertools import combinations, islice
 from math import hypot
 
 from gaussiancad_core.coordinates.carrier_curves import LineCurve, Point, line_through
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support, nearest_station, stations_on
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import (
+    Carrier,
+    Interval,
+    nearest_station,
+    stations_on,
+)
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -53,34 +58,34 @@ class _Edge:
     at_high: float
 
 
-def with_untold_lines(supports: PartSupports) -> PartSupports:
+def with_suppressed_slants(carriers: PartCarriers) -> PartCarriers:
     """The supports with lines that may be drawn; their spans have no confidence."""
-    if len(supports.planes) < len(Axis):
-        return supports
-    most = MOST * supports.tolerance
+    if len(carriers.planes) < len(Axis):
+        return carriers
+    most = MOST * carriers.tolerance
     planes = {
         axis: _completed(
-            plane, islice(slanted_edges(supports, axis, most), _LOOKED_AT), supports.tolerance
+            plane, islice(slanted_edges(carriers, axis, most), _LOOKED_AT), carriers.tolerance
         )
-        for axis, plane in supports.planes.items()
+        for axis, plane in carriers.planes.items()
     }
-    return replace(supports, planes=planes)
+    return replace(carriers, planes=planes)
 
 
 def slanted_edges(
-    supports: PartSupports, shared: Axis, most: float
+    carriers: PartCarriers, shared: Axis, most: float
 ) -> Iterator[tuple[Point, Point]]:
     """Edges, as the view along an axis should show them, that both other views show over it.
 
     Args:
-        supports: of all planes.
+        carriers: of all planes.
         shared: that axis.
         most: units that such an edge is long in any view, at most.
     """
-    near, least = (k * supports.tolerance for k in (SAME, LEAST))
+    near, least = (k * carriers.tolerance for k in (SAME, LEAST))
     one, other = (Axis(index) for index in IN_PLANE[shared])
-    firsts = _edges(supports.planes[other], shared, most)
-    seconds = sorted(_edges(supports.planes[one], shared, most), key=lambda edge: edge.low)
+    firsts = _edges(carriers.planes[other], shared, most)
+    seconds = sorted(_edges(carriers.planes[one], shared, most), key=lambda edge: edge.low)
     lows = [edge.low for edge in seconds]
     for first in firsts:
         at = slice(bisect_left(lows, first.low - near), bisect_right(lows, first.low + near))
@@ -91,32 +96,32 @@ def slanted_edges(
                 yield start, end
 
 
-def _edges(plane: PlaneSupports, over: Axis, most: float) -> Iterator[_Edge]:
+def _edges(plane: PlaneCarriers, over: Axis, most: float) -> Iterator[_Edge]:
     """Edges over an axis that rise by no more than ``most``."""
     place = IN_PLANE[plane.normal].index(over.value)
-    for support in plane.supports:
-        if not isinstance(support.curve, LineCurve) or support.curve.axis is not None:
+    for carrier in plane.carriers:
+        if not isinstance(carrier.curve, LineCurve) or carrier.curve.axis is not None:
             continue
-        cuts = stations_on(support.curve, [other.curve for other in plane.supports])
-        for start, end in support.drawn():
+        cuts = stations_on(carrier.curve, [other.curve for other in plane.carriers])
+        for start, end in carrier.drawn():
             ends = {start, end, *(at for at in cuts if start < at < end)}
-            points = sorted((p[place], p[1 - place]) for p in map(support.curve.at, ends))
+            points = sorted((p[place], p[1 - place]) for p in map(carrier.curve.at, ends))
             for low, high in combinations(points, 2):
                 if abs(high[1] - low[1]) < most:
                     yield _Edge(low[0], high[0], low[1], high[1])
 
 
 def _completed(
-    plane: PlaneSupports, missing: Iterable[tuple[Point, Point]], tolerance: float
-) -> PlaneSupports:
-    found = list(plane.supports)
+    plane: PlaneCarriers, missing: Iterable[tuple[Point, Point]], tolerance: float
+) -> PlaneCarriers:
+    found = list(plane.carriers)
     for start, end in missing:
         line = line_through(start, end)
         if line.axis is not None or any(
-            shows(support, start, end, SAME * tolerance) for support in found
+            shows(carrier, start, end, SAME * tolerance) for carrier in found
         ):
             continue
-        stations = stations_on(line, [support.curve for support in plane.supports])
+        stations = stations_on(line, [carrier.curve for carrier in plane.carriers])
         low, high = sorted(
             nearest_station(stations, line.parameter(end), _REACH * tolerance)
             for end in (start, end)
@@ -124,18 +129,18 @@ def _completed(
         if high - low < LEAST * tolerance:
             # Both ends belong to one corner.
             continue
-        span = Span(low, high, Linetype.HIDDEN, 0.0)
-        spans: dict[Role, tuple[Span, ...]] = {role: (span,) for role in plane.roles}
-        found.append(Support(line, spans))
-        if len(found) > len(plane.supports) + _CHANCE:
+        interval = Interval(low, high, Linetype.HIDDEN, 0.0)
+        intervals: dict[Role, tuple[Interval, ...]] = {role: (interval,) for role in plane.roles}
+        found.append(Carrier(line, intervals))
+        if len(found) > len(plane.carriers) + _CHANCE:
             return plane
-    return replace(plane, supports=tuple(found))
+    return replace(plane, carriers=tuple(found))
 
 
-def shows(support: Support, start: Point, end: Point, near: float) -> bool:
+def shows(carrier: Carrier, start: Point, end: Point, near: float) -> bool:
     """Whether a line runs along an edge, so that the edge would be on it."""
-    curve = support.curve
+    curve = carrier.curve
     if max(curve.distance(start), curve.distance(end)) > near:
         return False
     middle = curve.parameter(((start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0))
-    return any(low - near <= middle <= high + near for low, high in support.drawn())
+    return any(low - near <= middle <= high + near for low, high in carrier.drawn())

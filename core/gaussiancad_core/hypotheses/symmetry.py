@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.cells.cell_complex import Cell, Crossing
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -19,12 +19,12 @@ _LEAST = 1e-2
 """The same in units, at least."""
 
 
-def is_symmetric(supports: PartSupports, axis: Axis) -> bool:
+def is_symmetric(carriers: PartCarriers, axis: Axis) -> bool:
     """Whether all lines of the views that show an axis are alike on both sides of its middle."""
-    middle = supports.size[axis.value] / 2.0
-    reach = max(_LEAST, _ALIKE * supports.tolerance)
+    middle = carriers.size[axis.value] / 2.0
+    reach = max(_LEAST, _ALIKE * carriers.tolerance)
     shown = False
-    for normal, plane in supports.planes.items():
+    for normal, plane in carriers.planes.items():
         if normal is axis:
             continue
         shown = True
@@ -41,11 +41,11 @@ def is_symmetric(supports: PartSupports, axis: Axis) -> bool:
     return shown
 
 
-def _stretches(plane: PlaneSupports) -> Iterator[tuple[Point, Point, Point]]:
+def _stretches(plane: PlaneCarriers) -> Iterator[tuple[Point, Point, Point]]:
     """Middle and both ends of what is drawn; of whole circles two ends of a diameter."""
-    for support in plane.supports:
-        curve = support.curve
-        for low, high in support.drawn():
+    for carrier in plane.carriers:
+        curve = carrier.curve
+        for low, high in carrier.drawn():
             if isinstance(curve, CircleCurve) and high - low > TURN - 1e-3:
                 x, y = curve.centre
                 yield curve.centre, (x - curve.radius, y), (x + curve.radius, y)
@@ -61,9 +61,9 @@ def _key(places: tuple[Point, ...]) -> tuple[float, ...]:
 
 def mirror_images(column: Sequence[Crossing], at: float) -> Iterator[tuple[Cell, Cell]]:
     """Different cells of a column that are as far before a plane as behind it."""
-    spans = [(c.depth, d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
-    for low, high, cell in spans:
+    intervals = [(c.depth, d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
+    for low, high, cell in intervals:
         image = 2.0 * at - 0.5 * (low + high)
-        for start, end, other in spans:
+        for start, end, other in intervals:
             if start < image < end and cell < other:
                 yield cell, other

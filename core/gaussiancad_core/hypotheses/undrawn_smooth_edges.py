@@ -20,8 +20,8 @@ from gaussiancad_core.coordinates.carrier_curves import (
     axis_line,
     meetings,
 )
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support, stations_on
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, stations_on
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -45,28 +45,28 @@ class _FreeEnd:
     """An end of a stroke that no other stroke meets.
 
     Attributes:
-        support: number of its curve.
+        carrier: number of its curve.
         at: parameter there.
         point: (2,) in the plane.
     """
 
-    support: int
+    carrier: int
     at: float
     point: Point
 
 
-def with_smooth_edges(supports: PartSupports) -> PartSupports:
+def with_smooth_edges(carriers: PartCarriers) -> PartCarriers:
     """The supports, with lines without confidence where strokes end at edges that are not drawn."""
-    near = max(_NEAR * supports.tolerance, _LEAST_NEAR)
+    near = max(_NEAR * carriers.tolerance, _LEAST_NEAR)
     planes = {}
-    for normal, plane in supports.planes.items():
+    for normal, plane in carriers.planes.items():
         found = plane
         free = _free_ends(plane, near)
         for along in (0, 1) if free else ():
-            for value in _distinct(_smooth(supports, normal, along, near), near):
+            for value in _distinct(_smooth(carriers, normal, along, near), near):
                 found = _with_edge(found, axis_line(along, value), free, near)
         planes[normal] = found
-    return replace(supports, planes=planes)
+    return replace(carriers, planes=planes)
 
 
 def _distinct(values: Iterator[float], near: float) -> list[float]:
@@ -78,50 +78,50 @@ def _distinct(values: Iterator[float], near: float) -> list[float]:
     return found
 
 
-def _smooth(supports: PartSupports, normal: Axis, along: int, near: float) -> Iterator[float]:
+def _smooth(carriers: PartCarriers, normal: Axis, along: int, near: float) -> Iterator[float]:
     """Values of a plane's coordinate at which a rounding passes into a plane that faces us."""
     axis = Axis(IN_PLANE[normal][along])
     other = next(each for each in Axis if each not in (normal, axis))
-    if other not in supports.planes:
+    if other not in carriers.planes:
         return
     facing = IN_PLANE[other].index(normal.value)
-    shown = supports.planes[other].supports
+    shown = carriers.planes[other].carriers
     circles = []
-    for support in shown:
-        curve = support.curve
+    for carrier in shown:
+        curve = carrier.curve
         if not isinstance(curve, CircleCurve):
             continue
         circles.append(curve)
         if any(
             abs(curve.at(end)[1 - facing] - curve.centre[1 - facing]) < near
-            for end in _ends(support)
+            for end in _ends(carrier)
         ):
             yield curve.centre[1 - facing]
-    for support in shown:
-        for point in _touching(support, circles, near):
+    for carrier in shown:
+        for point in _touching(carrier, circles, near):
             yield point[1 - facing]
 
 
-def _touching(support: Support, circles: list[CircleCurve], near: float) -> Iterator[Point]:
+def _touching(carrier: Carrier, circles: list[CircleCurve], near: float) -> Iterator[Point]:
     """Where a straight line touches circles that it ends at."""
-    line = support.curve
+    line = carrier.curve
     if not isinstance(line, LineCurve):
         return
     for circle in circles:
         foot = line.parameter(circle.centre)
         room = max(near, _TOUCHING * circle.radius)
         if abs(line.distance(circle.centre) - circle.radius) < near and any(
-            abs(end - foot) < room for end in _ends(support)
+            abs(end - foot) < room for end in _ends(carrier)
         ):
             yield line.at(foot)
 
 
-def _free_ends(plane: PlaneSupports, near: float) -> list[_FreeEnd]:
+def _free_ends(plane: PlaneCarriers, near: float) -> list[_FreeEnd]:
     found = []
-    for number, support in enumerate(plane.supports):
-        others = [each for each in plane.supports if each is not support]
-        for end in _ends(support):
-            point = support.curve.at(end)
+    for number, carrier in enumerate(plane.carriers):
+        others = [each for each in plane.carriers if each is not carrier]
+        for end in _ends(carrier):
+            point = carrier.curve.at(end)
             if not any(_reaches(other, point, near) for other in others) and not any(
                 hypot(point[0] - corner[0], point[1] - corner[1]) < near
                 for _, chain, _ in plane.chains
@@ -131,31 +131,31 @@ def _free_ends(plane: PlaneSupports, near: float) -> list[_FreeEnd]:
     return found
 
 
-def _ends(support: Support) -> list[float]:
+def _ends(carrier: Carrier) -> list[float]:
     """Where what is drawn on a support ends; a circle's angle only begins again at zero."""
-    ends = [end for stretch in support.drawn() for end in stretch]
+    ends = [end for stretch in carrier.drawn() for end in stretch]
     round_ones = {end for end in ends if min(end, TURN - end) < _SEAM}
-    if isinstance(support.curve, CircleCurve) and len(round_ones) > 1:
+    if isinstance(carrier.curve, CircleCurve) and len(round_ones) > 1:
         return [end for end in ends if end not in round_ones]
     return ends
 
 
-def _reaches(support: Support, point: Point, near: float) -> bool:
+def _reaches(carrier: Carrier, point: Point, near: float) -> bool:
     """Whether a stroke comes near a point."""
-    if support.curve.distance(point) > near:
+    if carrier.curve.distance(point) > near:
         return False
-    at, slack = support.curve.parameter(point), near / support.curve.speed
-    return any(low - slack <= at <= high + slack for low, high in support.drawn())
+    at, slack = carrier.curve.parameter(point), near / carrier.curve.speed
+    return any(low - slack <= at <= high + slack for low, high in carrier.drawn())
 
 
 def _with_edge(
-    plane: PlaneSupports, line: PlaneCurve, free: list[_FreeEnd], near: float
-) -> PlaneSupports:
+    plane: PlaneCarriers, line: PlaneCurve, free: list[_FreeEnd], near: float
+) -> PlaneCarriers:
     """The plane with the stretches of a line that begin or end where strokes end in the open."""
     ends = [end for end in free if line.distance(end.point) < near]
     if not ends:
         return plane
-    found = list(plane.supports)
+    found = list(plane.carriers)
     places = set()
     for end in ends:
         at = _led_to(found, end, line, near)
@@ -163,10 +163,10 @@ def _with_edge(
             places.add(at)
     met = {
         at
-        for at in stations_on(line, [support.curve for support in plane.supports])
+        for at in stations_on(line, [carrier.curve for carrier in plane.carriers])
         if any(
-            support.curve.distance(line.at(at)) < 1e-6 and _reaches(support, line.at(at), 1e-4)
-            for support in plane.supports
+            carrier.curve.distance(line.at(at)) < 1e-6 and _reaches(carrier, line.at(at), 1e-4)
+            for carrier in plane.carriers
         )
     }
     stretches = [
@@ -178,40 +178,40 @@ def _with_edge(
     between = [stretch for stretch in stretches if places.issuperset(stretch)]
     paired = {at for stretch in between for at in stretch}
     lone = [stretch for stretch in stretches if not paired.intersection(stretch)]
-    spans = tuple(Span(low, high, Linetype.HIDDEN, 0.0) for low, high in (*between, *lone))
-    if not spans:
+    intervals = tuple(Interval(low, high, Linetype.HIDDEN, 0.0) for low, high in (*between, *lone))
+    if not intervals:
         return plane
-    place = next((k for k, support in enumerate(found) if support.curve == line), None)
+    place = next((k for k, carrier in enumerate(found) if carrier.curve == line), None)
     if place is None:
-        found.append(Support(line, {role: spans for role in plane.roles}))
+        found.append(Carrier(line, {role: intervals for role in plane.roles}))
     else:
-        drawn = found[place].spans
-        known = {role: (*drawn.get(role, ()), *spans) for role in plane.roles}
-        found[place] = Support(line, known)
-    return replace(plane, supports=tuple(found))
+        drawn = found[place].intervals
+        known = {role: (*drawn.get(role, ()), *intervals) for role in plane.roles}
+        found[place] = Carrier(line, known)
+    return replace(plane, carriers=tuple(found))
 
 
-def _led_to(supports: list[Support], end: _FreeEnd, line: PlaneCurve, near: float) -> float | None:
+def _led_to(carriers: list[Carrier], end: _FreeEnd, line: PlaneCurve, near: float) -> float | None:
     """Where an open end is on a line once its stroke ends there exactly; None if it never does."""
-    support = supports[end.support]
+    carrier = carriers[end.carrier]
     met = [
         point
-        for point in meetings(support.curve, line)
+        for point in meetings(carrier.curve, line)
         if hypot(point[0] - end.point[0], point[1] - end.point[1]) < near
     ]
     if not met:
         return None
-    at = support.curve.parameter(met[0])
-    spans = {
+    at = carrier.curve.parameter(met[0])
+    intervals = {
         role: tuple(
             replace(
-                span,
-                low=at if abs(span.low - end.at) < 1e-9 else span.low,
-                high=at if abs(span.high - end.at) < 1e-9 else span.high,
+                interval,
+                low=at if abs(interval.low - end.at) < 1e-9 else interval.low,
+                high=at if abs(interval.high - end.at) < 1e-9 else interval.high,
             )
-            for span in this_spans
+            for interval in this_spans
         )
-        for role, this_spans in support.spans.items()
+        for role, this_spans in carrier.intervals.items()
     }
-    supports[end.support] = Support(support.curve, spans)
+    carriers[end.carrier] = Carrier(carrier.curve, intervals)
     return line.parameter(met[0])

@@ -22,7 +22,7 @@ from gaussiancad_core.labelling.clauses import (
     points_of,
 )
 from gaussiancad_core.labelling.counted_work import NEVER, Deadline
-from gaussiancad_core.labelling.priors import Usual
+from gaussiancad_core.labelling.priors import Priors
 from gaussiancad_core.labelling.solvers import FOUND, relaxing_solver, solver_for
 from gaussiancad_core.labelling.visibility_rules import Rule, Says, holds
 
@@ -131,7 +131,7 @@ class Search:
         usual: what is taken for usual where rules leave labels open.
     """
 
-    def __init__(self, rules: Sequence[Rule], effort: Effort, usual: Usual | None = None) -> None:
+    def __init__(self, rules: Sequence[Rule], effort: Effort, usual: Priors | None = None) -> None:
         self._rules = tuple(rules)
         self._effort = effort
         self._usual = usual

@@ -11,12 +11,12 @@ from gaussiancad_core.cells.cell_complex import Cell
 from gaussiancad_core.labelling.equivalence_classes import (
     Form,
     Look,
-    Saying,
-    Sayings,
+    NormalisedConstraint,
+    NormalisedConstraints,
     find_blocks,
     independent,
 )
-from gaussiancad_core.labelling.priors import BLIND, LOOSE, NOTED, NOWHERE, ROUND, UNSEEN, Usual
+from gaussiancad_core.labelling.priors import BLIND, LOOSE, NOTED, NOWHERE, ROUND, UNSEEN, Priors
 from gaussiancad_core.labelling.visibility_rules import Rule
 
 SURFACES = 10
@@ -81,8 +81,8 @@ class Model:
         self._covers = [self._false]
         self._behind: dict[tuple[int, tuple[Form, ...]], int] = {}
         self._voids: dict[tuple[Cell, ...], cp_model.IntVar] = {}
-        sayings = Sayings(self._blocks)
-        stated: dict[Saying, list[int]] = {}
+        sayings = NormalisedConstraints(self._blocks)
+        stated: dict[NormalisedConstraint, list[int]] = {}
         for number, rule in enumerate(rules):
             stated.setdefault(sayings.of(rule), []).append(number)
         escapes: list[cp_model.IntVar] = []
@@ -112,7 +112,7 @@ class Model:
         literals = [self._literal(form) for form in counts]
         return cp_model.LinearExpr.weighted_sum(literals, list(counts.values()))
 
-    def unusual(self, usual: Usual) -> cp_model.LinearExpr | int:
+    def unusual(self, usual: Priors) -> cp_model.LinearExpr | int:
         """What is not usual, in surfaces."""
         costs = [
             *self._holes_and_voids(usual),
@@ -123,7 +123,7 @@ class Model:
         literals, weights = zip(*costs, strict=True) if costs else ((), ())
         return cp_model.LinearExpr.weighted_sum(literals, weights)
 
-    def _holes_and_voids(self, usual: Usual) -> Iterator[Cost]:
+    def _holes_and_voids(self, usual: Priors) -> Iterator[Cost]:
         """Holes that do not go through, and voids by what is seen of them."""
         forms = self._blocks.forms
         open_to: defaultdict[Cell, dict[int, cp_model.IntVar]] = defaultdict(dict)
@@ -154,7 +154,7 @@ class Model:
             yield self._unless([*usually, *seen.values()]), UNSEEN
             yield self._unless([*usually, *through[cell]]), usual.bulks.get(cell, 1)
 
-    def _undrawn(self, usual: Usual) -> Iterator[Cost]:
+    def _undrawn(self, usual: Priors) -> Iterator[Cost]:
         """Surfaces whose trace no view draws."""
         forms = self._blocks.forms
         for pairs in usual.undrawn:
@@ -165,14 +165,14 @@ class Model:
                     self.model.add_implication(self._literal(form), used)
                 yield used, NOWHERE
 
-    def _unlike(self, usual: Usual) -> Iterator[Cost]:
+    def _unlike(self, usual: Priors) -> Iterator[Cost]:
         """Mirror images that are not alike."""
         forms = self._blocks.forms
         for one, other, weight in usual.mirrored:
             if one in forms and other in forms:
                 yield self._literal(forms[one] ^ forms[other]), weight
 
-    def _not_as_noted(self, usual: Usual) -> Iterator[Cost]:
+    def _not_as_noted(self, usual: Priors) -> Iterator[Cost]:
         """Holes that are not as their notes say."""
         forms = self._blocks.forms
         for ways in usual.noted:
@@ -260,7 +260,7 @@ class Model:
         self.model.add_bool_or([literal, one, ~other])
         return literal
 
-    def _add(self, said: Saying, escape: list[cp_model.IntVar]) -> None:
+    def _add(self, said: NormalisedConstraint, escape: list[cp_model.IntVar]) -> None:
         add = self.model.add_bool_or
         if said.look is Look.BLANK:
             for place in said.places:

@@ -25,7 +25,7 @@ Form = int
 
 
 @dataclass(frozen=True)
-class Blocks:
+class EquivalenceClasses:
     """The labels that are left to choose, and what all others follow from.
 
     Attributes:
@@ -46,7 +46,7 @@ class Blocks:
         return self.forms[transition[0]] ^ self.forms[transition[1]]
 
 
-def find_blocks(rules: Sequence[Rule], must_hold: Callable[[Rule], bool]) -> Blocks:
+def find_blocks(rules: Sequence[Rule], must_hold: Callable[[Rule], bool]) -> EquivalenceClasses:
     """The forms of the cells of rules, some of which have to hold.
 
     Args:
@@ -80,7 +80,7 @@ def find_blocks(rules: Sequence[Rule], must_hold: Callable[[Rule], bool]) -> Blo
     forms: dict[Cell | None, Form] = dict(zip(numbers, solved, strict=True))
     forms[None] = 0
     cells = tuple(numbers)
-    return Blocks(
+    return EquivalenceClasses(
         tuple(cells[number] for number in free),
         forms,
         _surfaces(met, forms),
@@ -215,7 +215,7 @@ class Place:
 
 
 @dataclass(frozen=True)
-class Saying:
+class NormalisedConstraint:
     """What a rule says, in forms.  Rules with equal sayings hold under the same labels.
 
     Attributes:
@@ -234,26 +234,26 @@ class Saying:
         return self.look in (Look.BLANK, Look.UNSEEN) and not self.places
 
 
-class Sayings:
+class NormalisedConstraints:
     """What rules say, in forms.
 
     Args:
         blocks: of the rules.
     """
 
-    def __init__(self, blocks: Blocks) -> None:
+    def __init__(self, blocks: EquivalenceClasses) -> None:
         self._blocks = blocks
         # By the identities of groups, which are kept as well: few are equal and not the same.
         self._places: dict[int, tuple[Place, Group]] = {}
 
-    def of(self, rule: Rule) -> Saying:
+    def of(self, rule: Rule) -> NormalisedConstraint:
         """What a rule says of blocks."""
         stated_places = [self._place(group) for group in rule.groups]
         blank = rule.linetype is None and rule.says is not Says.UNSEEN
         if blank or rule.says is Says.DRAWN:
             every = tuple(dict.fromkeys(form for place in stated_places for form in place.differs))
             look = Look.BLANK if blank else Look.DRAWN
-            return Saying(look, (Place(every, ()),) if every else ())
+            return NormalisedConstraint(look, (Place(every, ()),) if every else ())
         places: list[Place] = []
         last = 0
         covering: set[Form] = set()
@@ -269,7 +269,7 @@ class Sayings:
         look = Look.UNSEEN
         if rule.linetype is not None:
             look = Look.VISIBLE if rule.linetype is Linetype.VISIBLE else Look.HIDDEN
-        return Saying(look, tuple(places), rule.says is Says.KIND)
+        return NormalisedConstraint(look, tuple(places), rule.says is Says.KIND)
 
     def _place(self, group: Group) -> Place:
         known = self._places.get(id(group))

@@ -72,7 +72,7 @@ def find_conflict(part: PartModel, views: DrawnViews, effort: float) -> Conflict
         None if the lines do not contradict each other, or it is not known in time.
     """
     rules = [rule for rule in part.rules if rule.weight >= SLIGHT]
-    grouped = _by_line(rules, views, part.supports.scale)
+    grouped = _by_line(rules, views, part.carriers.scale)
     search = _Cores(rules, grouped, effort)
     core = search.core(list(grouped))
     if core is None:
@@ -81,7 +81,7 @@ def find_conflict(part: PartModel, views: DrawnViews, effort: float) -> Conflict
     lines = []
     for key in members:
         labels = search.labels_without(key)
-        lines.append(_line(key, grouped[key], views, part.supports.scale, labels))
+        lines.append(_line(key, grouped[key], views, part.carriers.scale, labels))
     lines.sort(key=lambda line: not line.suspect)
     found = Conflict(tuple(lines), minimal)
     if found.suspects:

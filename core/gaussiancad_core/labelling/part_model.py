@@ -12,26 +12,26 @@ from gaussiancad_core.cells.cell_complex import Space
 from gaussiancad_core.cells.crossing_kernels import BESIDE
 from gaussiancad_core.cells.edge_fragments import Piece, find_pieces
 from gaussiancad_core.cells.grid_rows import count_pieces, find_rows
-from gaussiancad_core.cells.surfaces_of_revolution import RevolvedBody
+from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
 from gaussiancad_core.coordinates.carrier_curves import Point, axis_line
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports, find_supports
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers, find_carriers
 from gaussiancad_core.coordinates.coordinate_clustering import nearest_value
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.coordinates.geometric_constraints import Facet
 from gaussiancad_core.coordinates.point_chains import Chain, through_points
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.hypotheses.bridges import bridges
-from gaussiancad_core.hypotheses.missing_edges import as_if_drawn, with_lost_lines
+from gaussiancad_core.hypotheses.missing_edges import as_if_drawn, with_missing_edges
 from gaussiancad_core.hypotheses.noted_holes import floors, kept_notes
 from gaussiancad_core.hypotheses.oblique_planes import find_half_spaces
 from gaussiancad_core.hypotheses.reprojected_silhouettes import retraced
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
-from gaussiancad_core.hypotheses.short_chamfers import with_untold_chamfers
-from gaussiancad_core.hypotheses.suppressed_slants import with_untold_lines
+from gaussiancad_core.hypotheses.short_chamfers import with_short_chamfers
+from gaussiancad_core.hypotheses.suppressed_slants import with_suppressed_slants
 from gaussiancad_core.hypotheses.undrawn_smooth_edges import with_smooth_edges
 from gaussiancad_core.labelling.counted_work import NEVER, Counted, Deadline
-from gaussiancad_core.labelling.priors import Usual, usual_of
+from gaussiancad_core.labelling.priors import Priors, priors_of
 from gaussiancad_core.labelling.section_rules import area_rules, merged, scaled_cuts, shown
 from gaussiancad_core.labelling.visibility_rules import Columns, Rule, rules_of, without_hidden
 from gaussiancad_core.model.axes import Axis, Role
@@ -74,17 +74,17 @@ class PartModel:
     """A part as cells with rules.
 
     Attributes:
-        supports: of the views.
+        carriers: of the views.
         space: the cells.
         rules: what the views say about them.
         usual: what is taken for usual, where views draw no hidden lines.
         sections: where views are cut.
     """
 
-    supports: PartSupports
+    carriers: PartCarriers
     space: Space
     rules: tuple[Rule, ...]
-    usual: Usual | None = None
+    usual: Priors | None = None
     sections: Mapping[Role, Cut] = field(default_factory=dict)
 
 
@@ -110,31 +110,31 @@ def model_part(
     strokes = max(len(curves) for curves in views.strokes.values())
     if strokes > MOST_STROKES:
         raise _too_complex(f"a view has {strokes} lines")
-    supports = find_supports(views)
-    half_spaces = find_half_spaces(supports)
+    carriers = find_carriers(views)
+    half_spaces = find_half_spaces(carriers)
     facets = [Facet(body.normal, hull) for body in half_spaces for hull in body.hulls]
     if facets:
         # Read by themselves their corners lie on no common plane.
-        supports = find_supports(views, facets)
-        half_spaces = find_half_spaces(supports)
+        carriers = find_carriers(views, facets)
+        half_spaces = find_half_spaces(carriers)
     if lost_lines:
-        half_spaces = find_half_spaces(as_if_drawn(with_lost_lines(supports)))
-    supports = retraced(supports, half_spaces, find_bodies(supports))
-    supports = with_untold_chamfers(with_untold_lines(supports))
-    supports = with_smooth_edges(supports)
+        half_spaces = find_half_spaces(as_if_drawn(with_missing_edges(carriers)))
+    carriers = retraced(carriers, half_spaces, find_bodies(carriers))
+    carriers = with_short_chamfers(with_suppressed_slants(carriers))
+    carriers = with_smooth_edges(carriers)
     if lost_lines:
-        supports = with_lost_lines(
-            supports,
+        carriers = with_missing_edges(
+            carriers,
             undrawn=views.without_hidden,
-            cuts=_planes_of(views, supports.scale),
-            floors=_undrawn_values(views, supports),
+            cuts=_planes_of(views, carriers.scale),
+            floors=_undrawn_values(views, carriers),
         )
-    planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
+    planes = {axis: _arranged(plane, carriers.tolerance) for axis, plane in carriers.planes.items()}
     for axis in Axis:
         if axis not in planes:
-            planes[axis] = _box(axis, _known_size(supports))
-    space = Space(planes, (*find_bodies(supports), *half_spaces))
-    return without_undrawn(_part(supports, space, near, deadline, views.cuts), views)
+            planes[axis] = _box(axis, _known_size(carriers))
+    space = Space(planes, (*find_bodies(carriers), *half_spaces))
+    return without_undrawn(_part(carriers, space, near, deadline, views.cuts), views)
 
 
 def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
@@ -146,17 +146,17 @@ def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
         return replace(part, rules=rules)
     whole = [role for role in views.roles if role not in views.cuts]
     silent = [role for role in views.undrawn if role not in views.cuts]
-    cuts = scaled_cuts(views.cuts, part.supports.scale)
-    usual = usual_of(part.supports, part.space, whole, silent, cuts)
-    usual = replace(usual, noted=kept_notes(views.holes, part.space, part.supports))
+    cuts = scaled_cuts(views.cuts, part.carriers.scale)
+    usual = priors_of(part.carriers, part.space, whole, silent, cuts)
+    usual = replace(usual, noted=kept_notes(views.holes, part.space, part.carriers))
     return replace(part, rules=rules, usual=usual)
 
 
-def _undrawn_values(views: DrawnViews, supports: PartSupports) -> dict[Axis, tuple[float, ...]]:
+def _undrawn_values(views: DrawnViews, carriers: PartCarriers) -> dict[Axis, tuple[float, ...]]:
     """Coordinates in units at which nothing is drawn and something may end: holes of which notes
     tell the depth, and what is cut open of a view."""
-    found = floors(views.holes, supports)
-    for role, cut in scaled_cuts(views.cuts, supports.scale).items():
+    found = floors(views.holes, carriers)
+    for role, cut in scaled_cuts(views.cuts, carriers.scale).items():
         for opening in cut.openings:
             if opening.region is None:
                 continue
@@ -166,7 +166,7 @@ def _undrawn_values(views: DrawnViews, supports: PartSupports) -> dict[Axis, tup
                 inner = {
                     float(value)
                     for value in corners[:, place]
-                    if 0.0 < value < supports.size[index]
+                    if 0.0 < value < carriers.size[index]
                 }
                 if len(inner) <= _SIDES:
                     found[axis] = (*found.get(axis, ()), *sorted(inner))
@@ -201,8 +201,8 @@ def with_lone_bodies(
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
     """
-    bodies = find_bodies(part.supports, lone=True)
-    plain = tuple(body for body in part.space.bodies if isinstance(body, RevolvedBody))
+    bodies = find_bodies(part.carriers, lone=True)
+    plain = tuple(body for body in part.space.bodies if isinstance(body, SurfaceOfRevolution))
     if bodies == plain:
         return None
     if set(plain) <= set(bodies):
@@ -212,10 +212,10 @@ def with_lone_bodies(
             return None
     others = part.space.bodies[len(plain) :]
     space = Space(part.space.planes, (*bodies, *others))
-    return _part(part.supports, space, NEAR, deadline, part.sections)
+    return _part(part.carriers, space, NEAR, deadline, part.sections)
 
 
-def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
+def _looks_into(rule: Rule, bodies: Sequence[SurfaceOfRevolution]) -> bool:
     """Whether a line of sight beside one of a rule's pieces meets one of the bodies."""
     return any(
         body.crossings(role_plane(piece.role).normal, a + way * da, b + way * db)
@@ -227,30 +227,30 @@ def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
 
 
 def _part(
-    supports: PartSupports,
+    carriers: PartCarriers,
     space: Space,
     near: float,
     deadline: Deadline,
     cuts: Mapping[Role, Cut] = MappingProxyType({}),
 ) -> PartModel:
-    near = max(near, 2.0 * supports.tolerance)
-    most = _MOST_PIECES if supports.tolerance <= _EXACT else _MOST_READ
-    rows = {normal: find_rows(space, normal) for normal in supports.planes}
-    planes = supports.planes.items()
+    near = max(near, 2.0 * carriers.tolerance)
+    most = _MOST_PIECES if carriers.tolerance <= _EXACT else _MOST_READ
+    rows = {normal: find_rows(space, normal) for normal in carriers.planes}
+    planes = carriers.planes.items()
     # Counted before any is made: most lie on the grid.
     count = sum(len(plane.roles) * count_pieces(rows[normal]) for normal, plane in planes)
-    found = find_pieces(space, supports.planes, near, supports.tolerance, rows)
+    found = find_pieces(space, carriers.planes, near, carriers.tolerance, rows)
     pieces = list(islice(_until(found, deadline), most + 1)) if count <= most else []
     if max(count, len(pieces)) > most:
         raise _too_complex(f"its lines divide the views into more than {most:,} pieces")
-    sections = scaled_cuts(cuts, supports.scale)
+    sections = scaled_cuts(cuts, carriers.scale)
 
     def seen(role: Role, places: Sequence[Point], columns: Columns) -> Columns | None:
         return shown(sections[role], role, places, columns)
 
     rules = rules_of(space, pieces, sections, seen)
     rules += merged(area_rules(space, sections))
-    return PartModel(supports, space, tuple(rules), sections=cuts)
+    return PartModel(carriers, space, tuple(rules), sections=cuts)
 
 
 def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
@@ -275,9 +275,9 @@ def _too_complex(what: str) -> LimitError:
     )
 
 
-def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:
+def _arranged(plane: PlaneCarriers, tolerance: float) -> Arrangement:
     """The plane's regions; chains become boundaries where the outline is open without them."""
-    plain = Arrangement(plane.supports, lost=plane.lost)
+    plain = Arrangement(plane.carriers, lost=plane.lost)
     chains = [chain for _, chain, _ in plane.chains]
     leaking = [chain for chain in chains if _lies_outside(plain, chain)]
     reach = max(_GAP, 1.5 * tolerance)
@@ -285,7 +285,7 @@ def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:
     closing = bridges(plain, attached, reach)
     if not attached and not closing:
         return plain
-    return Arrangement(plane.supports, [*attached, *closing], plane.lost)
+    return Arrangement(plane.carriers, [*attached, *closing], plane.lost)
 
 
 def _lies_outside(arrangement: Arrangement, chain: Chain) -> bool:
@@ -313,11 +313,11 @@ def _attached(chain: Chain, arrangement: Arrangement, chains: Sequence[Chain]) -
     return through_points(points, targets, _BESIDE)
 
 
-def _known_size(supports: PartSupports) -> tuple[float, float, float]:
+def _known_size(carriers: PartCarriers) -> tuple[float, float, float]:
     """The part's extents as its values have them, which may have been rounded."""
     x, y, z = (
-        nearest_value(supports.values.get(axis, ()), extent, max(NEAR, supports.tolerance))
-        for axis, extent in zip(Axis, supports.size, strict=True)
+        nearest_value(carriers.values.get(axis, ()), extent, max(NEAR, carriers.tolerance))
+        for axis, extent in zip(Axis, carriers.size, strict=True)
     )
     return x, y, z
 
@@ -329,8 +329,9 @@ def _box(normal: Axis, size: tuple[float, float, float]) -> Arrangement:
     sides = ((0, 0.0, second), (0, first, second), (1, 0.0, first), (1, second, first))
     return Arrangement(
         [
-            Support(
-                axis_line(coordinate, value), {role: (Span(0.0, length, Linetype.VISIBLE, 1.0),)}
+            Carrier(
+                axis_line(coordinate, value),
+                {role: (Interval(0.0, length, Linetype.VISIBLE, 1.0),)},
             )
             for coordinate, value, length in sides
         ]

@@ -15,7 +15,7 @@ from shapely import contains_xy
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space, Surface
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, Point
-from gaussiancad_core.coordinates.carriers import PartSupports, PlaneSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.hypotheses.noted_holes import Kept
 from gaussiancad_core.hypotheses.symmetry import is_symmetric, mirror_images
 from gaussiancad_core.labelling.visibility_rules import Transition
@@ -63,7 +63,7 @@ class Hole:
 
 
 @dataclass(frozen=True)
-class Usual:
+class Priors:
     """Columns of cells that tell what is usual.
 
     Attributes:
@@ -89,17 +89,17 @@ class Usual:
     squares: frozenset[Cell] = frozenset()
 
 
-def usual_of(
-    supports: PartSupports,
+def priors_of(
+    carriers: PartCarriers,
     space: Space,
     roles: Iterable[Role],
     undrawn: Iterable[Role],
     cuts: Mapping[Role, Cut],
-) -> Usual:
+) -> Priors:
     """What is usual in the cells of a part.
 
     Args:
-        supports: of the views.
+        carriers: of the views.
         space: the cells.
         roles: views that are not cut.
         undrawn: those of them that draw no hidden lines.
@@ -110,24 +110,24 @@ def usual_of(
     found = _Found()
     for role in roles:
         normal = role_plane(role).normal
-        _look(found, supports, space, role, with_holes=normal in silent)
+        _look(found, carriers, space, role, with_holes=normal in silent)
     for role, cut in cuts.items():
         normal = role_plane(role).normal
-        _look_through(found, supports.planes[normal], space, cut)
+        _look_through(found, carriers.planes[normal], space, cut)
         for at in {opening.at for opening in cut.openings}:
-            in_middle = abs(2.0 * at - supports.size[normal.value]) <= _MIDDLE
-            alike = in_middle and is_symmetric(supports, normal)
+            in_middle = abs(2.0 * at - carriers.size[normal.value]) <= _MIDDLE
+            alike = in_middle and is_symmetric(carriers, normal)
             _look_from(found, space, normal, at, alike=alike)
     box = prod(values[-1] - values[0] for values in space.values.values())
     bulks = {
         cell: 1 + round(_BULK * min(v for v in volumes if v) / box)
         for cell, volumes in found.volumes.items()
     }
-    return Usual(
+    return Priors(
         tuple(sights for sights in found.sights if sights),
         tuple(found.holes),
         bulks,
-        tuple(_undrawn(supports, space)),
+        tuple(_undrawn(carriers, space)),
         tuple((a, b, min(bulks.get(a, 1), bulks.get(b, 1))) for a, b in found.mirrored),
         corners=found.corners,
         squares=frozenset(found.squares),
@@ -139,7 +139,7 @@ class _Found:
     """What lines of sight tell; the keys of dictionaries in the order in which they were found.
 
     Attributes:
-        sights, holes, mirrored: as in :class:`Usual`.
+        sights, holes, mirrored: as in :class:`Priors`.
         volumes: units^3 of each cell, by the axis that lines of sight were along.
         corners, squares: cells beside what is round rather than square, as there.
     """
@@ -155,12 +155,12 @@ class _Found:
 
 
 def _look(
-    found: _Found, supports: PartSupports, space: Space, role: Role, *, with_holes: bool
+    found: _Found, carriers: PartCarriers, space: Space, role: Role, *, with_holes: bool
 ) -> None:
     """What a view that is not cut tells."""
     looks = role_plane(role)
-    plane = supports.planes[looks.normal]
-    rounds = _turned(plane, max(_MIDDLE, supports.tolerance))
+    plane = carriers.planes[looks.normal]
+    rounds = _turned(plane, max(_MIDDLE, carriers.tolerance))
     drawn = _as_drawn(plane)
     behind: dict[int, tuple[Cell, ...]] = {}
     parts: defaultdict[int, set[int]] = defaultdict(set)
@@ -215,7 +215,7 @@ def _add_holes(
                 found.holes[Hole(behind[part], tuple(inner))] = None
 
 
-def _look_through(found: _Found, plane: PlaneSupports, space: Space, cut: Cut) -> None:
+def _look_through(found: _Found, plane: PlaneCarriers, space: Space, cut: Cut) -> None:
     """Holes that a section looks into along their axis: they are before its plane as well."""
     if cut.areas is None:
         return
@@ -245,27 +245,27 @@ def _look_from(found: _Found, space: Space, normal: Axis, at: float, *, alike: b
             found.mirrored.update(dict.fromkeys(mirror_images(column, at)))
 
 
-def _as_drawn(plane: PlaneSupports) -> Arrangement:
+def _as_drawn(plane: PlaneCarriers) -> Arrangement:
     """The regions that lines bound which are drawn."""
-    supports = [support for support in plane.supports if support.spans]
-    return Arrangement(supports, [chain for _, chain, _ in plane.chains])
+    carriers = [carrier for carrier in plane.carriers if carrier.intervals]
+    return Arrangement(carriers, [chain for _, chain, _ in plane.chains])
 
 
-def _turned(plane: PlaneSupports, near: float) -> list[CircleCurve]:
+def _turned(plane: PlaneCarriers, near: float) -> list[CircleCurve]:
     """Circles that no view of a plane draws, about the centre of one that is drawn, within
     ``near``: where other views draw the sides of what may be round or square, a turned part is
     round."""
     circles = [
-        (support.curve, support.spans)
-        for support in plane.supports
-        if isinstance(support.curve, CircleCurve)
+        (carrier.curve, carrier.intervals)
+        for carrier in plane.carriers
+        if isinstance(carrier.curve, CircleCurve)
     ]
     circles.sort(key=lambda circle: circle[0].radius)
-    drawn = [curve.centre for curve, spans in circles if spans]
+    drawn = [curve.centre for curve, intervals in circles if intervals]
     return [
         curve
-        for curve, spans in circles
-        if not spans and any(dist(curve.centre, each) <= near for each in drawn)
+        for curve, intervals in circles
+        if not intervals and any(dist(curve.centre, each) <= near for each in drawn)
     ]
 
 
@@ -282,14 +282,14 @@ def _beyond(point: Point, circle: CircleCurve) -> Point:
     return a + far * (x - a), b + far * (y - b)
 
 
-def _is_ringed(point: Point, beyond: Point, circle: CircleCurve, plane: PlaneSupports) -> bool:
+def _is_ringed(point: Point, beyond: Point, circle: CircleCurve, plane: PlaneCarriers) -> bool:
     """Whether a larger circle about the same centre runs between a point and one beyond it."""
     near, far = dist(point, circle.centre), dist(beyond, circle.centre)
     return any(
-        isinstance(support.curve, CircleCurve)
-        and dist(support.curve.centre, circle.centre) <= _MIDDLE
-        and near < support.curve.radius < far
-        for support in plane.supports
+        isinstance(carrier.curve, CircleCurve)
+        and dist(carrier.curve.centre, circle.centre) <= _MIDDLE
+        and near < carrier.curve.radius < far
+        for carrier in plane.carriers
     )
 
 
@@ -304,13 +304,13 @@ def _beside(
             yield one.after, before[-1] if before else None
 
 
-def _undrawn(supports: PartSupports, space: Space) -> Iterator[frozenset[Transition]]:
+def _undrawn(carriers: PartCarriers, space: Space) -> Iterator[frozenset[Transition]]:
     blank = {
         (normal.value, number)
-        for normal, plane in supports.planes.items()
-        for number, support in enumerate(plane.supports)
+        for normal, plane in carriers.planes.items()
+        for number, carrier in enumerate(plane.carriers)
         # Of lost circles other views draw the sides.
-        if not support.spans and not isinstance(support.curve, CircleCurve)
+        if not carrier.intervals and not isinstance(carrier.curve, CircleCurve)
     }
     if not blank:
         return

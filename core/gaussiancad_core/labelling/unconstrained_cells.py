@@ -20,7 +20,9 @@ Neighbours = Mapping[Cell, Sequence[tuple[Cell | None, Surface]]]
 """Of each cell those that columns enter from it, or leave into it, and through which surface."""
 
 
-def with_unsaid(space: Space, rules: Sequence[Rule], labels: Labels, thickest: float) -> Labels:
+def with_unconstrained(
+    space: Space, rules: Sequence[Rule], labels: Labels, thickest: float
+) -> Labels:
     """Labels for all cells; slim ones changed where all rules hold that held before.
 
     Args:

@@ -20,7 +20,7 @@ from gaussiancad_core.kernel.brep import bounding_box, tessellate
 from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.model.section_planes import Opening, SectionKind, SectionRole
+from gaussiancad_core.model.section_planes import CutRegion, SectionKind, SectionRole
 from gaussiancad_core.model.views import Linetype, Segment
 
 Plane = npt.NDArray[np.float64]
@@ -78,7 +78,7 @@ class SectionView:
 def section_view(
     shape: TopoDS_Shape,
     role: Role | SectionRole,
-    openings: Sequence[Opening],
+    openings: Sequence[CutRegion],
     options: LineOptions | None = None,
 ) -> SectionView:
     """Cut a part by planes, and draw what is left.
@@ -120,7 +120,7 @@ def section_view(
     return SectionView(tuple(strokes), shapely.union_all(areas))
 
 
-def openings_of(shape: TopoDS_Shape, role: Role, kind: SectionKind) -> tuple[Opening, ...]:
+def openings_of(shape: TopoDS_Shape, role: Role, kind: SectionKind) -> tuple[CutRegion, ...]:
     """Where a view is cut open for a kind of section, by the plane through the part's middle."""
     low, high = bounding_box(shape)
     frame = role.frame
@@ -129,8 +129,8 @@ def openings_of(shape: TopoDS_Shape, role: Role, kind: SectionKind) -> tuple[Ope
     axis = frame.look_axis[0].value
     middle = float(low[axis] + high[axis]) / 2.0
     if kind is SectionKind.FULL:
-        return (Opening(middle),)
-    return (Opening(middle, shapely.Polygon(_region(right, up, kind))),)
+        return (CutRegion(middle),)
+    return (CutRegion(middle, shapely.Polygon(_region(right, up, kind))),)
 
 
 def _region(

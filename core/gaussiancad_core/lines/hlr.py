@@ -28,7 +28,7 @@ from gaussiancad_core.lines.single_lines import clean_strokes, distinct_strokes
 from gaussiancad_core.lines.smooth_silhouettes import silhouettes
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.lines.traced_silhouettes import SplineSilhouettes
-from gaussiancad_core.lines.visibility import Witness
+from gaussiancad_core.lines.visibility import RayTest
 from gaussiancad_core.lines.visible_intervals import Line, decided
 from gaussiancad_core.model.axes import Role, ViewFrame
 from gaussiancad_core.model.views import Linetype
@@ -87,7 +87,7 @@ class LineDrawing:
     def seen(self, frame: ViewFrame) -> tuple[DrawnStroke, ...]:
         """The same for any direction of view."""
         sight = SightLines(self._shape, frame, self._precision.fit)
-        witness = Witness(sight, frame, _BESIDE * self._extent)
+        witness = RayTest(sight, frame, _BESIDE * self._extent)
         lines = self._lines(frame)
         drawn = decided(lines, witness, self._precision, self._options.tangent_edges)
         return clean_strokes(drawn, self._precision)

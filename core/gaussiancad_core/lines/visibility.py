@@ -21,7 +21,7 @@ _FAR_OFFSETS = (40.0, 100.0)
 """Distances tried where faces overlap or gape at their borders, as in loosely sewn solids."""
 
 
-class Sighting(Enum):
+class Visibility(Enum):
     """What two columns beside a point say about a line through it.
 
     The smooth ones are where one face passes smoothly into another; nothing is to be seen there
@@ -36,10 +36,10 @@ class Sighting(Enum):
     UNCERTAIN = "uncertain"
 
 
-_UNSETTLED = tuple(set(Sighting) - {Sighting.VISIBLE, Sighting.HIDDEN})
+_UNSETTLED = tuple(set(Visibility) - {Visibility.VISIBLE, Visibility.HIDDEN})
 
 
-class Witness:
+class RayTest:
     """Looks beside lines of one view.
 
     Args:
@@ -54,7 +54,7 @@ class Witness:
         self._plane = np.array([frame.right, frame.up], dtype=np.float64)
         self._offset = offset
 
-    def sightings(self, points: Array, normals: Array, slacks: Array) -> list[Sighting]:
+    def visibility_of(self, points: Array, normals: Array, slacks: Array) -> list[Visibility]:
         """What lines through points show.
 
         Args:
@@ -63,18 +63,18 @@ class Witness:
             slacks: (n,) mm by which the solid's faces may miss the lines.
         """
         steps = np.maximum(self._offset, 1.5 * slacks)[:, None] * normals
-        answers = [Sighting.UNCERTAIN] * len(points)
+        answers = [Visibility.UNCERTAIN] * len(points)
         for factor in (*_OFFSETS, *_FAR_OFFSETS):
             # A line that is known to a tolerance only may lie beside both near sight lines.
-            unsettled = _UNSETTLED if factor in _OFFSETS else (Sighting.UNCERTAIN,)
+            unsettled = _UNSETTLED if factor in _OFFSETS else (Visibility.UNCERTAIN,)
             self._ask(answers, unsettled, points, factor * steps)
-        self._ask(answers, (Sighting.UNCERTAIN,), points, steps, trusting=True)
+        self._ask(answers, (Visibility.UNCERTAIN,), points, steps, trusting=True)
         return answers
 
     def _ask(
         self,
-        answers: list[Sighting],
-        again: tuple[Sighting, ...],
+        answers: list[Visibility],
+        again: tuple[Visibility, ...],
         points: Array,
         across: Array,
         *,
@@ -89,20 +89,22 @@ class Witness:
             return
         found = self._look_beside(points[asked], across[asked], trusting)
         for number, answer in zip(asked, found, strict=True):
-            if answer is not Sighting.UNCERTAIN:
+            if answer is not Visibility.UNCERTAIN:
                 answers[number] = answer
 
-    def _look_beside(self, points: Array, across: Array, trusting: bool = False) -> list[Sighting]:
+    def _look_beside(
+        self, points: Array, across: Array, trusting: bool = False
+    ) -> list[Visibility]:
         columns = self._sight.columns(np.concatenate([points + across, points - across]))
         pairs = zip(columns[: len(points)], columns[len(points) :], strict=True)
         return [
             self._compare(one, other, 2.0 * way)
             if trusting or (one.sound and other.sound)
-            else Sighting.UNCERTAIN
+            else Visibility.UNCERTAIN
             for (one, other), way in zip(pairs, across, strict=True)
         ]
 
-    def _compare(self, one: Column, other: Column, across: Array) -> Sighting:
+    def _compare(self, one: Column, other: Column, across: Array) -> Visibility:
         """``across`` is the (2,) way in the plane from the other column to the first."""
         matches = self._matches(one, other, across)
         shared_one, shared_other = set(matches), set(matches.values())
@@ -112,7 +114,7 @@ class Witness:
             return _smooth(one, other, matches)
         before = [min(one.depth[i], other.depth[j]) for i, j in matches.items()]
         hidden = bool(before) and min(before) < min(lone)
-        return Sighting.HIDDEN if hidden else Sighting.VISIBLE
+        return Visibility.HIDDEN if hidden else Visibility.VISIBLE
 
     def _matches(self, one: Column, other: Column, across: Array) -> dict[int, int]:
         """Hits of the first column that continue on the same surface in the other."""
@@ -147,9 +149,9 @@ class Witness:
         return bool(one.face[i] == other.face[j] or first @ second > np.cos(SMOOTH_ANGLE))
 
 
-def _smooth(one: Column, other: Column, matches: dict[int, int]) -> Sighting:
+def _smooth(one: Column, other: Column, matches: dict[int, int]) -> Visibility:
     """What columns that agree say: the nearest change of face, if there is any."""
     changes = [i for i, j in matches.items() if one.face[i] != other.face[j]]
     if not changes:
-        return Sighting.BLANK
-    return Sighting.SMOOTH_VISIBLE if min(changes) == 0 else Sighting.SMOOTH_HIDDEN
+        return Visibility.BLANK
+    return Visibility.SMOOTH_VISIBLE if min(changes) == 0 else Visibility.SMOOTH_HIDDEN

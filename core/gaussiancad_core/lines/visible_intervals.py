@@ -18,7 +18,7 @@ from gaussiancad_core.geometry.line_tolerances import Precision
 from gaussiancad_core.lines.coverage import StrokeIndex, points_at
 from gaussiancad_core.lines.stroke_meetings import junctions
 from gaussiancad_core.lines.strokes import DrawnStroke, is_closed, part
-from gaussiancad_core.lines.visibility import Sighting, Witness
+from gaussiancad_core.lines.visibility import RayTest, Visibility
 from gaussiancad_core.model.views import Linetype
 
 Points = npt.NDArray[np.float64]
@@ -71,7 +71,7 @@ class _Decider:
     """Looks at spots of the lines of one view."""
 
     def __init__(
-        self, lines: Sequence[Line], witness: Witness, precision: Precision, tangent_edges: bool
+        self, lines: Sequence[Line], witness: RayTest, precision: Precision, tangent_edges: bool
     ) -> None:
         self._strokes = [line.stroke for line in lines]
         self._slacks = np.array([line.slack for line in lines])
@@ -99,24 +99,24 @@ class _Decider:
                 bounds.append(float(at))
         return [*bounds, stroke.length]
 
-    def kinds(self, places: Sequence[tuple[int, float]]) -> list[Kind | Sighting]:
+    def kinds(self, places: Sequence[tuple[int, float]]) -> list[Kind | Visibility]:
         """What is to be drawn at lengths along lines; ``UNCERTAIN`` where that cannot be seen."""
         if not places:
             return []
         points, normals = np.empty((len(places), 2)), np.empty((len(places), 2))
         for row, (number, at) in enumerate(places):
             points[row], normals[row] = self._place(self._strokes[number], at)
-        kinds: dict[Sighting, Kind | Sighting] = {
-            Sighting.VISIBLE: Linetype.VISIBLE,
-            Sighting.HIDDEN: Linetype.HIDDEN,
-            Sighting.UNCERTAIN: Sighting.UNCERTAIN,
+        kinds: dict[Visibility, Kind | Visibility] = {
+            Visibility.VISIBLE: Linetype.VISIBLE,
+            Visibility.HIDDEN: Linetype.HIDDEN,
+            Visibility.UNCERTAIN: Visibility.UNCERTAIN,
         }
         if self._tangent_edges:
-            kinds[Sighting.SMOOTH_VISIBLE] = Linetype.VISIBLE
-            kinds[Sighting.SMOOTH_HIDDEN] = Linetype.HIDDEN
+            kinds[Visibility.SMOOTH_VISIBLE] = Linetype.VISIBLE
+            kinds[Visibility.SMOOTH_HIDDEN] = Linetype.HIDDEN
         slacks = self._slacks[[number for number, _ in places]]
-        sightings = self._witness.sightings(points, normals, slacks)
-        return [kinds.get(sighting) for sighting in sightings]
+        visibility_of = self._witness.visibility_of(points, normals, slacks)
+        return [kinds.get(sighting) for sighting in visibility_of]
 
     def _place(self, stroke: DrawnStroke, at: float) -> tuple[Points, Points]:
         """(2,) point and (2,) unit vector across a line."""
@@ -132,7 +132,7 @@ class _Decider:
         return [
             replace(spot, kind=kind)
             for spot, kind in zip(spots, kinds, strict=True)
-            if not isinstance(kind, Sighting)
+            if not isinstance(kind, Visibility)
         ]
 
     def changes(self, pairs: Sequence[tuple[_Spot, _Spot]]) -> list[float]:
@@ -151,7 +151,7 @@ class _Decider:
 
 
 def decided(
-    lines: Sequence[Line], witness: Witness, precision: Precision, tangent_edges: bool
+    lines: Sequence[Line], witness: RayTest, precision: Precision, tangent_edges: bool
 ) -> list[DrawnStroke]:
     """The parts of lines that are visible or hidden, with their linetypes.
 

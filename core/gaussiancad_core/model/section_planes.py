@@ -19,7 +19,7 @@ class SectionKind(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Opening:
+class CutRegion:
     """A region of a view before whose plane everything is cut away.
 
     Attributes:
@@ -59,10 +59,10 @@ class Cut:
         areas: what is hatched, mm in the view's plane (right, up); None where that is not known.
     """
 
-    openings: tuple[Opening, ...]
+    openings: tuple[CutRegion, ...]
     areas: "shapely.Geometry | None" = None
 
-    def opening(self, point: tuple[float, float]) -> Opening | None:
+    def opening(self, point: tuple[float, float]) -> CutRegion | None:
         """The opening at a place of the view; None where it is not cut."""
         return next((opening for opening in self.openings if opening.holds(point)), None)
 

@@ -12,7 +12,7 @@ CLICK_PX = 3.0
 
 
 @dataclass(frozen=True)
-class ToldLength:
+class GivenLength:
     """A length between two points of the sheet.
 
     Attributes:
@@ -29,7 +29,7 @@ class ToldLength:
         (x0, y0), (x1, y1) = self.points
         return hypot(x1 - x0, y1 - y0)
 
-    def is_of(self, other: "ToldLength") -> bool:
+    def is_of(self, other: "GivenLength") -> bool:
         """Whether both are told of the same two points, in any order."""
         return any(
             all(
@@ -39,7 +39,7 @@ class ToldLength:
             for pair in (other.points, other.points[::-1])
         )
 
-    def agrees(self, other: "ToldLength") -> bool:
+    def agrees(self, other: "GivenLength") -> bool:
         """Whether one scale gives both, up to what the clicks may miss."""
         mine, its = self.length_mm / self.apart, other.length_mm / other.apart
         return abs(mine - its) <= 2.0 * CLICK_PX * (mine / self.apart + its / other.apart)
@@ -47,7 +47,7 @@ class ToldLength:
 
 def contradicting_lengths(
     scale: ReadScale, operations: Iterable[Operation]
-) -> tuple[ToldLength, ToldLength] | None:
+) -> tuple[GivenLength, GivenLength] | None:
     """The last length that was told, and an earlier one that no common scale gives.
 
     A length that is told again of the same points takes the place of the one before; a scale that
@@ -57,16 +57,16 @@ def contradicting_lengths(
         scale: of the reading before the operations, which may have been told.
         operations: a person's.
     """
-    lengths: list[ToldLength] = []
+    lengths: list[GivenLength] = []
     if scale.points is not None and scale.length_mm is not None:
-        lengths = [ToldLength(scale.points, scale.length_mm)]
+        lengths = [GivenLength(scale.points, scale.length_mm)]
     for operation in operations:
         if not isinstance(operation, ScaleOperation):
             continue
         if operation.points is None or operation.length_mm is None:
             lengths = []
             continue
-        new = ToldLength(operation.points, operation.length_mm)
+        new = GivenLength(operation.points, operation.length_mm)
         if new.apart > CLICK_PX:
             lengths = [*(one for one in lengths if not one.is_of(new)), new]
     if not lengths:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.messages import Message
-from gaussiancad_core.readings.corrected_scales import ToldLength, contradicting_lengths
+from gaussiancad_core.readings.corrected_scales import GivenLength, contradicting_lengths
 from gaussiancad_core.readings.correcting import Corrected, Ink, corrected
 from gaussiancad_core.readings.reading_files import open_corrections, open_reading
 from gaussiancad_core.readings.reading_schema import SheetReading
@@ -54,7 +54,7 @@ def given_reading(
     return found.reading
 
 
-def _tell_lengths(pair: tuple[ToldLength, ToldLength] | None, notes: RunNotes) -> None:
+def _tell_lengths(pair: tuple[GivenLength, GivenLength] | None, notes: RunNotes) -> None:
     if pair is None:
         return
     earlier, last = pair

@@ -53,7 +53,7 @@ def shown_extents(drawn: Sequence[ReadView]) -> dict[Axis, float]:
     return extents
 
 
-def told_unseen(
+def stated_unseen(
     drawn: Sequence[ReadView],
     scale: SheetScale | None,
     notes: Sequence[SheetNote],

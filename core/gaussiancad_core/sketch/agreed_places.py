@@ -12,7 +12,7 @@ from math import copysign
 import numpy as np
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
-from gaussiancad_core.coordinates.carriers import PartSupports, find_supports
+from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -37,14 +37,14 @@ class Places:
         circles: of the plane across each axis, mm.
         size: (3,) mm of the part.
         grid: mm of a step of the sheet's coordinates.
-        supports: from which they come.
+        carriers: from which they come.
     """
 
     values: Mapping[Axis, Floats]
     circles: Mapping[Axis, Sequence[CircleCurve]]
     size: tuple[float, float, float]
     grid: float
-    supports: PartSupports
+    carriers: PartCarriers
 
     def settled(self, line: PlaneLine, normal: Axis) -> PlaneLine:
         """A line of the plane across an axis at its place."""
@@ -91,17 +91,17 @@ def find_places(views: DrawnViews, grid: float) -> Places:
         views: with what the sheet's numbers say.
         grid: mm of a step of the sheet's coordinates.
     """
-    supports = find_supports(views)
-    scale = supports.scale
-    values = {axis: np.array(this_values) / scale for axis, this_values in supports.values.items()}
+    carriers = find_carriers(views)
+    scale = carriers.scale
+    values = {axis: np.array(this_values) / scale for axis, this_values in carriers.values.items()}
     circles = {
         axis: [
             CircleCurve((x / scale, y / scale), curve.radius / scale)
-            for support in plane.supports
-            if isinstance(curve := support.curve, CircleCurve)
+            for carrier in plane.carriers
+            if isinstance(curve := carrier.curve, CircleCurve)
             for x, y in [curve.centre]
         ]
-        for axis, plane in supports.planes.items()
+        for axis, plane in carriers.planes.items()
     }
     x_size, y_size, z_size = (
         float(values[axis][-1])
@@ -109,7 +109,7 @@ def find_places(views: DrawnViews, grid: float) -> Places:
         else views.size[axis.value]
         for axis in Axis
     )
-    return Places(values, circles, (x_size, y_size, z_size), grid, supports)
+    return Places(values, circles, (x_size, y_size, z_size), grid, carriers)
 
 
 def _sweep(line: PlaneLine) -> float:

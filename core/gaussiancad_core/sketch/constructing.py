@@ -7,7 +7,11 @@ from math import isfinite
 import numpy as np
 import shapely
 
-from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.evidence.dimension_constraints import (
+    DimensionConstraints,
+    LengthDimension,
+    RadiusDimension,
+)
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.construction import (
@@ -37,7 +41,7 @@ _DIGITS = 6
 """Of coordinates, after the decimal point."""
 
 
-def construction_of(sketch: Sketch, stated: ToldNumbers | None) -> Construction:
+def construction_of(sketch: Sketch, stated: DimensionConstraints | None) -> Construction:
     """How a sketched part is put together.
 
     Args:
@@ -46,8 +50,8 @@ def construction_of(sketch: Sketch, stated: ToldNumbers | None) -> Construction:
     """
     plan, near = sketch.choice.plan, _NEAR * sketch.choice.plan.grid
     numbers = stated.lengths if stated is not None else ()
-    lengths = [number for number in numbers if isinstance(number, ToldLength)]
-    radii = [number for number in numbers if isinstance(number, ToldRadius)]
+    lengths = [number for number in numbers if isinstance(number, LengthDimension)]
+    radii = [number for number in numbers if isinstance(number, RadiusDimension)]
     levels = tuple(
         Level(_rounded(at), _reaching(lengths, plan.axis, at, near), tuple(_at(plan, at, near)))
         for at in plan.levels
@@ -87,7 +91,7 @@ def construction_of(sketch: Sketch, stated: ToldNumbers | None) -> Construction:
 
 
 def _reaching(
-    lengths: Sequence[ToldLength], axis: Axis, at: float, near: float
+    lengths: Sequence[LengthDimension], axis: Axis, at: float, near: float
 ) -> tuple[float, ...]:
     found = {
         length.value
@@ -117,7 +121,7 @@ def _source(line: PlaneLine, role: Role) -> Source:
 def _loops_of(
     slab: Slab,
     plan: Plan,
-    stated: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
+    stated: tuple[Sequence[LengthDimension], Sequence[RadiusDimension]],
     near: float,
 ) -> SlabLoops:
     loops = [
@@ -150,7 +154,7 @@ def _edges(ring: Floats, profile: Profile) -> Iterator[Edge]:
 def _along(
     edges: Sequence[Edge],
     axis: Axis,
-    stated: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
+    stated: tuple[Sequence[LengthDimension], Sequence[RadiusDimension]],
     near: float,
 ) -> tuple[float, ...]:
     """Numbers that lie between two straight edges of an outline, or are the radius of an arc."""
@@ -227,7 +231,7 @@ def _turned(sketch: Sketch) -> Iterator[Turning]:
 
 
 def _cross_holes(
-    bores: Sequence[Bore], radii: Sequence[ToldRadius], near: float
+    bores: Sequence[Bore], radii: Sequence[RadiusDimension], near: float
 ) -> Iterator[SideHole]:
     for bore in bores:
         hole, circle = bore.hole, bore.hole.circle

@@ -162,14 +162,14 @@ def _walls(
 def _least(walls: Sequence[Sequence[PlaneLine]], grid: float) -> tuple[_Interval, ...]:
     """From and to along a hole of its walls, in the view that shows least: others may show walls
     of holes behind as well."""
-    spans = [_united([_span(line, grid) for line in each], grid) for each in walls]
-    return min(spans, key=lambda span: sum(b - a for a, b in span), default=())
+    intervals = [_united([_span(line, grid) for line in each], grid) for each in walls]
+    return min(intervals, key=lambda interval: sum(b - a for a, b in interval), default=())
 
 
-def _united(spans: Sequence[_Interval], grid: float) -> tuple[_Interval, ...]:
+def _united(intervals: Sequence[_Interval], grid: float) -> tuple[_Interval, ...]:
     """Intervals, those that overlap or nearly meet as one."""
     found: list[_Interval] = []
-    for low, high in sorted(spans):
+    for low, high in sorted(intervals):
         if found and low <= found[-1][1] + _NEAR * grid:
             found[-1] = found[-1][0], max(found[-1][1], high)
         else:

@@ -34,7 +34,7 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
         views = replace(views, undrawn=views.roles)
     try:
         verification = verify(sketch.shape, views)
-        measures = measures_of(sketch.shape, sketch.supports, views, verification)
+        measures = measures_of(sketch.shape, sketch.carriers, views, verification)
     except KERNEL_FAILURES:
         return None
     facts = soundness(sketch.shape)

@@ -6,7 +6,7 @@ from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.coordinates.carriers import PartSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.labelling.part_model import MOST_STROKES
@@ -45,7 +45,7 @@ class Sketch:
         slopes: of a turned part, that were turned down.
         bores: holes across the slabs as they were cut.
         shape: the part in mm; None where the kernel made none.
-        supports: of the views: where their lines may lie.
+        carriers: of the views: where their lines may lie.
         at_least: mm that every part costs, along any axis.
     """
 
@@ -55,7 +55,7 @@ class Sketch:
     slopes: tuple[Slope, ...]
     bores: tuple[Bore, ...]
     shape: TopoDS_Shape | None
-    supports: PartSupports
+    carriers: PartCarriers
     at_least: float
 
     @property
@@ -113,4 +113,4 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     made = tuple(edge_break for edge_break in plan.breaks if edge_break not in refused)
     slopes = plan.slopes if is_turned else ()
     at_least = min(at_least, best.energy)
-    return Sketch(best, slabs, made, slopes, bores, shape, places.supports, at_least)
+    return Sketch(best, slabs, made, slopes, bores, shape, places.carriers, at_least)

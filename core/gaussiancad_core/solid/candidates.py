@@ -11,7 +11,7 @@ from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.labelling.cell_labelling import Labelling
 from gaussiancad_core.labelling.clauses import Labels
 from gaussiancad_core.labelling.counted_work import Counted, Deadline
-from gaussiancad_core.labelling.unconstrained_cells import with_unsaid
+from gaussiancad_core.labelling.unconstrained_cells import with_unconstrained
 from gaussiancad_core.model.axes import Vector
 from gaussiancad_core.solid.boundary_building import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled_cells import LabelledSpace
@@ -135,13 +135,13 @@ def _are_one(work: Work, one: Candidate, other: Candidate) -> bool:
 
 def _continued(work: Work, labels: Labels, thickest: float) -> Labels:
     """Labels for all cells; slim ones go on as what is around them, where as many rules hold."""
-    return with_unsaid(work.part.space, work.part.rules, labels, thickest)
+    return with_unconstrained(work.part.space, work.part.rules, labels, thickest)
 
 
 def _build(work: Work, labels: Labels, deadline: Deadline, thickest: float) -> BuiltSolid:
     part = work.part
     space = LabelledSpace(part.space, _continued(work, labels, thickest))
-    built = build_solid(space, part.supports.scale, deadline)
+    built = build_solid(space, part.carriers.scale, deadline)
     work.meter.lap("build")
     return built
 

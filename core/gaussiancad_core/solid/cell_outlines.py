@@ -21,8 +21,8 @@ from gaussiancad_core.coordinates.carrier_curves import (
     Point,
     line_through,
 )
-from gaussiancad_core.coordinates.carriers import PartSupports
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support, merged_stretches
+from gaussiancad_core.coordinates.carriers import PartCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
 from gaussiancad_core.evidence.mask_outlines import (
     PlaneField,
     padded_mask,
@@ -109,21 +109,21 @@ class _Shadow:
         return np.minimum(-np.max(found, axis=0).astype(np.float64) * self._scale, within)
 
 
-def outline_of(axis: Axis, supports: PartSupports, views: ViewSet) -> Outline:
+def outline_of(axis: Axis, carriers: PartCarriers, views: ViewSet) -> Outline:
     """The outline in the plane across an axis; the box where no view looks along it."""
-    first, second = (supports.size[index] for index in IN_PLANE[axis])
+    first, second = (carriers.size[index] for index in IN_PLANE[axis])
     this_views = [view for view in views.views if role_plane(view.role).normal is axis]
     if not this_views:
         box = [(0.0, 0.0), (first, 0.0), (first, second), (0.0, second)]
         arrangement = Arrangement(_sides([box]))
         return Outline(arrangement, tuple(range(1, arrangement.regions)))
-    shadow = _Shadow(this_views, views.size, supports.scale)
+    shadow = _Shadow(this_views, views.size, carriers.scale)
     samples = plane_grid(first, second, UNITS / _SAMPLES)
-    lines = supports.planes[axis].supports if axis in supports.planes else ()
+    lines = carriers.planes[axis].carriers if axis in carriers.planes else ()
     drawn = _bounded(Arrangement(lines), shadow, samples)
     if _agreement(drawn, shadow, samples) >= _AGREEING:
         return drawn
-    arrangement = Arrangement(_sides(_contours(axis, supports, shadow)))
+    arrangement = Arrangement(_sides(_contours(axis, carriers, shadow)))
     traced = Outline(arrangement, _material(arrangement, shadow, samples))
     better = _agreement(traced, shadow, samples) > _agreement(drawn, shadow, samples)
     return traced if better else drawn
@@ -138,21 +138,21 @@ def plane_grid(first: float, second: float, step: float) -> Points:
 def _bounded(arrangement: Arrangement, shadow: _Shadow, samples: Points) -> Outline:
     """The lines alone that lie between what is covered and what is not."""
     material = set(_material(arrangement, shadow, samples))
-    spans: dict[int, list[tuple[float, float]]] = {}
+    intervals: dict[int, list[tuple[float, float]]] = {}
     for index, low, high in pieces_of(arrangement):
-        curve = arrangement.supports[index].curve
+        curve = arrangement.carriers[index].curve
         at = low + 0.438 * (high - low)
         (a, b), (da, db) = curve.at(at), curve.normal(at)
         sides = [arrangement.locate(a + w * da, b + w * db) in material for w in (-BESIDE, BESIDE)]
         if sides[0] != sides[1]:
-            spans.setdefault(index, []).append((low, high))
+            intervals.setdefault(index, []).append((low, high))
     border = []
-    for index, this_spans in spans.items():
-        support = arrangement.supports[index]
-        role = next(iter(support.spans))
-        merged = merged_stretches(this_spans, 1e-9)
-        drawn = tuple(Span(low, high, Linetype.VISIBLE, 1.0) for low, high in merged)
-        border.append(Support(support.curve, {role: drawn}))
+    for index, this_spans in intervals.items():
+        carrier = arrangement.carriers[index]
+        role = next(iter(carrier.intervals))
+        merged = merged_intervals(this_spans, 1e-9)
+        drawn = tuple(Interval(low, high, Linetype.VISIBLE, 1.0) for low, high in merged)
+        border.append(Carrier(carrier.curve, {role: drawn}))
     bounded = Arrangement(border)
     return Outline(bounded, _material(bounded, shadow, samples))
 
@@ -161,7 +161,7 @@ def pieces_of(arrangement: Arrangement) -> Iterator[tuple[int, float, float]]:
     """(support, low, high) of what is drawn, cut where anything meets it."""
     corners = np.array(arrangement.corners).reshape(-1, 2)
     for index, low, high in arrangement.stretches:
-        curve = arrangement.supports[index].curve
+        curve = arrangement.carriers[index].curve
         cuts = {low, high}
         for corner in corners[_on(curve, corners)]:
             at = curve.parameter((float(corner[0]), float(corner[1])))
@@ -202,14 +202,14 @@ def _agreement(outline: Outline, shadow: _Shadow, samples: Points) -> float:
     return float(np.mean(np.array(inside) == (depths[clear] > 0.0))) if clear.any() else 0.0
 
 
-def _contours(axis: Axis, supports: PartSupports, shadow: _Shadow) -> list[list[Point]]:
+def _contours(axis: Axis, carriers: PartCarriers, shadow: _Shadow) -> list[list[Point]]:
     """The masks' contours as polygons whose corners have the coordinates of lines near them."""
     from skimage.measure import approximate_polygon, find_contours
 
     first, second = IN_PLANE[axis]
     margin = 4.0 * shadow.pixel
     a, b = (
-        np.arange(-margin, supports.size[index] + margin, shadow.pixel) for index in (first, second)
+        np.arange(-margin, carriers.size[index] + margin, shadow.pixel) for index in (first, second)
     )
     points = np.stack(np.meshgrid(a, b, indexing="ij"), axis=-1)
     field = shadow.depths(points.reshape(-1, 2)).reshape(points.shape[:2])
@@ -222,7 +222,7 @@ def _contours(axis: Axis, supports: PartSupports, shadow: _Shadow) -> list[list[
             break
         slack *= _COARSER
     reach = _SNAP_PX * shadow.pixel
-    values = [_coordinates(supports, Axis(index), reach) for index in (first, second)]
+    values = [_coordinates(carriers, Axis(index), reach) for index in (first, second)]
     return [
         [
             (_nearest(values[0], p, reach), _nearest(values[1], q, reach))
@@ -233,10 +233,10 @@ def _contours(axis: Axis, supports: PartSupports, shadow: _Shadow) -> list[list[
     ]
 
 
-def _coordinates(supports: PartSupports, axis: Axis, reach: float) -> list[float]:
+def _coordinates(carriers: PartCarriers, axis: Axis, reach: float) -> list[float]:
     """The coordinates of lines, and of the box's sides where no line lies in them."""
-    found = list(supports.values[axis])
-    for side in (0.0, supports.size[axis.value]):
+    found = list(carriers.values[axis])
+    for side in (0.0, carriers.size[axis.value]):
         if all(abs(side - value) > reach for value in found):
             found.append(side)
     return found
@@ -248,7 +248,7 @@ def _nearest(values: Sequence[float], at: float, reach: float) -> float:
     return nearest if abs(nearest - at) <= reach else float(at)
 
 
-def _sides(polygons: Sequence[Sequence[Point]]) -> list[Support]:
+def _sides(polygons: Sequence[Sequence[Point]]) -> list[Carrier]:
     """Polygons as supports, one a side."""
     found = []
     for polygon in polygons:
@@ -263,7 +263,9 @@ def _sides(polygons: Sequence[Sequence[Point]]) -> list[Support]:
         for start, end in pairwise([*corners, corners[0]]):
             curve = line_through(start, end)
             low, high = sorted((curve.parameter(start), curve.parameter(end)))
-            found.append(Support(curve, {Role.FRONT: (Span(low, high, Linetype.VISIBLE, 1.0),)}))
+            found.append(
+                Carrier(curve, {Role.FRONT: (Interval(low, high, Linetype.VISIBLE, 1.0),)})
+            )
     return found
 
 

@@ -8,7 +8,7 @@ from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import area, soundness, volume
@@ -234,7 +234,7 @@ def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits)
     if not views.noise or verification is None or not verification.sound or not _is_in_doubt(found):
         return found
     likely = replace(views, likely=True)
-    if not find_supports(likely).moved:
+    if not find_carriers(likely).moved:
         return found
     less = replace(limits, work=_QUICK * limits.work)
     other, _ = _found(likely, less, Meter(limits.guard))
@@ -320,14 +320,14 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
         tuple(other.verification.share for other in others),
         relaxed=bool(labelling.given_up),
         complete=complete,
-        measures=measures_of(best.shape, work.part.supports, views, best.verification),
+        measures=measures_of(best.shape, work.part.carriers, views, best.verification),
         unusual=labelling.unusual,
     )
 
 
 def _note(work: Work, labelling: Labelling, found: Found, best: Candidate | None) -> None:
     """Put what came of a model into the journal."""
-    rules, scale = work.part.rules, work.part.supports.scale
+    rules, scale = work.part.rules, work.part.carriers.scale
     attempt = Attempt(
         work.kind,
         found.outcome,

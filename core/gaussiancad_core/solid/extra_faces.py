@@ -14,7 +14,12 @@ from OCP.TopoDS import TopoDS_Face
 
 from gaussiancad_core.cells.cell_complex import Body
 from gaussiancad_core.cells.half_spaces import HalfSpace
-from gaussiancad_core.cells.surfaces_of_revolution import RIM, ArcProfile, LineProfile, RevolvedBody
+from gaussiancad_core.cells.surfaces_of_revolution import (
+    RIM,
+    ArcProfile,
+    LineProfile,
+    SurfaceOfRevolution,
+)
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.model.axes import Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
@@ -24,7 +29,7 @@ def body_faces(body: Body) -> list[TopoDS_Face]:
     """Faces in units that hold all of the part's surface that a body gives it."""
     if isinstance(body, HalfSpace):
         return [_plane_face(hull) for hull in body.hulls]
-    return [revolved_face(body)] if isinstance(body, RevolvedBody) else []
+    return [revolved_face(body)] if isinstance(body, SurfaceOfRevolution) else []
 
 
 def _plane_face(hull: tuple[Vector, ...]) -> TopoDS_Face:
@@ -46,7 +51,7 @@ def _angle(profile: ArcProfile, z: float) -> float:
     return asin(rise) if profile.side > 0 else pi - asin(rise)
 
 
-def revolved_face(body: RevolvedBody) -> TopoDS_Face:
+def revolved_face(body: SurfaceOfRevolution) -> TopoDS_Face:
     """The face that a body's profile sweeps, in units."""
     profile, (a, b) = body.profile, body.centre
     start_angle, sweep = body.sector or (0.0, 2.0 * pi)

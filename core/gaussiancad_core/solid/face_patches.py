@@ -82,7 +82,7 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
         axes = IN_PLANE[normal]
         swept: dict[int, list[Rectangle]] = defaultdict(list)
         for index, low, high in plane.stretches:
-            curve = plane.supports[index].curve
+            curve = plane.carriers[index].curve
             for rectangle in _differences(space, normal, curve, (low, high), narrow):
                 if curve.axis is None:
                     swept[index].append(rectangle)
@@ -90,14 +90,14 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
                 start, end, near, far = rectangle
                 along = 1 - curve.axis
                 ends = sorted((curve.at(start)[along], curve.at(end)[along]))
-                spans = {axes[along]: (ends[0], ends[1]), normal.value: (near, far)}
+                intervals = {axes[along]: (ends[0], ends[1]), normal.value: (near, far)}
                 first, second = IN_PLANE[Axis(axes[curve.axis])]
                 value = curve.point[curve.axis]
                 key = Axis(axes[curve.axis]), round(value, 6)
                 exact.setdefault(key, value)
-                flat[key].append((*spans[first], *spans[second]))
+                flat[key].append((*intervals[first], *intervals[second]))
         for index, rectangles in swept.items():
-            curve = plane.supports[index].curve
+            curve = plane.carriers[index].curve
             gap = 2.0 * _SHORT / curve.speed
             # Only slants and circles are swept.
             closed = isinstance(curve, CircleCurve)

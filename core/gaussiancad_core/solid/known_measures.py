@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.coordinates.constrained_places import ToldPlaces
+from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces
 from gaussiancad_core.coordinates.design_step import ROUND_MM
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.solid.known_faces import Known, Points
@@ -71,7 +71,7 @@ class RoundMeasures:
 
 
 @dataclass(frozen=True)
-class ToldMeasures:
+class DimensionEvidence:
     """What numbers on the sheet tell of a part.
 
     Attributes:
@@ -79,7 +79,7 @@ class ToldMeasures:
         near: mm within which a coordinate is a told one.
     """
 
-    places: ToldPlaces
+    places: ConstrainedPlaces
     near: float
 
     def coordinates(self, axis: int, numbers: Points) -> Known:

@@ -83,7 +83,7 @@ class Work:
     def slim(self) -> float:
         """Units of thickness up to which cells lie between lines that may be one: a solid that
         differs in such cells only is no other one."""
-        return self.views.indistinct * self.part.supports.scale
+        return self.views.indistinct * self.part.carriers.scale
 
     def allows_another(self, limits: Limits) -> bool:
         """Whether work is left for a model that takes as much as the first one did."""

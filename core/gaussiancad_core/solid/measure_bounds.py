@@ -12,11 +12,11 @@ from enum import Enum
 import numpy as np
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.coordinates.carriers import PartSupports
+from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.evidence.drawn_views import FLOOR_MM, DrawnViews
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.solid.known_faces import KnownMeasures, axes_of, is_known
-from gaussiancad_core.solid.known_measures import RoundMeasures, ToldMeasures
+from gaussiancad_core.solid.known_measures import DimensionEvidence, RoundMeasures
 from gaussiancad_core.solid.verify import Verification
 
 _SHARE = 0.95
@@ -69,13 +69,13 @@ class _Told:
 
 
 def measures_of(
-    shape: TopoDS_Shape, supports: PartSupports, views: DrawnViews, verification: Verification
+    shape: TopoDS_Shape, carriers: PartCarriers, views: DrawnViews, verification: Verification
 ) -> Measures:
     """How well the measures of a solid are known.
 
     Args:
         shape: mm.
-        supports: that it was made from.
+        carriers: that it was made from.
         views: of these.
         verification: how the solid's lines lie beside those of the views.
     """
@@ -84,7 +84,7 @@ def measures_of(
     if not views.noise:
         # Lines of a file are where they belong but for how far they contradict each other.
         drawn = max(drawn, verification.spread, verification.misfit)
-    sources = _sources(supports, views, least)
+    sources = _sources(carriers, views, least)
     faces = faces_of(shape)
     places = [_place(face, sources, drawn) for face in faces]
     bounds = np.array([bound for bound, _ in places])
@@ -97,22 +97,22 @@ def measures_of(
     return Measures(_most(bounds, drawn), (x, y, z), source)
 
 
-def _sources(supports: PartSupports, views: DrawnViews, least: float) -> list[_Told]:
+def _sources(carriers: PartCarriers, views: DrawnViews, least: float) -> list[_Told]:
     """What makes measures known: the step that the part is designed in, the sheet's numbers."""
     found = []
-    if supports.step is not None:
-        step, scale = supports.step, supports.scale
+    if carriers.step is not None:
+        step, scale = carriers.step, carriers.scale
         moved, aside = step.moved / scale, _ASIDE * views.noise
         # Lines of a file have no noise; what it was rounded by moves them nevertheless.
         reach = min(max(moved, aside or views.bound), step.reach / scale)
-        measures = RoundMeasures(step.length / scale, reach, supports.odd)
+        measures = RoundMeasures(step.length / scale, reach, carriers.odd)
         # A number of a dimension may have been misread as a round one.
-        likely = not supports.unread and (measures.is_usual or moved <= aside)
-        if supports.nominal or (likely and not measures.is_chance):
+        likely = not carriers.unread and (measures.is_usual or moved <= aside)
+        if carriers.nominal or (likely and not measures.is_chance):
             found.append(_Told(measures, least, by_numbers=False))
-    if supports.places is not None:
-        places = supports.places.scaled(1.0 / supports.scale)
-        stated_measures = ToldMeasures(places, _TOLD * views.tolerance)
+    if carriers.places is not None:
+        places = carriers.places.scaled(1.0 / carriers.scale)
+        stated_measures = DimensionEvidence(places, _TOLD * views.tolerance)
         found.append(_Told(stated_measures, max(least, _ROUNDED * places.digit), by_numbers=True))
     return found
 

@@ -53,7 +53,7 @@ def modelled(
 
 def followed_curves(work: Work, lines: DrawnViews, deadline: Deadline) -> OtherModel | None:
     """The part with the curves that strokes may follow."""
-    followed = with_followed_curves(lines, work.part.supports)
+    followed = with_followed_curves(lines, work.part.carriers)
     return modelled(ModelKind.FOLLOWED_CURVES, followed, work, deadline)
 
 

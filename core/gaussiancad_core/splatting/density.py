@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from gaussiancad_core.splatting.gaussian_model import Arrays, Trainee
+from gaussiancad_core.splatting.gaussian_model import Arrays, GaussianModel
 from gaussiancad_core.splatting.settings import DensityControl
 
 _SPLIT_SHRINK = 1.6
@@ -50,7 +50,7 @@ class Density:
         self,
         control: DensityControl,
         extent: float,
-        trainee: Trainee,
+        trainee: GaussianModel,
         random: np.random.Generator,
     ) -> None:
         self._control = control

@@ -29,7 +29,7 @@ class Roots:
     normals: Tensor
 
 
-class Trainee:
+class GaussianModel:
     """n Gaussians with Adam's state (Kingma and Ba 2015); n changes under density control.
 
     Args:

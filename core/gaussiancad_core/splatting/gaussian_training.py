@@ -12,7 +12,7 @@ from torch import Tensor
 from gaussiancad_core.model.cameras import PAPER_DISTANCE, Camera, CameraModel
 from gaussiancad_core.splatting.checkpoints import CheckpointPlace, Checkpoints, training_key
 from gaussiancad_core.splatting.density import Density
-from gaussiancad_core.splatting.gaussian_model import Arrays, Roots, Trainee
+from gaussiancad_core.splatting.gaussian_model import Arrays, GaussianModel, Roots
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.losses import Targets, total_loss
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
@@ -170,7 +170,7 @@ class _Training:
     ) -> None:
         device = settings.backend.device
         unit = _unit(gaussians, cameras)
-        self.trainee = Trainee(gaussians, unit, settings.rates, device)
+        self.trainee = GaussianModel(gaussians, unit, settings.rates, device)
         self.losses = _Losses(0 if device == "cpu" else _LOSSES_HELD)
         self._settings = settings
         self._draw = rasteriser(settings.backend)

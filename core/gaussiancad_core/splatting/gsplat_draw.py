@@ -10,16 +10,19 @@ from torch import Tensor
 
 from gaussiancad_core.model.cameras import CameraModel
 from gaussiancad_core.splatting.projection import CameraBatch
-from gaussiancad_core.splatting.rasterizer import Optics, Parameters, Rendering
+from gaussiancad_core.splatting.rasterizer import Parameters, RasterSettings, Rendering
 
-FIXED = Optics()
+FIXED = RasterSettings()
 """The limits that are compiled into gsplat; only the dilation can be chosen."""
 
 _MODELS = {CameraModel.ORTHOGRAPHIC: "ortho", CameraModel.PINHOLE: "pinhole"}
 
 
 def draw_gsplat(
-    parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
+    parameters: Parameters,
+    cameras: CameraBatch,
+    optics: RasterSettings,
+    shifts: Tensor | None = None,
 ) -> Rendering:
     """Draw the Gaussians in every view; see :mod:`.rasterizer` for the compositing.
 

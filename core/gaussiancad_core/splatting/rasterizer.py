@@ -43,7 +43,7 @@ class Parameters:
 
 
 @dataclass(frozen=True)
-class Optics:
+class RasterSettings:
     """Constants of the compositing; the defaults are those of 3DGS where it has them.
 
     Attributes:
@@ -81,7 +81,7 @@ class Rasteriser(Protocol):
         self,
         parameters: Parameters,
         cameras: CameraBatch,
-        optics: Optics,
+        optics: RasterSettings,
         shifts: Tensor | None = None,
     ) -> Rendering:
         """Draw the Gaussians in every view, differentiably.

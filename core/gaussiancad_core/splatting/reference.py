@@ -9,14 +9,17 @@ import torch
 from torch import Tensor
 
 from gaussiancad_core.splatting.projection import CameraBatch, Splats, conics, project
-from gaussiancad_core.splatting.rasterizer import Optics, Parameters, Rendering
+from gaussiancad_core.splatting.rasterizer import Parameters, RasterSettings, Rendering
 
 _TILE = 32
 """Edge of a tile in pixels; a Gaussian is drawn only in the tiles that it reaches."""
 
 
 def draw_reference(
-    parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
+    parameters: Parameters,
+    cameras: CameraBatch,
+    optics: RasterSettings,
+    shifts: Tensor | None = None,
 ) -> Rendering:
     """Draw the Gaussians in every view; see :mod:`.rasterizer` for the compositing."""
     splats = project(
@@ -66,7 +69,7 @@ def _front_to_back(splats: Splats, view: int, cameras: CameraBatch) -> Tensor:
     return order[depths[order] > cameras.nearest]
 
 
-def _reach(covariances: Tensor, opacities: Tensor, optics: Optics) -> Tensor:
+def _reach(covariances: Tensor, opacities: Tensor, optics: RasterSettings) -> Tensor:
     """(n, 2) px to each side within which a Gaussian's alpha is large enough to be drawn."""
     if optics.smallest_alpha == 0.0:
         return torch.full_like(covariances[:, :2], float("inf"))
@@ -96,7 +99,7 @@ def _centres(corner: tuple[int, int], size: tuple[int, int], dtype: torch.dtype)
 
 
 def _weights(
-    means: Tensor, inverses: Tensor, opacities: Tensor, pixels: Tensor, optics: Optics
+    means: Tensor, inverses: Tensor, opacities: Tensor, pixels: Tensor, optics: RasterSettings
 ) -> Tensor:
     """(p, n) weights at p pixels of n Gaussians, which come from front to back."""
     dx, dy = (pixels[:, None] - means).unbind(-1)

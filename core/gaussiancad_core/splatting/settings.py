@@ -21,7 +21,7 @@ from gaussiancad_core.model.cameras import (
     paper_camera,
 )
 from gaussiancad_core.splatting.losses import LossWeights
-from gaussiancad_core.splatting.rasterizer import Backend, Optics
+from gaussiancad_core.splatting.rasterizer import Backend, RasterSettings
 from gaussiancad_protocol.modes import Preset, Recipe
 
 
@@ -105,7 +105,7 @@ class TrainingSettings:
     opacity: float = 0.88
     rates: Rates = field(default_factory=Rates)
     weights: LossWeights = field(default_factory=LossWeights)
-    optics: Optics = field(default_factory=lambda: Optics(dilation=0.02))
+    optics: RasterSettings = field(default_factory=lambda: RasterSettings(dilation=0.02))
     anchor: float = 5.0
     thin_axis_locked: bool = True
     patience: int = 50
@@ -172,7 +172,7 @@ def training_settings(recipe: Recipe, preset: Preset, scale_down: int = 1) -> Tr
         thickness=0.15,
         rates=_PAPER_RATES,
         weights=_PAPER_WEIGHTS,
-        optics=Optics(dilation=0.3),
+        optics=RasterSettings(dilation=0.3),
         anchor=0.0,
         thin_axis_locked=False,
         patience=iterations,

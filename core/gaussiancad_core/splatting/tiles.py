@@ -12,7 +12,7 @@ from gaussiancad_core.model.cameras import CameraModel
 from gaussiancad_core.splatting import projection_kernels, tile_kernels, tile_sorting
 from gaussiancad_core.splatting.kernel_threads import KERNELS
 from gaussiancad_core.splatting.projection import CameraBatch, half_field
-from gaussiancad_core.splatting.rasterizer import Optics, Parameters, Rendering
+from gaussiancad_core.splatting.rasterizer import Parameters, RasterSettings, Rendering
 
 PARTS = 96
 """Runs of tiles that the threads share out; a number that many numbers of threads divide."""
@@ -24,7 +24,10 @@ Array = npt.NDArray[Any]
 
 
 def draw_tiles(
-    parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
+    parameters: Parameters,
+    cameras: CameraBatch,
+    optics: RasterSettings,
+    shifts: Tensor | None = None,
 ) -> Rendering:
     """Draw the Gaussians in every view; see :mod:`.rasterizer` for the compositing.
 
@@ -93,7 +96,7 @@ class _Draw(torch.autograd.Function):
         colours: Tensor,
         shifts: Tensor | None,
         cameras: CameraBatch,
-        optics: Optics,
+        optics: RasterSettings,
     ) -> tuple[Tensor, Tensor, Tensor]:
         scene = _scene((means, quaternions, log_scales), opacities, colours, cameras, optics)
         size = (cameras.height, cameras.width)
@@ -130,7 +133,7 @@ class _Projected:
 
 
 def _forward(
-    scene: _Scene, size: tuple[int, int], optics: Optics, shifts: Array | None
+    scene: _Scene, size: tuple[int, int], optics: RasterSettings, shifts: Array | None
 ) -> tuple[_Tiling, _Projected, tuple[Array, Array, Array]]:
     """Tiling; Gaussians in the views; colour, alpha and depth images."""
     views, number, kind = len(scene.cameras[0]), len(scene.opacities), scene.opacities.dtype
@@ -224,7 +227,7 @@ def _scene(
     opacities: Tensor,
     colours: Tensor,
     cameras: CameraBatch,
-    optics: Optics,
+    optics: RasterSettings,
 ) -> _Scene:
     kind = _array(opacities).dtype.type
     return _Scene(
@@ -301,7 +304,7 @@ def warm_up() -> None:
             for shape in ((1, 3), (1, 4), (1, 3), (1,), (1, 3))
         )
     )
-    rendering = draw_tiles(parameters, batch, Optics())
+    rendering = draw_tiles(parameters, batch, RasterSettings())
     targets = Targets(torch.zeros_like(rendering.colours), torch.zeros_like(rendering.alphas))
     loss = total_loss(rendering, targets, similarity_with(targets.colours), LossWeights())
     (loss + rendering.depths.mean()).backward()

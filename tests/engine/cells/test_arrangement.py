@@ -18,32 +18,32 @@ from gaussiancad_core.coordinates.carrier_curves import (
     line_through,
     meetings,
 )
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
 Point = tuple[float, float]
 
 
-def _support(curve: PlaneCurve, *stretches: tuple[float, float]) -> Support:
-    spans = tuple(Span(low, high, Linetype.VISIBLE, 1.0) for low, high in stretches)
-    return Support(curve, {Role.FRONT: spans})
+def _support(curve: PlaneCurve, *stretches: tuple[float, float]) -> Carrier:
+    intervals = tuple(Interval(low, high, Linetype.VISIBLE, 1.0) for low, high in stretches)
+    return Carrier(curve, {Role.FRONT: intervals})
 
 
-def _segment(start: Point, end: Point) -> Support:
+def _segment(start: Point, end: Point) -> Carrier:
     line = line_through(start, end, 0.0)
     return _support(line, tuple(sorted((line.parameter(start), line.parameter(end)))))
 
 
-def _ring(*corners: Point) -> list[Support]:
+def _ring(*corners: Point) -> list[Carrier]:
     return [_segment(a, b) for a, b in zip(corners, [*corners[1:], corners[0]], strict=True)]
 
 
-def _circle(x: float, y: float, radius: float) -> Support:
+def _circle(x: float, y: float, radius: float) -> Carrier:
     return _support(CircleCurve((x, y), radius), (0.0, TURN))
 
 
-def _grid(xs: list[float], ys: list[float]) -> list[Support]:
+def _grid(xs: list[float], ys: list[float]) -> list[Carrier]:
     upright = [_support(axis_line(0, x), (ys[0], ys[-1])) for x in xs]
     return upright + [_support(axis_line(1, y), (xs[0], xs[-1])) for y in ys]
 
@@ -158,9 +158,9 @@ def test_locate_agrees_with_the_even_odd_test(radii: list[float], turn: float) -
 
 def _off(corners: list[Point], k: int, point: Point) -> float:
     (a0, b0), (a1, b1) = corners[k - 1], corners[k]
-    span = np.array([a1 - a0, b1 - b0])
-    share = np.clip((np.array(point) - (a0, b0)) @ span / (span @ span), 0.0, 1.0)
-    return float(np.hypot(*(np.array(point) - (a0, b0) - share * span)))
+    interval = np.array([a1 - a0, b1 - b0])
+    share = np.clip((np.array(point) - (a0, b0)) @ interval / (interval @ interval), 0.0, 1.0)
+    return float(np.hypot(*(np.array(point) - (a0, b0) - share * interval)))
 
 
 _SHEET = [
@@ -184,7 +184,7 @@ def test_a_mixed_sheet_has_as_many_regions_as_euler_says(sheet: Arrangement) -> 
     vertices: list[Point] = []
     edges = 0
     for place, (index, low, high) in enumerate(sheet.stretches):
-        curve = sheet.supports[index].curve
+        curve = sheet.carriers[index].curve
         opened = not isinstance(curve, CircleCurve) or high - low < TURN - 1e-9
         apart = [curve.at(low), curve.at(high)] if opened else []
         for other in range(len(sheet.stretches)):
@@ -199,7 +199,7 @@ def test_a_mixed_sheet_has_as_many_regions_as_euler_says(sheet: Arrangement) -> 
 
 def _shared(sheet: Arrangement, one: int, other: int) -> list[Point]:
     """The points that two drawn stretches share."""
-    curves = [sheet.supports[sheet.stretches[place][0]].curve for place in (one, other)]
+    curves = [sheet.carriers[sheet.stretches[place][0]].curve for place in (one, other)]
     bounds = [sheet.stretches[place][1:] for place in (one, other)]
     return [
         point
@@ -232,15 +232,15 @@ def test_traces_agree_with_locate(sheet: Arrangement, coordinate: int, value: fl
         return
     trace = sheet.trace(coordinate, value)
     assert len(trace.regions) == len(trace.positions) + 1
-    assert len(trace.normals) == len(trace.supports) == len(trace.positions)
+    assert len(trace.normals) == len(trace.carriers) == len(trace.positions)
     assert list(trace.positions) == sorted(trace.positions)
     assert trace.regions[0] == trace.regions[-1] == OUTSIDE
 
     def point(at: float) -> Point:
         return (value, at) if coordinate == 0 else (at, value)
 
-    for at, normal, index in zip(trace.positions, trace.normals, trace.supports, strict=True):
-        curve = sheet.supports[index].curve
+    for at, normal, index in zip(trace.positions, trace.normals, trace.carriers, strict=True):
+        curve = sheet.carriers[index].curve
         assert curve.distance(point(at)) < 1e-9
         item = curve.normal(curve.parameter(point(at)))
         assert abs(item[0] * normal[0] + item[1] * normal[1]) == pytest.approx(1.0)
@@ -253,11 +253,11 @@ def test_traces_agree_with_locate(sheet: Arrangement, coordinate: int, value: fl
     hits = {
         (index, round(p[1 - coordinate], 6))
         for index, low, high in sheet.stretches
-        if sheet.supports[index].curve.axis != coordinate
-        for p in meetings(sheet.supports[index].curve, axis_line(coordinate, value))
-        if low <= sheet.supports[index].curve.parameter(p) <= high
+        if sheet.carriers[index].curve.axis != coordinate
+        for p in meetings(sheet.carriers[index].curve, axis_line(coordinate, value))
+        if low <= sheet.carriers[index].curve.parameter(p) <= high
     }
-    stated = {(s, round(p, 6)) for s, p in zip(trace.supports, trace.positions, strict=True)}
+    stated = {(s, round(p, 6)) for s, p in zip(trace.carriers, trace.positions, strict=True)}
     assert stated == hits
 
 
@@ -273,7 +273,7 @@ def test_the_kernels_tell_the_same_of_many_lines_and_points(
         trace, item = sheet.trace(coordinate, value), slice(*found.starts[number : number + 2])
         assert tuple(found.positions[item]) == trace.positions
         assert tuple(map(tuple, found.normals[item])) == trace.normals
-        assert tuple(found.supports[item]) == trace.supports
+        assert tuple(found.carriers[item]) == trace.carriers
         assert (found.first[number], *found.regions[item]) == trace.regions
         for other in values:
             assert locate(sheet.table, value, other) == sheet.locate(value, other)
@@ -289,9 +289,9 @@ def test_regions_do_not_depend_on_where_the_sheet_lies(move: tuple[float, float,
 
     corners = [moved(*corner) for corner in ((0, 0), (60, 0), (60, 40), (0, 40))]
     inner = [moved(*corner) for corner in ((10, 10), (25, 10), (25, 30))]
-    supports = [*_ring(*corners), *_ring(*inner), _circle(*moved(42, 20), 10)]
-    supports.append(_segment(moved(42, 0), moved(42, 40)))
-    arrangement = Arrangement(supports)
+    carriers = [*_ring(*corners), *_ring(*inner), _circle(*moved(42, 20), 10)]
+    carriers.append(_segment(moved(42, 0), moved(42, 40)))
+    arrangement = Arrangement(carriers)
     assert arrangement.regions == 6
     places = [(2, 2), (20, 15), (38, 20), (46, 20), (58, 2), (-5, 5)]
     found = [arrangement.locate(*moved(*place)) for place in places]
@@ -317,7 +317,7 @@ def test_a_chain_parts_the_outside_from_the_part_and_nothing_else() -> None:
     closed = Arrangement(three, [lid])
     assert closed.regions == 2
     assert closed.locate(4.0, 11.0) != OUTSIDE and closed.locate(4.0, 12.1) == OUTSIDE
-    assert closed.trace(0, 4.0).supports[-1] == CHAIN
+    assert closed.trace(0, 4.0).carriers[-1] == CHAIN
     assert Arrangement(three, [lid, inner]).regions == 2
     crossing = ((0.0, 9.0), (10.0, 12.0))
     both = Arrangement(three, [lid, crossing])

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.cell_complex import BODY, Space, parallel
 from gaussiancad_core.coordinates.carrier_curves import axis_line
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.model.axes import Axis, Role
@@ -113,10 +113,10 @@ def test_thickness_is_the_longest_stretch_in_the_thinnest_direction(
     assert fresh.thickness() == {cell: min(entry.values()) for cell, entry in longest.items()}
 
 
-def _drawn(role: Role, *sides: tuple[int, float, float, float]) -> list[Support]:
+def _drawn(role: Role, *sides: tuple[int, float, float, float]) -> list[Carrier]:
     """Lines on which a coordinate has a value, and between which values of the other one."""
     return [
-        Support(axis_line(along, value), {role: (Span(low, high, Linetype.VISIBLE, 1.0),)})
+        Carrier(axis_line(along, value), {role: (Interval(low, high, Linetype.VISIBLE, 1.0),)})
         for along, value, low, high in sides
     ]
 

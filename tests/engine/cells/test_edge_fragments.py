@@ -22,7 +22,7 @@ Found = tuple[PartModel, DrawnViews, list[Piece]]
 def found(request: pytest.FixtureRequest, sample_views: Callable[[str], DrawnViews]) -> Found:
     views = sample_views(request.param)
     part = model_part(views)
-    return part, views, list(find_pieces(part.space, part.supports.planes, 0.01))
+    return part, views, list(find_pieces(part.space, part.carriers.planes, 0.01))
 
 
 def test_pieces_have_a_length_a_direction_and_a_place_in_the_plane(found: Found) -> None:
@@ -39,7 +39,7 @@ def test_pieces_have_a_length_a_direction_and_a_place_in_the_plane(found: Found)
 
 def test_the_drawn_pieces_on_supports_are_as_long_as_what_is_drawn(found: Found) -> None:
     part, _, pieces = found
-    for plane in part.supports.planes.values():
+    for plane in part.carriers.planes.values():
         (role,) = plane.roles
         for linetype in Linetype:
             stated = sum(
@@ -47,29 +47,29 @@ def test_the_drawn_pieces_on_supports_are_as_long_as_what_is_drawn(found: Found)
                 for piece in pieces
                 if piece.role is role
                 and piece.linetype is linetype
-                and any(s.curve.distance(piece.point) < 1e-6 for s in plane.supports)
+                and any(s.curve.distance(piece.point) < 1e-6 for s in plane.carriers)
             )
             drawn = 0.0
-            for support in plane.supports:
-                for low, high in support.drawn():
+            for carrier in plane.carriers:
+                for low, high in carrier.drawn():
                     steps = 4000
                     share = sum(
-                        support.linetype_at(role, low + (k + 0.5) / steps * (high - low))
+                        carrier.linetype_at(role, low + (k + 0.5) / steps * (high - low))
                         is linetype
                         for k in range(steps)
                     )
-                    drawn += share / steps * (high - low) * support.curve.speed
+                    drawn += share / steps * (high - low) * carrier.curve.speed
             assert stated == pytest.approx(drawn, rel=0.01, abs=0.5)
 
 
 def test_a_pieces_linetype_is_what_its_support_shows(found: Found) -> None:
     part, _, pieces = found
     for piece in pieces:
-        plane = part.supports.planes[role_plane(piece.role).normal]
+        plane = part.carriers.planes[role_plane(piece.role).normal]
         shown = {
-            support.linetype_at(piece.role, support.curve.parameter(piece.point))
-            for support in plane.supports
-            if support.curve.distance(piece.point) < 1e-7
+            carrier.linetype_at(piece.role, carrier.curve.parameter(piece.point))
+            for carrier in plane.carriers
+            if carrier.curve.distance(piece.point) < 1e-7
         }
         if piece.linetype is None:
             assert Linetype.VISIBLE not in shown
@@ -91,7 +91,7 @@ def test_a_dash_of_the_outline_is_visible(length: float, linetype: Linetype) -> 
         boxes[role] = [Segment(a, b, Linetype.VISIBLE) for a, b in pairwise(items)]
     tolerance = 0.1
     part = model_part(DrawnViews(boxes, (40.0, 25.0, 30.0), tolerance, 0.03))
-    scale = part.supports.scale
+    scale = part.carriers.scale
     found = [
         piece.linetype
         for rule in part.rules

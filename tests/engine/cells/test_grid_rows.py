@@ -27,14 +27,14 @@ def part(request: pytest.FixtureRequest, sample_views: Views) -> PartModel:
 
 
 def test_pieces_of_the_grid_are_counted(part: PartModel) -> None:
-    found = list(find_pieces(part.space, part.supports.planes, 0.01))
+    found = list(find_pieces(part.space, part.carriers.planes, 0.01))
     on_grid = Counter(
         (role_plane(piece.role).normal, place, round(piece.point[place], 6))
         for piece in found
         for place in (0, 1)
         if piece.across == ((1.0, 0.0) if place == 0 else (0.0, 1.0))
     )
-    for normal in part.supports.planes:
+    for normal in part.carriers.planes:
         rows = find_rows(part.space, normal)
         assert count_pieces(rows) == sum(len(list(row.pieces())) for row in rows)
         for row in rows:
@@ -46,7 +46,7 @@ def test_pieces_of_the_grid_are_counted(part: PartModel) -> None:
 
 
 def test_lines_that_are_left_out_say_nothing(part: PartModel) -> None:
-    for normal, plane in part.supports.planes.items():
+    for normal, plane in part.carriers.planes.items():
         known = {(row.coordinate, row.value) for row in find_rows(part.space, normal)}
         for place, axis in enumerate(IN_PLANE[normal]):
             values, across = _axis_values(part, normal, place)
@@ -75,9 +75,9 @@ def test_too_many_are_refused_before_one_is_made(
     part = model_part(views)
     count = sum(
         len(plane.roles) * count_pieces(find_rows(part.space, normal))
-        for normal, plane in part.supports.planes.items()
+        for normal, plane in part.carriers.planes.items()
     )
-    every = list(find_pieces(part.space, part.supports.planes, 0.01))
+    every = list(find_pieces(part.space, part.carriers.planes, 0.01))
     assert 0 < count <= len(every)
     monkeypatch.setattr(reasoning_part, "_MOST_PIECES", len(every))
     assert model_part(views).rules == part.rules

@@ -6,18 +6,18 @@ import pytest
 
 from gaussiancad_core.cells.sectors import sector_of
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, PlaneCurve, line_through
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
 _ARC = CircleCurve((20.0, 20.0), 10.0)
 
 
-def _drawn(curve: PlaneCurve, low: float, high: float) -> Support:
-    return Support(curve, {Role.TOP: (Span(low, high, Linetype.VISIBLE, 1.0),)})
+def _drawn(curve: PlaneCurve, low: float, high: float) -> Carrier:
+    return Carrier(curve, {Role.TOP: (Interval(low, high, Linetype.VISIBLE, 1.0),)})
 
 
-def _line(start: tuple[float, float], end: tuple[float, float]) -> Support:
+def _line(start: tuple[float, float], end: tuple[float, float]) -> Carrier:
     curve = line_through(start, end)
     return _drawn(curve, *sorted(curve.parameter(point) for point in (start, end)))
 
@@ -41,7 +41,7 @@ def test_a_rim_that_is_cut_at_both_ends_is_one_of_a_whole_turn() -> None:
     ("side", "sector"), [(_UPRIGHT, (0.0, pi)), (_LEVEL, (-pi / 2.0, pi))], ids=["begins", "ends"]
 )
 def test_a_rim_that_is_cut_at_one_end_goes_on_there(
-    side: Support, sector: tuple[float, float]
+    side: Carrier, sector: tuple[float, float]
 ) -> None:
     found = sector_of(_ARC, (0.0, pi / 2.0), [_RIM, side], 0.02)
     assert found == pytest.approx(sector)

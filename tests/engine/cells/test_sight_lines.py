@@ -31,7 +31,7 @@ def part(
 
 
 def _pieces(part: PartModel) -> list[Piece]:
-    return list(find_pieces(part.space, part.supports.planes, _NEAR))
+    return list(find_pieces(part.space, part.carriers.planes, _NEAR))
 
 
 def _fresh(part: PartModel) -> Space:

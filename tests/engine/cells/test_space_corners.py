@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.cells.space_corners import SpatialEdges, spatial_edges
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.evidence.drawn_views import exact_views
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
@@ -35,7 +35,7 @@ def _shown(shortened: float, short: float = 0.0) -> SpatialEdges:
             (x0, y0), (x1, y1) = inner
             inner = ((x0, y0), (x1 - shortened * (x1 - x0), y1 - shortened * (y1 - y0)))
         strokes[role] = tuple(Segment(p, q, Linetype.VISIBLE) for p, q in [*lines, inner])
-    return spatial_edges(find_supports(exact_views(strokes, size)), _NEAR, short)
+    return spatial_edges(find_carriers(exact_views(strokes, size)), _NEAR, short)
 
 
 def _as_points(shown: SpatialEdges) -> set[frozenset[tuple[float, ...]]]:

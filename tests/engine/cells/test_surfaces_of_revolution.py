@@ -13,7 +13,7 @@ from gaussiancad_core.cells.surfaces_of_revolution import (
     ArcProfile,
     LineProfile,
     Profile,
-    RevolvedBody,
+    SurfaceOfRevolution,
 )
 from gaussiancad_core.coordinates.carrier_curves import TURN
 from gaussiancad_core.model.axes import Axis
@@ -50,7 +50,7 @@ def _arcs(draw: st.DrawFn) -> ArcProfile:
 
 _SECTOR = st.tuples(st.floats(0.0, TURN), st.floats(0.2, pi))
 _BODY = st.builds(
-    RevolvedBody,
+    SurfaceOfRevolution,
     st.sampled_from(Axis),
     st.tuples(st.floats(20.0, 60.0), st.floats(20.0, 60.0)),
     st.one_of(_lines(), _arcs()),
@@ -58,7 +58,7 @@ _BODY = st.builds(
 )
 
 
-def _space(body: RevolvedBody, point: tuple[float, ...]) -> tuple[float, float, float]:
+def _space(body: SurfaceOfRevolution, point: tuple[float, ...]) -> tuple[float, float, float]:
     """(angle-wise first and second of the axis's plane relative to the axis, z) of a point."""
     first, second = IN_PLANE[body.axis]
     return (
@@ -68,7 +68,7 @@ def _space(body: RevolvedBody, point: tuple[float, ...]) -> tuple[float, float, 
     )
 
 
-def _holds(body: RevolvedBody, point: tuple[float, ...]) -> bool:
+def _holds(body: SurfaceOfRevolution, point: tuple[float, ...]) -> bool:
     """The definition of a body in polar coordinates."""
     a, b, z = _space(body, point)
     if not body.profile.low < z < body.profile.high:
@@ -94,7 +94,7 @@ def _rounds_a_cylinder(profile: Profile) -> bool:
 @pytest.mark.parametrize("normal", Axis)
 @given(_BODY, st.floats(0.0, 80.0), st.floats(0.0, 80.0))
 def test_crossings_part_what_is_held_from_what_is_not(
-    normal: Axis, body: RevolvedBody, a: float, b: float
+    normal: Axis, body: SurfaceOfRevolution, a: float, b: float
 ) -> None:
     depths = sorted(depth for depth, _ in body.crossings(normal, a, b))
     assert len(depths) % 2 == 0
@@ -111,7 +111,7 @@ def test_crossings_part_what_is_held_from_what_is_not(
 @pytest.mark.parametrize("normal", Axis)
 @given(_BODY, st.floats(0.0, 80.0), st.floats(0.0, 80.0))
 def test_the_kernel_meets_them_at_the_same_places(
-    normal: Axis, body: RevolvedBody, a: float, b: float
+    normal: Axis, body: SurfaceOfRevolution, a: float, b: float
 ) -> None:
     depths, normals = np.empty(MOST), np.empty((MOST, 3))
     (row,) = body_table([body])
@@ -124,7 +124,7 @@ def test_the_kernel_meets_them_at_the_same_places(
         assert item == pytest.approx(other)
 
 
-def _near_border(body: RevolvedBody, point: tuple[float, ...]) -> bool:
+def _near_border(body: SurfaceOfRevolution, point: tuple[float, ...]) -> bool:
     """Whether rounding may decide on which side of the border a point lies."""
     a, b, z = _space(body, point)
     profile = body.profile
@@ -139,7 +139,7 @@ def _near_border(body: RevolvedBody, point: tuple[float, ...]) -> bool:
 @pytest.mark.parametrize("normal", Axis)
 @given(_BODY, st.floats(0.0, 80.0), st.floats(0.0, 80.0))
 def test_normals_are_those_of_the_border(
-    normal: Axis, body: RevolvedBody, a: float, b: float
+    normal: Axis, body: SurfaceOfRevolution, a: float, b: float
 ) -> None:
     profile = body.profile
     for depth, direction in body.crossings(normal, a, b):
@@ -180,7 +180,7 @@ def test_a_profile_has_its_radius_at_its_heights(profile: Profile, share: float)
 
 @pytest.mark.parametrize("normal", Axis)
 @given(_BODY)
-def test_rims_are_the_outlines(normal: Axis, body: RevolvedBody) -> None:
+def test_rims_are_the_outlines(normal: Axis, body: SurfaceOfRevolution) -> None:
     profile = body.profile
     rims = body.rims(normal)
     if normal is body.axis:

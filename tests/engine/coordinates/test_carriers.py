@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, LineCurve
-from gaussiancad_core.coordinates.carriers import PlaneSupports, find_supports
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support, merged_stretches
+from gaussiancad_core.coordinates.carriers import PlaneCarriers, find_carriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.axes import Axis, Role
@@ -33,11 +33,11 @@ def _box(width: float, height: float) -> list[Segment]:
     return _chain((0, 0), (width, 0), (width, height), (0, height), (0, 0))
 
 
-def _front(strokes: list[Curve], tolerance: float | None = None) -> PlaneSupports:
+def _front(strokes: list[Curve], tolerance: float | None = None) -> PlaneCarriers:
     views = exact_views({Role.FRONT: strokes}, _SIZE)
     if tolerance:
         views = DrawnViews(views.strokes, _SIZE, tolerance)
-    return find_supports(views).planes[Axis.Y]
+    return find_carriers(views).planes[Axis.Y]
 
 
 _INTERVAL = st.tuples(st.integers(0, 60), st.integers(1, 20)).map(lambda p: (p[0], p[0] + p[1]))
@@ -47,7 +47,7 @@ _INTERVAL = st.tuples(st.integers(0, 60), st.integers(1, 20)).map(lambda p: (p[0
 def test_merged_stretches_cover_the_same_and_lie_apart(
     stretches: list[tuple[int, int]], slack: float
 ) -> None:
-    merged = merged_stretches(stretches, slack)
+    merged = merged_intervals(stretches, slack)
     assert all(low[1] + slack < high[0] for low, high in itertools.pairwise(merged))
     for at in np.arange(-0.75, 82.0, 0.5):
         inside = any(low < at < high for low, high in merged)
@@ -65,7 +65,7 @@ def test_a_rectangle_is_four_supports_drawn_from_corner_to_corner() -> None:
     assert (plane.normal, plane.roles, plane.chains) == (Axis.Y, (Role.FRONT,), ())
     ends = {
         frozenset((round(a, 9), round(b, 9)) for a, b in (s.curve.at(low), s.curve.at(high)))
-        for s in plane.supports
+        for s in plane.carriers
         for low, high in s.drawn()
     }
     corners = [(0.0, 0.0), (100.0, 0.0), (100.0, 40.0), (0.0, 40.0)]
@@ -77,7 +77,7 @@ def test_a_slant_of_a_few_pixels_is_a_line(tolerance: float | None, tells: bool)
     """A chamfer of 1 mm on a shaft of 300 mm is a third of a unit long, as exact as any line."""
     cut = _chain((0, 0), (50, 0), (50, 20), (0.12, 20), (0, 19.88), (0, 0))
     plane = _front(cut, tolerance)
-    slants = [s for s in plane.supports if s.curve.axis is None]
+    slants = [s for s in plane.carriers if s.curve.axis is None]
     assert (len(slants), len(plane.chains)) == ((1, 0) if tells else (0, 1))
 
 
@@ -91,26 +91,26 @@ def test_collinear_strokes_are_one_support_in_any_order(
         ends = [(at[k], 20.0), (at[k + 1], 20.0)]
         pieces += _chain(*(reversed(ends) if flips[k] else ends))
     plane = _front([*_box(50, 20)[:2], *pieces, *_box(50, 20)[3:]])
-    assert len(plane.supports) == 4
-    (top,) = (s for s in plane.supports if s.curve == LineCurve((0.0, 40.0), (1.0, 0.0)))
+    assert len(plane.carriers) == 4
+    (top,) = (s for s in plane.carriers if s.curve == LineCurve((0.0, 40.0), (1.0, 0.0)))
     assert top.drawn() == [(0.0, pytest.approx(100.0))]
 
 
 def test_visible_lines_cover_hidden_ones_and_gaps_are_blank() -> None:
-    spans = (Span(0.0, 30.0, _HIDDEN, 1.0), Span(20.0, 50.0, _VISIBLE, 1.0))
-    support = Support(LineCurve((0.0, 0.0), (1.0, 0.0)), {Role.FRONT: spans})
-    linetypes = [support.linetype_at(Role.FRONT, at) for at in (10.0, 25.0, 40.0, 60.0)]
+    intervals = (Interval(0.0, 30.0, _HIDDEN, 1.0), Interval(20.0, 50.0, _VISIBLE, 1.0))
+    carrier = Carrier(LineCurve((0.0, 0.0), (1.0, 0.0)), {Role.FRONT: intervals})
+    linetypes = [carrier.linetype_at(Role.FRONT, at) for at in (10.0, 25.0, 40.0, 60.0)]
     assert linetypes == [_HIDDEN, _VISIBLE, _VISIBLE, None]
-    assert support.linetype_at(Role.REAR, 25.0) is None
-    assert support.drawn() == [(0.0, 50.0)]
+    assert carrier.linetype_at(Role.REAR, 25.0) is None
+    assert carrier.drawn() == [(0.0, 50.0)]
 
 
 def test_a_dashed_line_behind_a_visible_one_is_one_support() -> None:
     hidden = Segment((0.0, 8.0), (50.0, 8.0), _HIDDEN)
     visible = Segment((10.0, 8.0), (20.0, 8.0), _VISIBLE)
     plane = _front([*_box(50, 20), hidden, visible])
-    (support,) = (s for s in plane.supports if s.curve == LineCurve((0.0, 16.0), (1.0, 0.0)))
-    linetypes = [support.linetype_at(Role.FRONT, at) for at in (10.0, 30.0, 60.0)]
+    (carrier,) = (s for s in plane.carriers if s.curve == LineCurve((0.0, 16.0), (1.0, 0.0)))
+    linetypes = [carrier.linetype_at(Role.FRONT, at) for at in (10.0, 30.0, 60.0)]
     assert linetypes == [_HIDDEN, _VISIBLE, _HIDDEN]
 
 
@@ -138,39 +138,44 @@ def test_opposite_views_tell_the_same_curves(
     ends = (flip * a, rise * b), (flip * (a + 3.0), rise * (b + 7.0))
     planes = []
     for seen, strokes in ((role, [arc, line]), (opposite, [mirrored, Segment(*ends, _HIDDEN)])):
-        ((_, plane),) = find_supports(
+        ((_, plane),) = find_carriers(
             exact_views({seen: strokes}, (60.0, 60.0, 60.0))
         ).planes.items()
         planes.append(plane)
     assert planes[0].normal is planes[1].normal
-    for one, two in zip(planes[0].supports, planes[1].supports, strict=True):
+    for one, two in zip(planes[0].carriers, planes[1].carriers, strict=True):
         assert np.ravel(one.curve.at(1.0)) == pytest.approx(np.ravel(two.curve.at(1.0)), abs=1e-6)
         drawn, again = np.array(one.drawn()), np.array(two.drawn())
         assert drawn == pytest.approx(again, abs=1e-6)
-        kinds = [{s.linetype for spans in o.spans.values() for s in spans} for o in (one, two)]
+        kinds = [
+            {s.linetype for intervals in o.intervals.values() for s in intervals}
+            for o in (one, two)
+        ]
         assert kinds[0] == kinds[1]
 
 
 @given(st.floats(0.0, TURN, exclude_max=True), st.floats(0.3, 6.2))
 def test_an_arc_is_drawn_where_it_is(start: float, sweep: float) -> None:
-    (support,) = _front([Arc((25.0, 10.0), 8.0, start, sweep, _VISIBLE)]).supports
-    assert isinstance(support.curve, CircleCurve)
-    assert support.curve.centre == pytest.approx((50.0, 20.0), abs=1e-9)
-    assert support.curve.radius == pytest.approx(16.0, abs=1e-6)
-    spans = support.spans[Role.FRONT]
-    assert all(0.0 <= span.low < span.high <= TURN for span in spans)
-    assert sum(span.high - span.low for span in spans) == pytest.approx(sweep, abs=1e-2)
+    (carrier,) = _front([Arc((25.0, 10.0), 8.0, start, sweep, _VISIBLE)]).carriers
+    assert isinstance(carrier.curve, CircleCurve)
+    assert carrier.curve.centre == pytest.approx((50.0, 20.0), abs=1e-9)
+    assert carrier.curve.radius == pytest.approx(16.0, abs=1e-6)
+    intervals = carrier.intervals[Role.FRONT]
+    assert all(0.0 <= interval.low < interval.high <= TURN for interval in intervals)
+    assert sum(interval.high - interval.low for interval in intervals) == pytest.approx(
+        sweep, abs=1e-2
+    )
     for share in (0.05, 0.5, 0.95):
         at = (start + share * sweep) % TURN
-        assert support.linetype_at(Role.FRONT, at) is _VISIBLE
+        assert carrier.linetype_at(Role.FRONT, at) is _VISIBLE
     if sweep < 5.5:
-        assert support.linetype_at(Role.FRONT, (start + sweep + 0.3) % TURN) is None
+        assert carrier.linetype_at(Role.FRONT, (start + sweep + 0.3) % TURN) is None
 
 
 def test_both_halves_of_a_circle_are_one_whole_circle() -> None:
     halves = [Arc((25.0, 10.0), 5.0, k * pi, pi, _VISIBLE) for k in range(2)]
-    (support,) = _front(halves).supports
-    assert support.drawn() == [(0.0, pytest.approx(TURN))]
+    (carrier,) = _front(halves).carriers
+    assert carrier.drawn() == [(0.0, pytest.approx(TURN))]
 
 
 @given(st.lists(st.floats(-0.02, 0.02), min_size=40, max_size=40))
@@ -187,18 +192,18 @@ def test_jitter_within_the_tolerance_leaves_no_gap(errors: list[float]) -> None:
         for s in exact
     ]
     plane = _front(strokes, tolerance=0.06)
-    assert len(plane.supports) == 8
-    for support in plane.supports:
-        for low, high in support.drawn():
-            for end in (support.curve.at(low), support.curve.at(high)):
-                others = [o for o in plane.supports if o is not support]
+    assert len(plane.carriers) == 8
+    for carrier in plane.carriers:
+        for low, high in carrier.drawn():
+            for end in (carrier.curve.at(low), carrier.curve.at(high)):
+                others = [o for o in plane.carriers if o is not carrier]
                 assert min(other.curve.distance(end) for other in others) < 1e-9
 
 
 def test_collinear_slants_are_one_line_through_the_values_of_their_ends() -> None:
     slants = [*_chain((10, 0), (22, 6)), *_chain((30.02, 10), (50, 20))]
     plane = _front([*_box(50, 20), *_chain((10, 0), (10, 20)), *slants], tolerance=0.06)
-    (slant,) = (s for s in plane.supports if s.curve.axis is None)
+    (slant,) = (s for s in plane.carriers if s.curve.axis is None)
     assert slant.curve.distance((20.0, 0.0)) < 1e-9
     assert slant.curve.distance((100.0, 40.0)) < 1e-9
     assert len(slant.drawn()) == 2
@@ -214,7 +219,7 @@ def test_a_slant_that_touches_circles_is_their_tangent() -> None:
     ]
     read = [(float(x), float(y) - 0.03) for x, y in ends]
     plane = _front([*arcs, *_chain(*read)], tolerance=0.06)
-    (slant,) = (s for s in plane.supports if isinstance(s.curve, LineCurve))
+    (slant,) = (s for s in plane.carriers if isinstance(s.curve, LineCurve))
     assert slant.curve.distance((20.0, 20.0)) == pytest.approx(16.0, abs=1e-6)
     assert slant.curve.distance((84.0, 20.0)) == pytest.approx(8.0, abs=1e-6)
 
@@ -224,7 +229,7 @@ def test_other_curves_are_chains_and_specks_are_nothing() -> None:
     speck = Segment((5.0, 5.0), (5.00005, 5.00005), _VISIBLE)
     short = Segment((8.0, 8.0), (8.05, 8.05), _VISIBLE)
     plane = _front([*_box(50, 20), ellipse, speck, short])
-    assert len(plane.supports) == 4
+    assert len(plane.carriers) == 4
     assert [(role, linetype) for role, _, linetype in plane.chains] == [
         (Role.FRONT, _HIDDEN),
         (Role.FRONT, _VISIBLE),
@@ -234,20 +239,20 @@ def test_other_curves_are_chains_and_specks_are_nothing() -> None:
 
 
 def test_values_are_shared_by_the_planes(sample_views: Callable[[str], DrawnViews]) -> None:
-    supports = find_supports(sample_views("stepped-block"))
-    assert set(supports.planes) == set(Axis)
-    assert max(supports.size) == pytest.approx(UNITS)
+    carriers = find_carriers(sample_views("stepped-block"))
+    assert set(carriers.planes) == set(Axis)
+    assert max(carriers.size) == pytest.approx(UNITS)
     for axis in Axis:
-        values = supports.values[axis]
+        values = carriers.values[axis]
         assert values[0] == pytest.approx(0.0, abs=1e-9)
-        assert values[-1] == pytest.approx(supports.size[axis.value], abs=1e-9)
-        for normal, plane in supports.planes.items():
-            for support in plane.supports:
-                if support.curve.axis is None or normal is axis:
+        assert values[-1] == pytest.approx(carriers.size[axis.value], abs=1e-9)
+        for normal, plane in carriers.planes.items():
+            for carrier in plane.carriers:
+                if carrier.curve.axis is None or normal is axis:
                     continue
                 axes = [other for other in Axis if other is not normal]
-                if axes[support.curve.axis] is axis:
-                    assert support.curve.point[support.curve.axis] in values
+                if axes[carrier.curve.axis] is axis:
+                    assert carrier.curve.point[carrier.curve.axis] in values
 
 
 @pytest.mark.parametrize(
@@ -264,7 +269,7 @@ def test_values_are_shared_by_the_planes(sample_views: Callable[[str], DrawnView
 )
 def test_flat_quarters_between_the_axes_tell_their_circle(arc: Arc, is_given: bool) -> None:
     plane = _front([*_box(50, 20), arc], tolerance=0.2)
-    circles = [s for s in plane.supports if isinstance(s.curve, CircleCurve)]
+    circles = [s for s in plane.carriers if isinstance(s.curve, CircleCurve)]
     assert (len(circles), len(plane.chains)) == ((1, 0) if is_given else (0, 1))
 
 
@@ -283,7 +288,7 @@ def test_an_extent_that_was_told_scales_a_design_step(known: Axis | None) -> Non
     right = box(30, 20, [2, 5, 9, 13, 16, 22, 28], 1.0)
     strokes = {Role.FRONT: tuple(front), Role.RIGHT: tuple(right)}
     views = DrawnViews(strokes, (50.0 * long, 30.0, 20.0), 0.05, 0.015, known=known)
-    found = find_supports(views)
+    found = find_carriers(views)
     assert found.step is not None
     off = found.step.length / found.scale - 1.0
     assert off == pytest.approx(0.0 if known else long - 1.0, abs=1e-9)
@@ -297,6 +302,6 @@ def test_few_measures_are_round_where_the_scale_is_known(known: Axis | None) -> 
     rod = Arc((wide / 2, wide / 2), wide / 2, 0.0, 2.0 * pi, _VISIBLE)
     strokes = {Role.FRONT: tuple(box), Role.TOP: (rod,), Role.RIGHT: tuple(box)}
     views = DrawnViews(strokes, (wide, wide, 50.0), 0.06, 0.02, 0.003, likely=True, known=known)
-    found = find_supports(views)
-    radius = next(s.curve.radius for s in found.planes[Axis.Z].supports) / found.scale
+    found = find_carriers(views)
+    radius = next(s.curve.radius for s in found.planes[Axis.Z].carriers) / found.scale
     assert radius == pytest.approx(10.0 if known else wide / 2, abs=1e-6)

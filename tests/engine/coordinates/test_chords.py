@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.coordinates.chords import find_chords
 from gaussiancad_core.evidence.drawn_views import exact_views
 from gaussiancad_core.model.axes import Role
@@ -44,10 +44,10 @@ def test_a_curve_in_chords_is_a_chain() -> None:
     (run,) = find_chords(views, _TOLERANCE)
     assert (run.role, run.first, run.last) == (Role.FRONT, 4, 27)
     assert run.points == pytest.approx(points)
-    supports = find_supports(exact_views(views, _SIZE))
-    for plane in supports.planes.values():
-        assert all(support.curve.axis is not None for support in plane.supports)
-    ((role, chain, linetype),) = [c for p in supports.planes.values() for c in p.chains]
+    carriers = find_carriers(exact_views(views, _SIZE))
+    for plane in carriers.planes.values():
+        assert all(carrier.curve.axis is not None for carrier in plane.carriers)
+    ((role, chain, linetype),) = [c for p in carriers.planes.values() for c in p.chains]
     assert (role, linetype) == (Role.FRONT, Linetype.HIDDEN)
     assert len(chain) == 25
 
@@ -57,7 +57,7 @@ def test_edges_that_another_view_draws_are_no_chords() -> None:
     across = [Segment((x, 0.0), (x, 30.0), Linetype.HIDDEN) for x in points[1:-1, 0].tolist()]
     views = _views(_chords(points), across)
     assert find_chords(views, _TOLERANCE) == []
-    plane = next(p for p in find_supports(exact_views(views, _SIZE)).planes.values() if p.supports)
+    plane = next(p for p in find_carriers(exact_views(views, _SIZE)).planes.values() if p.carriers)
     assert plane.chains == ()
 
 

@@ -16,10 +16,10 @@ from gaussiancad_core.coordinates.coordinate_clustering import (
     snapped,
 )
 from gaussiancad_core.evidence.dimension_constraints import (
+    DimensionConstraints,
+    LengthDimension,
+    RadiusDimension,
     Told,
-    ToldLength,
-    ToldNumbers,
-    ToldRadius,
 )
 from gaussiancad_core.model.axes import Axis
 
@@ -31,12 +31,12 @@ def _snapped(
     lines: list[float], *stated: Told, circles: list[CircleReading] | None = None
 ) -> Snapped:
     readings = [Reading(Axis.X, at, 50.0) for at in lines]
-    numbers = ToldNumbers(stated, _REACH, 0.01)
+    numbers = DimensionConstraints(stated, _REACH, 0.01)
     return snapped(readings, circles or [], _TOLERANCE, stated=numbers)
 
 
-def _length(low: float, high: float) -> ToldLength:
-    return ToldLength(Axis.X, low, high, high - low)
+def _length(low: float, high: float) -> LengthDimension:
+    return LengthDimension(Axis.X, low, high, high - low)
 
 
 @given(st.permutations(range(5)), st.integers(1, 4))
@@ -55,7 +55,7 @@ def test_a_bore_is_known_by_its_edges_and_a_shaft_by_its_radius() -> None:
         return CircleReading(Axis.Z, CircleCurve((x, 20.0), radius), 40.0)
 
     circles = [circle(12.31, 5.0), circle(40.0, 8.0)]
-    stated = (_length(0.0, 12.31), ToldRadius(Axis.Z, (40.0, 20.0), 8.0, 8.0))
+    stated = (_length(0.0, 12.31), RadiusDimension(Axis.Z, (40.0, 20.0), 8.0, 8.0))
     places = _snapped([0.0, 48.0, 60.0], *stated, circles=circles).places
     assert places.values[Axis.X] == pytest.approx([0.0, 12.31])
     assert places.radii == pytest.approx([8.0])
@@ -65,7 +65,7 @@ def test_a_bore_is_known_by_its_edges_and_a_shaft_by_its_radius() -> None:
 
 
 def test_what_was_drawn_otherwise_is_told() -> None:
-    stated = ToldLength(Axis.X, 0.0, 12.31, 12.5), ToldLength(Axis.X, 0.0, 60.0, 60.05)
+    stated = LengthDimension(Axis.X, 0.0, 12.31, 12.5), LengthDimension(Axis.X, 0.0, 60.0, 60.05)
     places = _snapped(list(_AT), *stated).places
     assert places.values[Axis.X] == pytest.approx([0.0, 12.5, 60.05])
     assert places.offset == pytest.approx(0.19)
@@ -73,7 +73,7 @@ def test_what_was_drawn_otherwise_is_told() -> None:
 
 
 def test_numbers_that_do_not_fit_make_nothing_known() -> None:
-    places = _snapped(list(_AT), ToldLength(Axis.X, 0.0, 12.31, 13.0)).places
+    places = _snapped(list(_AT), LengthDimension(Axis.X, 0.0, 12.31, 13.0)).places
     assert places.values[Axis.X] == (0.0,)
     assert snapped([Reading(Axis.X, 3.0, 1.0)], [], _TOLERANCE).places is None
 

@@ -9,7 +9,11 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import CircleReading, Reading, snapped
-from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.evidence.dimension_constraints import (
+    DimensionConstraints,
+    LengthDimension,
+    RadiusDimension,
+)
 from gaussiancad_core.model.axes import Axis
 
 _TOLERANCE, _REACH = 0.4, 0.3
@@ -23,9 +27,10 @@ def test_coordinates_that_numbers_tell_are_exact(steps: list[float], random) -> 
     readings = [Reading(Axis.Y, at, random.uniform(1.0, 100.0)) for at in read]
     # One dimension from the end, the others in a chain; ends of extension lines are read apart.
     pairs = [(0, len(true) - 1), *((k, k + 1) for k in range(len(true) - 2))]
-    stated = ToldNumbers(
+    stated = DimensionConstraints(
         tuple(
-            ToldLength(Axis.Y, read[a] + 0.05, read[b] - 0.05, true[b] - true[a]) for a, b in pairs
+            LengthDimension(Axis.Y, read[a] + 0.05, read[b] - 0.05, true[b] - true[a])
+            for a, b in pairs
         ),
         _REACH,
     )
@@ -39,8 +44,8 @@ def test_where_its_end_is_drawn_wrong_all_that_is_counted_from_there_moves() -> 
     true = (0.0, 12.0, 31.0, 44.0, 60.0)
     read = [true[0], *(at + 0.1 for at in true[1:])]
     readings = [Reading(Axis.X, at, 50.0) for at in read]
-    stated = tuple(ToldLength(Axis.X, 0.0, read[k], true[k]) for k in (1, 2, 4))
-    snap = snapped(readings, [], _TOLERANCE, stated=ToldNumbers(stated, _REACH))
+    stated = tuple(LengthDimension(Axis.X, 0.0, read[k], true[k]) for k in (1, 2, 4))
+    snap = snapped(readings, [], _TOLERANCE, stated=DimensionConstraints(stated, _REACH))
     values = snap.values[Axis.X]
     assert values[:3] + values[4:] == pytest.approx(true[:3] + true[4:], abs=1e-9)
     # No number is told of this one, but it was drawn with the others: it is four times as exact.
@@ -61,7 +66,7 @@ def test_numbers_that_do_not_fit_tell_nothing(
     axis: Axis, low: float, high: float, value: float
 ) -> None:
     readings = [Reading(Axis.X, at, 50.0) for at in (0.0, 20.0)]
-    stated = ToldNumbers((ToldLength(axis, low, high, value),), _REACH)
+    stated = DimensionConstraints((LengthDimension(axis, low, high, value),), _REACH)
     assert snapped(readings, [], _TOLERANCE, stated=stated).values[Axis.X] == (0.0, 20.0)
 
 
@@ -71,12 +76,12 @@ def test_a_radius_counts_for_all_circles_that_are_drawn_as_large() -> None:
         CircleReading(Axis.Y, CircleCurve((x, 20.0), radius), radius) for x, radius in read.items()
     ]
     readings = [Reading(Axis.X, 0.0, 50.0), Reading(Axis.X, 60.0, 50.0)]
-    stated = ToldNumbers((ToldRadius(Axis.Y, (10.1, 20.0), 4.06, 4.0),), _REACH)
+    stated = DimensionConstraints((RadiusDimension(Axis.Y, (10.1, 20.0), 4.06, 4.0),), _REACH)
     snap = snapped(readings, circles, _TOLERANCE, stated=stated)
     radii = {item.centre[0]: item.radius for _, item in snap.circles}
     assert radii == pytest.approx({10.0: 4.0, 30.0: 4.0, 50.0: 4.4}, abs=1e-9)
     # Of a plane across another axis it says nothing.
-    stated = ToldNumbers((ToldRadius(Axis.Z, (10.1, 20.0), 4.06, 4.0),), _REACH)
+    stated = DimensionConstraints((RadiusDimension(Axis.Z, (10.1, 20.0), 4.06, 4.0),), _REACH)
     snap = snapped(readings, circles, _TOLERANCE, stated=stated)
     assert {item.centre[0]: item.radius for _, item in snap.circles} == pytest.approx(read)
 
@@ -86,7 +91,7 @@ def test_numbers_that_do_not_add_up_undo_nothing() -> None:
     circle = CircleReading(Axis.Y, CircleCurve((30.0, 20.0), 8.02), 8.0)
     readings = [Reading(Axis.X, at, 50.0) for at in (0.02, 22.0, 37.95, 60.1)]
     pairs = [(0.0, 22.0, 22.1), (22.0, 38.0, 16.0), (38.0, 60.1, 21.9), (0.0, 60.1, 60.05)]
-    stated = ToldNumbers(tuple(ToldLength(Axis.X, *pair) for pair in pairs), _REACH)
+    stated = DimensionConstraints(tuple(LengthDimension(Axis.X, *pair) for pair in pairs), _REACH)
     snap = snapped(readings, [circle], _TOLERANCE, stated=stated)
     values, ((_, bore),) = np.array(snap.values[Axis.X]), snap.circles
     # The first that agree are kept, and the sides stay the bore's.
@@ -101,7 +106,7 @@ def test_what_is_round_only_by_its_number_is_told(drawn: float, unread: bool) ->
     """The number may be 12.21, its last digits lost."""
     multiples = [0.0, 8.0, 16.0, 28.0, 36.0, 52.0, 64.0, 72.0, 80.0, 84.0, 96.0, 100.0]
     readings = [Reading(Axis.X, at, 50.0) for at in (*multiples, drawn)]
-    stated = ToldNumbers((ToldLength(Axis.X, 0.0, drawn, 12.0),), _REACH)
+    stated = DimensionConstraints((LengthDimension(Axis.X, 0.0, drawn, 12.0),), _REACH)
     snap = snapped(readings, [], 0.3, millimetre=4.0, stated=stated)
     assert snap.step is not None and 12.0 in np.round(snap.values[Axis.X], 9)
     assert snap.unread is unread
@@ -113,20 +118,20 @@ def test_what_lies_between_the_sides_of_a_shaft_is_its_diameter() -> None:
     circle = CircleReading(Axis.Y, CircleCurve((20.0, 20.0), 8.1), 8.0)
     readings = [Reading(Axis.X, at, 50.0) for at in (0.0, 40.0)]
     stated = (
-        ToldLength(Axis.X, 11.9, 28.1, 16.0),
-        ToldLength(Axis.X, 0.0, 20.0, 20.1),
-        ToldLength(Axis.X, 0.0, 40.0, 40.0),
+        LengthDimension(Axis.X, 11.9, 28.1, 16.0),
+        LengthDimension(Axis.X, 0.0, 20.0, 20.1),
+        LengthDimension(Axis.X, 0.0, 40.0, 40.0),
     )
-    snap = snapped(readings, [circle], _TOLERANCE, stated=ToldNumbers(stated, _REACH))
+    snap = snapped(readings, [circle], _TOLERANCE, stated=DimensionConstraints(stated, _REACH))
     ((_, found),) = snap.circles
     assert found.radius == pytest.approx(8.0, abs=1e-9)
     assert found.centre == pytest.approx((20.1, 20.0), abs=1e-9)
 
 
 def test_numbers_are_the_same_in_other_units() -> None:
-    stated = ToldNumbers(
-        (ToldLength(Axis.X, 1.0, 3.0, 2.1), ToldRadius(Axis.Z, (1.0, 2.0), 3.0, 4.0)), 0.5
+    stated = DimensionConstraints(
+        (LengthDimension(Axis.X, 1.0, 3.0, 2.1), RadiusDimension(Axis.Z, (1.0, 2.0), 3.0, 4.0)), 0.5
     )
-    assert stated.scaled(2.0) == ToldNumbers(
-        (ToldLength(Axis.X, 2.0, 6.0, 4.2), ToldRadius(Axis.Z, (2.0, 4.0), 6.0, 8.0)), 1.0
+    assert stated.scaled(2.0) == DimensionConstraints(
+        (LengthDimension(Axis.X, 2.0, 6.0, 4.2), RadiusDimension(Axis.Z, (2.0, 4.0), 6.0, 8.0)), 1.0
     )

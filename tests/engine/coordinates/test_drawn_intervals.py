@@ -11,7 +11,11 @@ from gaussiancad_core.coordinates.carrier_curves import (
     axis_line,
     line_through,
 )
-from gaussiancad_core.coordinates.drawn_intervals import DrawnStretch, Support, supports_with_spans
+from gaussiancad_core.coordinates.drawn_intervals import (
+    Carrier,
+    DrawnInterval,
+    carriers_with_intervals,
+)
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
@@ -21,11 +25,11 @@ _TOLERANCE = 0.2
 
 def _supports(
     curves: list[PlaneCurve], drawn: list[tuple[int, float, float, Role]]
-) -> tuple[Support, ...]:
+) -> tuple[Carrier, ...]:
     strokes = [
-        (index, DrawnStretch(role, (low, high), _HIDDEN, 1.0)) for index, low, high, role in drawn
+        (index, DrawnInterval(role, (low, high), _HIDDEN, 1.0)) for index, low, high, role in drawn
     ]
-    return supports_with_spans(curves, strokes, [], _TOLERANCE)
+    return carriers_with_intervals(curves, strokes, [], _TOLERANCE)
 
 
 _STEEP = line_through((45.0, 0.0), (55.0, 100.0))
@@ -61,7 +65,7 @@ def test_a_wide_arc_and_its_tangent_end_where_they_touch(off: float, met: bool) 
     curves: list[PlaneCurve] = [arc, axis_line(0, 100.0)]
     drawn = [(0, -0.2, off / 1000.0, _FRONT), (1, 50.0 + off, 300.0, _FRONT)]
     wide, line = _supports(curves, drawn)
-    ends = [end for span in wide.drawn() for end in span]
+    ends = [end for interval in wide.drawn() for end in interval]
     assert any(end % TURN == pytest.approx(0.0 if met else off / 1000.0) for end in ends)
     assert line.drawn()[0][0] == pytest.approx(50.0 if met else 50.0 + off)
 
@@ -70,8 +74,8 @@ def test_an_arc_does_not_go_on_to_a_tangent_that_nothing_is_drawn_on() -> None:
     """Where another coordinate lies just at its extreme, its end is its end."""
     arc = CircleCurve((0.0, 50.0), 15.6)
     ends = (-0.073, 2.0)
-    drawn = [(0, DrawnStretch(_FRONT, ends, _HIDDEN, 1.0))]
-    (item,) = supports_with_spans([arc], drawn, [axis_line(0, 15.6)], _TOLERANCE)
+    drawn = [(0, DrawnInterval(_FRONT, ends, _HIDDEN, 1.0))]
+    (item,) = carriers_with_intervals([arc], drawn, [axis_line(0, 15.6)], _TOLERANCE)
     assert sum(high - low for low, high in item.drawn()) == pytest.approx(2.073)
 
 
@@ -79,18 +83,18 @@ def test_arcs_end_where_they_touch_though_another_view_has_a_value_beside_it() -
     """The value is nearer to one of the ends as read: they would end apart."""
     small, large = CircleCurve((30.0, 20.0), 4.0), CircleCurve((20.0, 20.0), 6.0)
     strokes = [
-        (0, DrawnStretch(_FRONT, (pi / 2.0, pi + 0.0001), _HIDDEN, 1.0)),
-        (1, DrawnStretch(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0)),
+        (0, DrawnInterval(_FRONT, (pi / 2.0, pi + 0.0001), _HIDDEN, 1.0)),
+        (1, DrawnInterval(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0)),
     ]
-    one, other = supports_with_spans([small, large], strokes, [axis_line(1, 20.0035)], 0.006)
+    one, other = carriers_with_intervals([small, large], strokes, [axis_line(1, 20.0035)], 0.006)
     assert one.drawn() == [(pytest.approx(pi / 2.0), pytest.approx(pi, abs=1e-9))]
     assert other.drawn() == [(pytest.approx(0.0, abs=1e-9), pytest.approx(pi / 2.0))]
 
 
 def test_an_arc_that_nothing_ends_at_ends_at_a_value_of_another_view() -> None:
     arc = CircleCurve((20.0, 20.0), 6.0)
-    strokes = [(0, DrawnStretch(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0))]
-    (one,) = supports_with_spans([arc], strokes, [axis_line(1, 20.0035)], 0.006)
+    strokes = [(0, DrawnInterval(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0))]
+    (one,) = carriers_with_intervals([arc], strokes, [axis_line(1, 20.0035)], 0.006)
     assert arc.at(one.drawn()[0][0])[1] == pytest.approx(20.0035)
 
 
@@ -102,9 +106,9 @@ def test_pieces_of_an_arc_that_nearly_touch_are_one(
     """Nothing else ends where they do: through the crack the outside would flow into the part."""
     arc = CircleCurve((40.0, 60.0), 40.0)
     strokes = [
-        (0, DrawnStretch(_FRONT, (0.3, 1.0), Linetype.VISIBLE, 1.0)),
-        (0, DrawnStretch(_FRONT, (1.0 + gap / 40.0, 1.7), other, 1.0)),
+        (0, DrawnInterval(_FRONT, (0.3, 1.0), Linetype.VISIBLE, 1.0)),
+        (0, DrawnInterval(_FRONT, (1.0 + gap / 40.0, 1.7), other, 1.0)),
     ]
-    (item,) = supports_with_spans([arc], strokes, [], 0.006)
+    (item,) = carriers_with_intervals([arc], strokes, [], 0.006)
     assert len(item.drawn()) == pieces
     assert item.linetype_at(_FRONT, 1.5) is other

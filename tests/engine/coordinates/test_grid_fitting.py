@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.coordinates.coordinate_clustering import Reading, Snapped, snapped
-from gaussiancad_core.coordinates.grid_fitting import Roughness, likely_numbers, told_lattice
+from gaussiancad_core.coordinates.grid_fitting import Roughness, fitted_lattice, likely_numbers
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import UNITS
 
@@ -99,7 +99,7 @@ def test_random_measures_lie_on_no_lattice(count: int, noise: float) -> None:
     for seed in range(60):
         random = np.random.default_rng(1000 * count + seed)
         groups = [sorted(random.uniform(0.0, UNITS, count // 2)) for _ in range(2)]
-        stated += told_lattice([*groups, [], random.uniform(1.0, 20.0, 2)], rough) is not None
+        stated += fitted_lattice([*groups, [], random.uniform(1.0, 20.0, 2)], rough) is not None
     assert stated == 0
 
 

@@ -7,7 +7,7 @@ from math import asin, atan, cos, hypot, pi, sin
 import pytest
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.coordinates.split_arcs import is_piece, with_pieces_of_arcs
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.lines.line_points import Curve
@@ -118,8 +118,8 @@ def test_chords_tell_no_planes_and_leave_their_circle_whole() -> None:
     ]
     arc = replace(_ARC, start_angle=0.0, sweep=2.0 * pi - 0.08)
     hole = arc, _chord(2.0 * pi - 0.08, 2.0 * pi - 1e-9)
-    (plane,) = find_supports(_views(*box, *hole)).planes.values()
-    curves = [support.curve for support in plane.supports]
+    (plane,) = find_carriers(_views(*box, *hole)).planes.values()
+    curves = [carrier.curve for carrier in plane.carriers]
     assert len(curves) == len(box) + 1
-    (circle,) = (s for s in plane.supports if isinstance(s.curve, CircleCurve))
+    (circle,) = (s for s in plane.carriers if isinstance(s.curve, CircleCurve))
     assert sum(high - low for low, high in circle.drawn()) == pytest.approx(2.0 * pi)

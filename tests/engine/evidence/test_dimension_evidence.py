@@ -5,8 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldRadius
-from gaussiancad_core.evidence.dimension_evidence import contradicts, told_numbers, trusted
+from gaussiancad_core.evidence.dimension_constraints import LengthDimension, RadiusDimension
+from gaussiancad_core.evidence.dimension_evidence import contradicts, dimension_constraints, trusted
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.sheet.registration.view_registration import Placement
@@ -41,10 +41,10 @@ SHEET = SimpleNamespace(
 def test_a_dimension_measures_along_the_axis_of_its_column_or_row(
     span: Span, stated: tuple[Axis, float, float]
 ) -> None:
-    found = told_numbers(SHEET, [Measure(span, 7.0, 0.1)], 0.0)
+    found = dimension_constraints(SHEET, [Measure(span, 7.0, 0.1)], 0.0)
     axis, low, high = stated
     (item,) = found.lengths
-    assert item == ToldLength(axis, pytest.approx(low), pytest.approx(high), 7.0)
+    assert item == LengthDimension(axis, pytest.approx(low), pytest.approx(high), 7.0)
 
 
 def test_of_two_numbers_for_one_length_the_longer_counts() -> None:
@@ -53,7 +53,7 @@ def test_of_two_numbers_for_one_length_the_longer_counts() -> None:
         Measure(span, value, digit)
         for value, digit in ((60.0, 1.0), (60.1, 0.1), (59.98, 0.01), (60.12, 0.01))
     ]
-    found = told_numbers(SHEET, measures, 0.0)
+    found = dimension_constraints(SHEET, measures, 0.0)
     # Zeros at the end may be left out: all are rounded like it.
     assert found.digit == 0.01
     assert [length.value for length in found.lengths] == [59.98, 60.12, 60.1, 60.0]
@@ -61,20 +61,20 @@ def test_of_two_numbers_for_one_length_the_longer_counts() -> None:
 
 def test_a_circle_lies_in_the_plane_of_its_view() -> None:
     bore = Arc((30.0, 220.0), 8.0, 0.0, 6.28, Linetype.VISIBLE)
-    (item,) = told_numbers(SHEET, [Measure(bore, 4.1, 0.1)], 0.0).lengths
-    assert item == ToldRadius(Axis.X, pytest.approx((15.0, 30.0)), 4.0, 4.1)
+    (item,) = dimension_constraints(SHEET, [Measure(bore, 4.1, 0.1)], 0.0).lengths
+    assert item == RadiusDimension(Axis.X, pytest.approx((15.0, 30.0)), 4.0, 4.1)
 
 
 def test_what_is_beside_all_views_measures_nothing() -> None:
     bore = Arc((400.0, 220.0), 8.0, 0.0, 6.28, Linetype.VISIBLE)
     measures = [Measure(Span(True, 60.0, 160.0), 50.0, 0.1), Measure(bore, 4.0, 0.1)]
-    assert told_numbers(SHEET, measures, 0.0) is None
-    assert told_numbers(SHEET, [], 0.0) is None
+    assert dimension_constraints(SHEET, measures, 0.0) is None
+    assert dimension_constraints(SHEET, [], 0.0) is None
 
 
 @pytest.mark.parametrize(("noise", "reach"), [(0.01, 0.5), (0.12, 0.6), (0.4, 0.75)])
 def test_the_rougher_the_lines_the_more_a_number_may_differ(noise: float, reach: float) -> None:
-    found = told_numbers(SHEET, [Measure(Span(True, 100.0, 220.0), 60.0, 0.1)], noise)
+    found = dimension_constraints(SHEET, [Measure(Span(True, 100.0, 220.0), 60.0, 0.1)], noise)
     assert found.reach == pytest.approx(reach * PIXEL)
 
 

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from gaussiancad_core.hull.depth_maps import CastSolid, confidence, relief_of, trusted
-from gaussiancad_core.hull.visual_hull import Relief
+from gaussiancad_core.hull.depth_maps import CastSolid, confidence, depth_map_of, trusted
+from gaussiancad_core.hull.visual_hull import DepthMap
 from gaussiancad_core.lines.line_agreement import match_lines
 from gaussiancad_core.lines.line_points import lines_of_strokes
 from gaussiancad_core.model.axes import Axis, Role
@@ -19,7 +19,7 @@ BLOCK = box((0, 0, 0), SIZE)
 POCKETED = cut(BLOCK, box((10, 8, 12), (30, 22, 21)), cylinder(Axis.Z, (20, 15), 4, -1, 5))
 
 
-def _at(relief: Relief, view: View, right: float, up: float) -> tuple[int, float]:
+def _at(relief: DepthMap, view: View, right: float, up: float) -> tuple[int, float]:
     """Region and depth at a point of a view."""
     x, y = view.to_pixels(np.array([[right, up]]))[0]
     return int(relief.regions[int(y), int(x)]), float(relief.depths[int(y), int(x)])
@@ -28,7 +28,7 @@ def _at(relief: Relief, view: View, right: float, up: float) -> tuple[int, float
 def test_depths_count_from_the_side_that_is_nearest(viewed: Viewed) -> None:
     top = viewed(POCKETED)[Role.TOP]
     solid = CastSolid(POCKETED, SIZE)
-    above, below = (relief_of([solid], top, behind) for behind in (False, True))
+    above, below = (depth_map_of([solid], top, behind) for behind in (False, True))
     assert (above.behind, below.behind) == (False, True)
     assert _at(above, top, 12, 10)[1] == pytest.approx(8.0, abs=1e-4)
     assert _at(above, top, 3, 3)[1] == pytest.approx(0.0, abs=1e-4)
@@ -42,7 +42,7 @@ def test_every_role_sees_its_own_side(viewed: Viewed, role: Role) -> None:
     moved = viewed(step, (role,))
     view = moved[role]
     axis, sign = role.frame.look_axis
-    depths = relief_of([CastSolid(step, SIZE)], view, False).depths[view.mask]
+    depths = depth_map_of([CastSolid(step, SIZE)], view, False).depths[view.mask]
     # The front is cut off by 3; the upper left edge lies 6 in from the left and 6 down from above.
     deepest = {
         (Axis.Y, 1): 3.0,
@@ -58,7 +58,7 @@ def test_every_role_sees_its_own_side(viewed: Viewed, role: Role) -> None:
 def test_regions_are_the_patches_that_a_view_sees(viewed: Viewed) -> None:
     top = viewed(POCKETED)[Role.TOP]
     solid = CastSolid(POCKETED, SIZE)
-    above, below = (relief_of([solid], top, behind) for behind in (False, True))
+    above, below = (depth_map_of([solid], top, behind) for behind in (False, True))
     assert set(np.unique(above.regions)) == {0, 1, 2}
     assert _at(above, top, 12, 10)[0] != _at(above, top, 3, 3)[0]
     floor = above.regions == _at(above, top, 20, 15)[0]
@@ -71,7 +71,7 @@ def test_what_one_of_two_solids_fills_is_not_void(viewed: Viewed) -> None:
     top = viewed(POCKETED)[Role.TOP]
     shallow = cut(BLOCK, box((10, 8, 12), (30, 22, 21)), box((2, 2, 15), (6, 6, 21)))
     deep = cut(BLOCK, box((10, 8, 5), (30, 22, 21)))
-    both = relief_of([CastSolid(solid, SIZE) for solid in (deep, shallow)], top, False)
+    both = depth_map_of([CastSolid(solid, SIZE) for solid in (deep, shallow)], top, False)
     assert _at(both, top, 20, 15)[1] == pytest.approx(8.0, abs=1e-4)
     assert _at(both, top, 4, 4)[1] == pytest.approx(0.0, abs=1e-4)
 
@@ -82,7 +82,7 @@ def test_regions_without_lines_on_the_sheet_are_not_trusted(viewed: Viewed) -> N
     view = viewed(two)[Role.TOP]
     sheet = viewed(one)[Role.TOP].strokes
     matched = match_lines(sheet, lines_of_strokes(view.strokes, 0.05), 0.2)
-    relief = relief_of([CastSolid(two, SIZE)], view, False)
+    relief = depth_map_of([CastSolid(two, SIZE)], view, False)
     drawn, invented = _at(relief, view, 9, 15)[0], _at(relief, view, 29, 15)[0]
     sure = confidence(relief, view, matched)
     assert sure.shares[drawn] == pytest.approx(1.0)

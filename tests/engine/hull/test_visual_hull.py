@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.hull.visual_hull import Relief, visual_hull
+from gaussiancad_core.hull.visual_hull import DepthMap, visual_hull
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.cameras import orthographic_camera, paper_camera
 from gaussiancad_core.model.meshes import TriangleMesh
@@ -60,7 +60,7 @@ def hull_of(
     size: Size,
     shapes: dict[Role, Shape],
     roles: tuple[Role, ...] = THREE,
-    reliefs: tuple[Relief, ...] = (),
+    reliefs: tuple[DepthMap, ...] = (),
 ) -> TriangleMesh:
     views = ViewSet(tuple(view(role, size, shapes.get(role)) for role in roles), size)
     cameras = tuple(orthographic_camera(role, size, 64) for role in roles)
@@ -186,13 +186,13 @@ def test_views_without_a_common_part_say_so() -> None:
     assert caught.value.code == "empty-hull"
 
 
-def relief(role: Role, size: Size, depth: Shape, region: Shape | None = None) -> Relief:
+def relief(role: Role, size: Size, depth: Shape, region: Shape | None = None) -> DepthMap:
     base = view(role, size)
     right, up = pixel_centres(base)
     numbers = base.mask.astype(np.int32)
     if region is not None:
         numbers += base.mask & region(right, up)
-    return Relief(role, numbers, np.where(base.mask, depth(right, up), 0.0).astype(np.float32))
+    return DepthMap(role, numbers, np.where(base.mask, depth(right, up), 0.0).astype(np.float32))
 
 
 def test_a_known_depth_carves_a_blind_pocket() -> None:

@@ -7,19 +7,19 @@ import pytest
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, PlaneCurve, axis_line
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.coordinates.point_chains import chain_distances
 from gaussiancad_core.hypotheses.bridges import bridges
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
 
-def _support(curve: PlaneCurve, *stretches: tuple[float, float]) -> Support:
-    spans = tuple(Span(low, high, Linetype.VISIBLE, 1.0) for low, high in stretches)
-    return Support(curve, {Role.FRONT: spans})
+def _support(curve: PlaneCurve, *stretches: tuple[float, float]) -> Carrier:
+    intervals = tuple(Interval(low, high, Linetype.VISIBLE, 1.0) for low, high in stretches)
+    return Carrier(curve, {Role.FRONT: intervals})
 
 
-def _open_square(gap: float) -> list[Support]:
+def _open_square(gap: float) -> list[Carrier]:
     """A square of 10 whose upper side ends ``gap`` before the right one."""
     return [
         _support(axis_line(0, 0.0), (0.0, 10.0)),
@@ -35,13 +35,13 @@ def test_a_closed_outline_needs_no_bridge() -> None:
 
 @pytest.mark.parametrize("gap", [1e-3, 0.04])
 def test_a_gap_within_reach_is_closed(gap: float) -> None:
-    supports = _open_square(gap)
-    plain = Arrangement(supports)
+    carriers = _open_square(gap)
+    plain = Arrangement(carriers)
     assert plain.regions == 1 and plain.locate(5.0, 5.0) == OUTSIDE
     found = bridges(plain, [], 0.05)
     ends = {frozenset((round(a, 9), round(b, 9)) for a, b in link) for link in found}
     assert ends == {frozenset({(10.0 - gap, 10.0), (10.0, 10.0)})}
-    closed = Arrangement(supports, found)
+    closed = Arrangement(carriers, found)
     assert closed.regions == 2 and closed.locate(5.0, 5.0) != OUTSIDE
 
 
@@ -50,17 +50,17 @@ def test_a_gap_beyond_reach_is_left_open() -> None:
 
 
 def test_a_chain_is_led_to_the_curves_that_it_ends_before() -> None:
-    supports = _open_square(0.0)[:3]
+    carriers = _open_square(0.0)[:3]
     chain = ((0.01, 9.0), (5.0, 11.0), (9.98, 9.0))
-    plain = Arrangement(supports)
+    plain = Arrangement(carriers)
     found = bridges(plain, [chain], 0.05)
     assert sorted(found) == [
         ((0.01, 9.0), (0.0, 9.0)),
         ((9.98, 9.0), (10.0, 9.0)),
     ]
     # The ends of the upright lines stand free over the chain and are let be.
-    assert Arrangement(supports, [chain]).regions == 1
-    assert Arrangement(supports, [chain, *found]).regions == 2
+    assert Arrangement(carriers, [chain]).regions == 1
+    assert Arrangement(carriers, [chain, *found]).regions == 2
 
 
 def test_chains_are_led_to_each_other() -> None:

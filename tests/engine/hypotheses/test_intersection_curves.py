@@ -7,7 +7,7 @@ from math import asin, hypot, pi, sqrt
 import numpy as np
 import pytest
 
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.hypotheses.intersection_curves import with_followed_curves
 from gaussiancad_core.lines.strokes import Polyline
@@ -26,7 +26,7 @@ def test_arcs_that_follow_a_curve_of_two_cylinders_become_that_curve(
     pin_as_read: DrawnViews,
 ) -> None:
     views = pin_as_read
-    followed = with_followed_curves(views, find_supports(views))
+    followed = with_followed_curves(views, find_carriers(views))
     assert followed is not None
     *others, low, high = followed.strokes[Role.FRONT]
     assert others == list(views.strokes[Role.FRONT][:-2])
@@ -44,7 +44,7 @@ def test_arcs_that_follow_a_curve_of_two_cylinders_become_that_curve(
 @pytest.mark.parametrize("name", ["wedge-block", "filleted-block", "dovetail-block", "ball-knob"])
 def test_traces_of_planes_cylinders_and_bodies_stay(name: str, sample_views: Views) -> None:
     views = replace(sample_views(name), tolerance=_PIXEL)
-    followed = with_followed_curves(views, find_supports(views))
+    followed = with_followed_curves(views, find_carriers(views))
     for role, this_stroke in (followed or views).strokes.items():
         for stroke, drawn in zip(this_stroke, views.strokes[role], strict=True):
             assert stroke == drawn or not isinstance(drawn, Segment | Arc)
@@ -56,7 +56,7 @@ def test_a_straight_stroke_along_a_bent_curve_is_none_of_a_plane(pin_as_read: Dr
     chord = Segment(start, middle, Linetype.VISIBLE)
     front = (*views.strokes[Role.FRONT][:-2], chord)
     views = replace(views, strokes={**views.strokes, Role.FRONT: front})
-    followed = with_followed_curves(views, find_supports(views))
+    followed = with_followed_curves(views, find_carriers(views))
     assert followed is not None
     curve = followed.strokes[Role.FRONT][-1]
     assert isinstance(curve, Polyline)
@@ -70,7 +70,7 @@ def test_a_stroke_along_which_nothing_is_met_stays(pin_as_read: DrawnViews) -> N
     views = pin_as_read
     front = (*views.strokes[Role.FRONT], Arc((200.0, 200.0), 5.0, 0.2, 1.0, Linetype.VISIBLE))
     lone = replace(views, strokes={**views.strokes, Role.FRONT: front})
-    followed = with_followed_curves(lone, find_supports(views))
+    followed = with_followed_curves(lone, find_carriers(views))
     assert followed is not None
     assert followed.strokes[Role.FRONT][-1] == front[-1]
 
@@ -97,7 +97,7 @@ def _saddle() -> DrawnViews:
 def test_an_arc_whose_outline_another_view_draws_is_a_cylinders() -> None:
     """Either the arch is a cylinder and the feet follow the curve, or the other way round."""
     views = _saddle()
-    followed = with_followed_curves(views, find_supports(views))
+    followed = with_followed_curves(views, find_carriers(views))
     assert followed is not None
     assert followed.strokes[Role.RIGHT] == views.strokes[Role.RIGHT]
     feet = followed.strokes[Role.FRONT][3:5]
@@ -109,7 +109,7 @@ def test_an_arc_whose_outline_another_view_draws_is_a_cylinders() -> None:
 
 
 def test_a_curve_reaches_as_far_as_both_surfaces(pin_as_read: DrawnViews) -> None:
-    followed = with_followed_curves(pin_as_read, find_supports(pin_as_read))
+    followed = with_followed_curves(pin_as_read, find_carriers(pin_as_read))
     assert followed is not None
     for curve in followed.strokes[Role.FRONT][-2:]:
         assert isinstance(curve, Polyline)

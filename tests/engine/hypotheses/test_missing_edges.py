@@ -7,9 +7,9 @@ import pytest
 
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, LineCurve
-from gaussiancad_core.coordinates.carriers import PlaneSupports, find_supports
+from gaussiancad_core.coordinates.carriers import PlaneCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.hypotheses.missing_edges import with_lost_lines
+from gaussiancad_core.hypotheses.missing_edges import with_missing_edges
 from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -35,12 +35,12 @@ def _views(
     return DrawnViews({Role.FRONT: front, Role.TOP: top, Role.RIGHT: right}, _SIZE, 2e-4)
 
 
-def _plane(views: DrawnViews, normal: Axis) -> PlaneSupports:
-    return with_lost_lines(find_supports(views)).planes[normal]
+def _plane(views: DrawnViews, normal: Axis) -> PlaneCarriers:
+    return with_missing_edges(find_carriers(views)).planes[normal]
 
 
-def _regions(plane: PlaneSupports) -> int:
-    return Arrangement(plane.supports, lost=plane.lost).regions
+def _regions(plane: PlaneCarriers) -> int:
+    return Arrangement(plane.carriers, lost=plane.lost).regions
 
 
 def _without(strokes: tuple[Stroke, ...], *numbers: int) -> tuple[Stroke, ...]:
@@ -54,14 +54,14 @@ def test_an_edge_that_the_other_views_show_divides_the_one_that_lacks_it(lost: i
     stroke = _STEPPED[lost]
     middle = tuple((a + b) / 2.0 for a, b in zip(stroke.start, stroke.end, strict=True))
     over = [
-        plane.supports[number]
+        plane.carriers[number]
         for number, low, high in plane.lost
-        if plane.supports[number].curve.distance(middle) < 1e-6
-        and low < plane.supports[number].curve.parameter(middle) < high
+        if plane.carriers[number].curve.distance(middle) < 1e-6
+        and low < plane.carriers[number].curve.parameter(middle) < high
     ]
     assert over
     assert all(
-        support.linetype_at(Role.FRONT, 0.0) is None for support in over if not support.spans
+        carrier.linetype_at(Role.FRONT, 0.0) is None for carrier in over if not carrier.intervals
     )
     assert _regions(plane) >= _regions(whole)
 
@@ -82,7 +82,7 @@ def test_other_lines_are_not_made_up() -> None:
     stray = Segment((13.0, 7.0), (29.0, 7.0), Linetype.VISIBLE)
     views = _views((*_STEPPED, stray), _TOP, _RIGHT)
     plane = _plane(views, Axis.Y)
-    lines = [plane.supports[number].curve for number, _, _ in plane.lost]
+    lines = [plane.carriers[number].curve for number, _, _ in plane.lost]
     assert all(isinstance(line, LineCurve) and line.axis is not None for line in lines)
     values = {line.point[line.axis] for line in lines}
     assert values <= {0.0, 20.0, 40.0, 50.0, 100.0}
@@ -97,11 +97,11 @@ def test_a_circle_is_where_both_other_views_show_its_sides() -> None:
     front = (*_STEPPED, *hidden((60, 0), (60, 20)), *hidden((80, 0), (80, 20)))
     right = (*_RIGHT, *hidden((20, 0), (20, 20)), *hidden((40, 0), (40, 20)))
     plane = _plane(_views(front, (*_TOP, other), right), Axis.Z)
-    circles = [plane.supports[number].curve for number, _, _ in plane.lost]
+    circles = [plane.carriers[number].curve for number, _, _ in plane.lost]
     assert CircleCurve((70.0, 30.0), 10.0) in circles
     for drawn in ((*_TOP, other, bore), (*_TOP, other, *_square()), _TOP):
         plane = _plane(_views(front, drawn, right), Axis.Z)
-        lost = [plane.supports[number].curve for number, _, _ in plane.lost]
+        lost = [plane.carriers[number].curve for number, _, _ in plane.lost]
         assert CircleCurve((70.0, 30.0), 10.0) not in lost
 
 
@@ -117,11 +117,11 @@ def test_the_side_of_a_bore_is_where_its_circle_reaches_farthest() -> None:
     assert (60.0, 0.0, 20.0) in _upright(plane)
 
 
-def _upright(plane: PlaneSupports) -> list[tuple[float, float, float]]:
+def _upright(plane: PlaneCarriers) -> list[tuple[float, float, float]]:
     """Where upright lines may be lacking, and from and to where."""
     found = []
     for number, low, high in plane.lost:
-        curve = plane.supports[number].curve
+        curve = plane.carriers[number].curve
         if isinstance(curve, LineCurve) and curve.axis == 0:
             (x, start), (_, end) = curve.at(low), curve.at(high)
             found.append((round(x, 6), round(start, 6), round(end, 6)))
@@ -136,7 +136,7 @@ def test_the_other_side_of_a_cone_tells_where_a_slanted_line_is() -> None:
     plane = _plane(DrawnViews(strokes, size, 1.2e-4), Axis.Y)
     scale = 100.0 / 60.0
     middle = (10.0 * scale, 25.0 * scale)
-    slanted = [plane.supports[n].curve for n, _, _ in plane.lost]
+    slanted = [plane.carriers[n].curve for n, _, _ in plane.lost]
     assert any(c.axis is None and c.distance(middle) < 1e-6 for c in slanted)
 
 
@@ -149,9 +149,9 @@ def test_the_arc_of_a_rounded_corner_is_where_both_lines_lead_into_it() -> None:
     top = (*rounded, *_path((40, 0), (40, 60)))
     plane = _plane(_views(_STEPPED, top, _RIGHT), Axis.Z)
     arcs = [
-        (plane.supports[number].curve, low, high)
+        (plane.carriers[number].curve, low, high)
         for number, low, high in plane.lost
-        if isinstance(plane.supports[number].curve, CircleCurve)
+        if isinstance(plane.carriers[number].curve, CircleCurve)
     ]
     ((circle, low, high),) = arcs
     assert circle.centre == pytest.approx((90.0, 50.0)) and circle.radius == pytest.approx(10.0)
@@ -160,5 +160,5 @@ def test_the_arc_of_a_rounded_corner_is_where_both_lines_lead_into_it() -> None:
 
 def test_two_planes_tell_nothing_of_what_the_third_lacks() -> None:
     views = DrawnViews({Role.FRONT: _without(_STEPPED, 3), Role.TOP: _TOP}, _SIZE, 2e-4)
-    supports = find_supports(views)
-    assert with_lost_lines(supports) == supports
+    carriers = find_carriers(views)
+    assert with_missing_edges(carriers) == carriers

@@ -12,7 +12,7 @@ from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.cells.space_corners import spatial_edges
-from gaussiancad_core.coordinates.carriers import PartSupports, find_supports
+from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.hypotheses.oblique_planes import find_half_spaces
 from gaussiancad_core.kernel.brep import faces_of
@@ -45,27 +45,27 @@ def _planes(solid: TopoDS_Shape, scale: float) -> set[tuple[float, ...]]:
     return found
 
 
-def _found(supports: PartSupports) -> set[tuple[float, ...]]:
+def _found(carriers: PartCarriers) -> set[tuple[float, ...]]:
     return {
         tuple(np.round([*body.normal, body.offset], 4).tolist())
-        for body in find_half_spaces(supports)
+        for body in find_half_spaces(carriers)
     }
 
 
 @pytest.mark.parametrize(("seed", "level"), [(0, 0), (1, 1), (2, 2), (3, 3), (4, 4)])
 def test_exactly_the_planes_of_a_part_are_found(seed: int, level: int, drawn: Draw) -> None:
     solid = classed_part(PartClass.OBLIQUE, seed, level)
-    supports = find_supports(drawn(solid))
-    true = _planes(solid, supports.scale)
+    carriers = find_carriers(drawn(solid))
+    true = _planes(solid, carriers.scale)
     assert true
-    assert _found(supports) == true
+    assert _found(carriers) == true
 
 
 @pytest.mark.parametrize("kind", [PartClass.PLANES, PartClass.SLANTS, PartClass.HOLES])
 def test_other_parts_have_no_such_planes(kind: PartClass, drawn: Draw) -> None:
     solid = classed_part(kind, 2, 2)
     assert _planes(solid, 1.0) == set()
-    assert find_half_spaces(find_supports(drawn(solid))) == ()
+    assert find_half_spaces(find_carriers(drawn(solid))) == ()
 
 
 def _cut_block(size: Size, legs: Size) -> DrawnViews:
@@ -99,10 +99,10 @@ def test_a_cut_corner_is_the_plane_through_its_three_ends(
     legs = tuple(extent * share for extent, share in zip(size, shares, strict=True))
     assume(min(legs) > 3.0)
     x, y, z = (float(extent) for extent in size)
-    supports = find_supports(_cut_block((x, y, z), legs))
-    (body,) = find_half_spaces(supports)
+    carriers = find_carriers(_cut_block((x, y, z), legs))
+    (body,) = find_half_spaces(carriers)
     ends = np.array([(x - legs[0], 0.0, z), (x, legs[1], z), (x, 0.0, z - legs[2])])
-    ends *= supports.scale
+    ends *= carriers.scale
     (hull,) = body.hulls
     found = np.array(hull)
     nearest = np.abs(found[:, None] - ends[None]).max(2)
@@ -116,28 +116,28 @@ def test_a_slant_that_one_view_lacks_closes_no_loop() -> None:
     views = _cut_block((60.0, 40.0, 30.0), (20.0, 15.0, 10.0))
     for role in views.roles:
         strokes = {**views.strokes, role: views.strokes[role][:-1]}
-        assert find_half_spaces(find_supports(exact_views(strokes, views.size))) == ()
+        assert find_half_spaces(find_carriers(exact_views(strokes, views.size))) == ()
 
 
 def test_a_slant_at_another_place_closes_no_loop() -> None:
     views = _cut_block((60.0, 40.0, 30.0), (20.0, 15.0, 10.0))
     other = _cut_block((60.0, 40.0, 30.0), (20.0, 12.0, 10.0))
     strokes = {**views.strokes, Role.TOP: other.strokes[Role.TOP]}
-    assert find_half_spaces(find_supports(exact_views(strokes, views.size))) == ()
+    assert find_half_spaces(find_carriers(exact_views(strokes, views.size))) == ()
 
 
 def test_two_views_tell_no_corner_in_space() -> None:
     views = _cut_block((60.0, 40.0, 30.0), (20.0, 15.0, 10.0))
     strokes = {role: views.strokes[role] for role in (Role.FRONT, Role.TOP)}
-    supports = find_supports(exact_views(strokes, views.size))
-    assert len(spatial_edges(supports, _NEAR).points) == 0
-    assert find_half_spaces(supports) == ()
+    carriers = find_carriers(exact_views(strokes, views.size))
+    assert len(spatial_edges(carriers, _NEAR).points) == 0
+    assert find_half_spaces(carriers) == ()
 
 
 def test_the_edges_of_a_cut_are_those_that_three_views_draw() -> None:
-    supports = find_supports(_cut_block((100.0, 40.0, 30.0), (20.0, 15.0, 10.0)))
-    shown = spatial_edges(supports, _NEAR)
-    assert supports.scale == 1.0
+    carriers = find_carriers(_cut_block((100.0, 40.0, 30.0), (20.0, 15.0, 10.0)))
+    shown = spatial_edges(carriers, _NEAR)
+    assert carriers.scale == 1.0
     edges = {
         frozenset(tuple(np.round(shown.points[end], 6).tolist()) for end in edge)
         for edge in shown.edges
@@ -153,6 +153,6 @@ def test_faces_on_one_plane_share_a_half_space(drawn: Draw) -> None:
     # A slot deep enough to divide the oblique face.
     divided = cut(whole, box((42.0, -1.0, 40.0), (48.0, 61.0, 61.0)))
     for solid, hulls in ((whole, 1), (divided, 2)):
-        (body,) = find_half_spaces(find_supports(drawn(solid)))
+        (body,) = find_half_spaces(find_carriers(drawn(solid)))
         assert body.normal == pytest.approx((3**-0.5,) * 3)
         assert {axis: len(body.outlines(axis)) for axis in Axis} == dict.fromkeys(Axis, hulls)

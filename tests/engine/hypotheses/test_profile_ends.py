@@ -5,16 +5,16 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, LineProfile
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
-from gaussiancad_core.coordinates.drawn_intervals import Span, Support
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.hypotheses.profile_ends import ProfileEnds
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
 NEAR = 0.1
-WHOLE = {Role.TOP: (Span(0.0, 6.2831, Linetype.VISIBLE, 1.0),)}
+WHOLE = {Role.TOP: (Interval(0.0, 6.2831, Linetype.VISIBLE, 1.0),)}
 ENDS = ProfileEnds.of(
     (0.0, 20.0, 24.0),
-    [Support(CircleCurve((5.0, 5.0), radius), WHOLE) for radius in (4.0, 7.0)],
+    [Carrier(CircleCurve((5.0, 5.0), radius), WHOLE) for radius in (4.0, 7.0)],
     NEAR,
 )
 OFF = st.floats(-0.09, 0.09)

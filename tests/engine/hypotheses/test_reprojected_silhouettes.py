@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.coordinates.carrier_curves import LineCurve
-from gaussiancad_core.coordinates.carriers import PartSupports, find_supports
+from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.hypotheses.oblique_planes import find_half_spaces
 from gaussiancad_core.hypotheses.reprojected_silhouettes import retraced
@@ -20,7 +20,7 @@ _ROLES = {Role.FRONT: (100.0, 60.0), Role.TOP: (100.0, 80.0), Role.RIGHT: (80.0,
 """Extents of the views of a block of 100 x 80 x 60 mm, which are units as well."""
 
 
-def _supports(misread: float, tolerance: float) -> PartSupports:
+def _supports(misread: float, tolerance: float) -> PartCarriers:
     """A block whose corner is cut off; the views tell where the cut ends with opposite errors."""
     cuts = {
         Role.FRONT: ((70.0 + misread, 60.0), (100.0, 42.0 - misread)),
@@ -32,22 +32,22 @@ def _supports(misread: float, tolerance: float) -> PartSupports:
         corners = [(0.0, 0.0), (a, 0.0), (a, b), (0.0, b), (0.0, 0.0)]
         ends = [*pairwise(corners), cuts[role]]
         strokes[role] = tuple(Segment(p, q, Linetype.VISIBLE) for p, q in ends)
-    return find_supports(DrawnViews(strokes, (100.0, 80.0, 60.0), tolerance))
+    return find_carriers(DrawnViews(strokes, (100.0, 80.0, 60.0), tolerance))
 
 
-def _slant(supports: PartSupports, axis: Axis) -> tuple[LineCurve, list[tuple[float, float]]]:
+def _slant(carriers: PartCarriers, axis: Axis) -> tuple[LineCurve, list[tuple[float, float]]]:
     """The slanted line of a view, and its two ends."""
-    (found,) = (s for s in supports.planes[axis].supports if s.curve.axis is None)
+    (found,) = (s for s in carriers.planes[axis].carriers if s.curve.axis is None)
     assert isinstance(found.curve, LineCurve)
     ((low, high),) = found.drawn()
     return found.curve, [found.curve.at(low), found.curve.at(high)]
 
 
 def test_views_that_disagree_a_little_show_the_edges_of_one_plane() -> None:
-    supports = _supports(0.1, 0.2)
-    bodies = find_half_spaces(supports)
+    carriers = _supports(0.1, 0.2)
+    bodies = find_half_spaces(carriers)
     assert len(bodies) == 1
-    moved = retraced(supports, bodies)
+    moved = retraced(carriers, bodies)
     corners = np.array(bodies[0].hulls[0])
     assert corners @ np.array(bodies[0].normal) == pytest.approx(bodies[0].offset, abs=1e-9)
     for axis in Axis:
@@ -60,27 +60,27 @@ def test_views_that_disagree_a_little_show_the_edges_of_one_plane() -> None:
 
 
 def test_exact_lines_stay_as_they_are() -> None:
-    supports = _supports(0.0, 2e-4)
-    bodies = find_half_spaces(supports)
+    carriers = _supports(0.0, 2e-4)
+    bodies = find_half_spaces(carriers)
     assert len(bodies) == 1
-    assert retraced(supports, bodies).planes == supports.planes
+    assert retraced(carriers, bodies).planes == carriers.planes
 
 
 def test_without_half_spaces_nothing_moves() -> None:
-    supports = _supports(0.1, 0.2)
-    assert retraced(supports, ()) is supports
+    carriers = _supports(0.1, 0.2)
+    assert retraced(carriers, ()) is carriers
 
 
 def test_lines_that_are_no_edges_stay() -> None:
-    supports = _supports(0.1, 0.2)
-    moved = retraced(supports, find_half_spaces(supports))
+    carriers = _supports(0.1, 0.2)
+    moved = retraced(carriers, find_half_spaces(carriers))
     for axis in Axis:
-        before = [s.curve for s in supports.planes[axis].supports if s.curve.axis is not None]
-        after = [s.curve for s in moved.planes[axis].supports if s.curve.axis is not None]
+        before = [s.curve for s in carriers.planes[axis].carriers if s.curve.axis is not None]
+        after = [s.curve for s in moved.planes[axis].carriers if s.curve.axis is not None]
         assert before == after
 
 
-def _cut_cone(misread: float, tolerance: float) -> PartSupports:
+def _cut_cone(misread: float, tolerance: float) -> PartCarriers:
     """A cone of radius 40 and 16 at heights 0 and 60; above 40 a groove cuts its left and right.
 
     The right view has its outline up to there, and a little steeper.
@@ -99,17 +99,17 @@ def _cut_cone(misread: float, tolerance: float) -> PartSupports:
     }
     circles = tuple(Arc((40.0, 40.0), r, 0.0, 2.0 * pi, Linetype.VISIBLE) for r in (40.0, 16.0))
     views = DrawnViews({**strokes, Role.TOP: circles}, (80.0, 80.0, 60.0), tolerance)
-    return find_supports(views)
+    return find_carriers(views)
 
 
 def test_outlines_of_a_cone_are_the_same_in_all_views() -> None:
-    supports = _cut_cone(0.04, 0.08)
-    (body,) = find_bodies(supports)
+    carriers = _cut_cone(0.04, 0.08)
+    (body,) = find_bodies(carriers)
     rims = [rim for rim, _ in body.rims(Axis.X)]
 
-    def offsets(part_supports: PartSupports) -> list[float]:
+    def offsets(part_supports: PartCarriers) -> list[float]:
         """Units from the ends of the right view's outlines to those of the cone."""
-        slants = [s for s in part_supports.planes[Axis.X].supports if s.curve.axis is None]
+        slants = [s for s in part_supports.planes[Axis.X].carriers if s.curve.axis is None]
         return [
             min(rim.distance(s.curve.at(end)) for rim in rims)
             for s in slants
@@ -117,7 +117,7 @@ def test_outlines_of_a_cone_are_the_same_in_all_views() -> None:
             for end in stretch
         ]
 
-    before, after = offsets(supports), offsets(retraced(supports, (), [body]))
+    before, after = offsets(carriers), offsets(retraced(carriers, (), [body]))
     assert len(before) == len(after) == 4
     assert max(before) > 0.01
     assert max(after) < 1e-9

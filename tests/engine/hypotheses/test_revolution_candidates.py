@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, LineProfile
 from gaussiancad_core.coordinates.carrier_curves import TURN
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
 from gaussiancad_core.model.axes import Axis, Role
@@ -42,9 +42,9 @@ def test_a_frustum_is_one_cone(low: int, high: int, height: int) -> None:
     if abs(low - high) < 2:
         return
     views = _frustum(float(low), float(high), float(height))
-    supports = find_supports(views)
-    (body,) = find_bodies(supports)
-    scale = supports.scale
+    carriers = find_carriers(views)
+    (body,) = find_bodies(carriers)
+    scale = carriers.scale
     assert (body.axis, body.sector) == (Axis.Z, None)
     assert body.centre == pytest.approx((max(low, high) * scale,) * 2, abs=1e-4)
     assert isinstance(body.profile, LineProfile)
@@ -56,14 +56,14 @@ def test_a_slant_that_one_view_lacks_is_no_cone() -> None:
     views = _frustum(20.0, 10.0, 30.0)
     box = _chain((0, 0), (40, 0), (40, 30), (0, 30), (0, 0))
     strokes = {**views.strokes, Role.RIGHT: tuple(box)}
-    assert find_bodies(find_supports(exact_views(strokes, views.size))) == ()
+    assert find_bodies(find_carriers(exact_views(strokes, views.size))) == ()
 
 
 def test_without_a_circle_there_is_no_axis() -> None:
     views = _frustum(20.0, 10.0, 30.0)
     box = tuple(_chain((0, 0), (40, 0), (40, 40), (0, 40), (0, 0)))
     strokes = {**views.strokes, Role.TOP: box}
-    assert find_bodies(find_supports(exact_views(strokes, views.size))) == ()
+    assert find_bodies(find_carriers(exact_views(strokes, views.size))) == ()
 
 
 def test_arcs_as_far_from_another_circle_in_both_views_are_not_about_it() -> None:
@@ -80,14 +80,14 @@ def test_arcs_as_far_from_another_circle_in_both_views_are_not_about_it() -> Non
         Role.RIGHT: [*outline, dome],
         Role.TOP: [*top, *rounds],
     }
-    supports = find_supports(exact_views(strokes, (60.0, 60.0, 20.0)))
-    (body,) = find_bodies(supports)
-    assert body.centre == pytest.approx((15.0 * supports.scale,) * 2)
+    carriers = find_carriers(exact_views(strokes, (60.0, 60.0, 20.0)))
+    (body,) = find_bodies(carriers)
+    assert body.centre == pytest.approx((15.0 * carriers.scale,) * 2)
 
 
 def _count(views: DrawnViews) -> tuple[int, int, int]:
     """Cones, whole spheres and tori, and sectors."""
-    bodies = find_bodies(find_supports(views))
+    bodies = find_bodies(find_carriers(views))
     cones = sum(isinstance(body.profile, LineProfile) for body in bodies)
     arcs = [body for body in bodies if isinstance(body.profile, ArcProfile)]
     return cones, sum(b.sector is None for b in arcs), sum(b.sector is not None for b in arcs)
@@ -114,10 +114,10 @@ def test_one_view_is_enough_where_circles_are_drawn_at_both_ends_of_a_slant() ->
     views = _frustum(20.0, 10.0, 30.0)
     box = _chain((0, 0), (40, 0), (40, 30), (0, 30), (0, 0))
     strokes = {**views.strokes, Role.RIGHT: tuple(box)}
-    supports = find_supports(exact_views(strokes, views.size))
-    (body,) = find_bodies(supports, lone=True)
+    carriers = find_carriers(exact_views(strokes, views.size))
+    (body,) = find_bodies(carriers, lone=True)
     assert (body.axis, body.sector) == (Axis.Z, None)
-    ends = (body.profile.at_low / supports.scale, body.profile.at_high / supports.scale)
+    ends = (body.profile.at_low / carriers.scale, body.profile.at_high / carriers.scale)
     assert ends == pytest.approx((20.0, 10.0), abs=1e-3)
 
 
@@ -126,7 +126,7 @@ def test_a_slant_that_ends_at_one_circle_only_is_no_cone() -> None:
     box = _chain((0, 0), (40, 0), (40, 30), (0, 30), (0, 0))
     rounds = views.strokes[Role.TOP][:1]
     strokes = {**views.strokes, Role.RIGHT: tuple(box), Role.TOP: rounds}
-    assert find_bodies(find_supports(exact_views(strokes, views.size)), lone=True) == ()
+    assert find_bodies(find_carriers(exact_views(strokes, views.size)), lone=True) == ()
 
 
 @pytest.mark.parametrize(("off", "bodies"), [(12.0, 1), (8.0, 0)])
@@ -141,7 +141,7 @@ def test_an_arc_that_crosses_the_axis_between_its_ends_is_no_profile(
         Role.RIGHT: [*side, waist],
         Role.TOP: [*top, Arc((30.0, 30.0), off, 0.0, TURN, Linetype.HIDDEN)],
     }
-    found = find_bodies(find_supports(exact_views(strokes, (60.0, 60.0, 40.0))))
+    found = find_bodies(find_carriers(exact_views(strokes, (60.0, 60.0, 40.0))))
     assert len(found) == bodies
 
 
@@ -156,7 +156,7 @@ def test_a_fillet_at_which_no_circle_is_drawn_goes_on_from_its_cone() -> None:
     drawn = [*flange, *cone, *fillets]
     rounds = [Arc((30.0, 30.0), r, 0.0, TURN, Linetype.VISIBLE) for r in (10.0, 30.0)]
     strokes = {Role.FRONT: drawn, Role.RIGHT: drawn, Role.TOP: rounds}
-    bodies = find_bodies(find_supports(exact_views(strokes, (60.0, 60.0, 20.0))))
+    bodies = find_bodies(find_carriers(exact_views(strokes, (60.0, 60.0, 20.0))))
     below, fillet = sorted((body.profile for body in bodies), key=lambda item: item.low)
     scale = 100.0 / 60.0
     assert isinstance(below, LineProfile) and isinstance(fillet, ArcProfile)

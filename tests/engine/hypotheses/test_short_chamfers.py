@@ -7,10 +7,10 @@ from math import pi
 import pytest
 
 from gaussiancad_core.cells.surfaces_of_revolution import LineProfile
-from gaussiancad_core.coordinates.carriers import PartSupports, find_supports
+from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
-from gaussiancad_core.hypotheses.short_chamfers import with_untold_chamfers
+from gaussiancad_core.hypotheses.short_chamfers import with_short_chamfers
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
@@ -46,36 +46,38 @@ def _chamfer() -> list[Stroke]:
 
 def _block(
     front: list[Stroke], right: list[Stroke], radii: tuple[float, ...] = (_BORE, _MOUTH)
-) -> PartSupports:
+) -> PartCarriers:
     circles = [Arc((_CENTRE, _CENTRE), radius, 0.0, 2.0 * pi, _VISIBLE) for radius in radii]
     strokes = {
         Role.FRONT: (*_outline(40.0, 20.0), *front),
         Role.TOP: (*_outline(40.0, 40.0), *circles),
         Role.RIGHT: (*_outline(40.0, 20.0), *right),
     }
-    return find_supports(DrawnViews(strokes, _BOX, 0.1))
+    return find_carriers(DrawnViews(strokes, _BOX, 0.1))
 
 
-def _cones(supports: PartSupports) -> list[LineProfile]:
-    return [body.profile for body in find_bodies(with_untold_chamfers(supports))]
+def _cones(carriers: PartCarriers) -> list[LineProfile]:
+    return [body.profile for body in find_bodies(with_short_chamfers(carriers))]
 
 
 @pytest.mark.parametrize("shown", [(True, True), (True, False), (False, True)])
 def test_the_chamfer_between_two_circles_is_a_cone(shown: tuple[bool, bool]) -> None:
     front, right = (_bore() if one else [] for one in shown)
-    supports = _block(front, right)
-    assert not find_bodies(supports)
-    (cone,) = _cones(supports)
+    carriers = _block(front, right)
+    assert not find_bodies(carriers)
+    (cone,) = _cones(carriers)
     units = (cone.low, cone.high, cone.at_low, cone.at_high)
-    assert [value / supports.scale for value in units] == pytest.approx([19.0, 20.0, 4.0, 5.0])
+    assert [value / carriers.scale for value in units] == pytest.approx([19.0, 20.0, 4.0, 5.0])
 
 
 def test_its_lines_may_be_drawn_or_not() -> None:
-    found = with_untold_chamfers(_block(_bore(), _bore()))
+    found = with_short_chamfers(_block(_bore(), _bore()))
     for axis in (Axis.X, Axis.Y):
-        slants = [s for s in found.planes[axis].supports if s.curve.axis is None]
-        spans = [span for s in slants for this_span in s.spans.values() for span in this_span]
-        assert [span.confidence for span in spans] == [0.0, 0.0]
+        slants = [s for s in found.planes[axis].carriers if s.curve.axis is None]
+        intervals = [
+            interval for s in slants for this_span in s.intervals.values() for interval in this_span
+        ]
+        assert [interval.confidence for interval in intervals] == [0.0, 0.0]
 
 
 def test_a_step_is_no_chamfer() -> None:
@@ -95,21 +97,21 @@ def test_far_circles_would_have_had_their_lines_read() -> None:
 def test_lines_that_are_drawn_from_one_circle_elsewhere_are_another_cone() -> None:
     other = Segment((_CENTRE + _BORE, 19.0), (_CENTRE + 8.0, 20.0), _HIDDEN)
     strokes = [*_bore(), other]
-    supports = _block(strokes, strokes)
-    assert with_untold_chamfers(supports) == supports
+    carriers = _block(strokes, strokes)
+    assert with_short_chamfers(carriers) == carriers
 
 
 def test_what_one_view_shows_the_other_one_may_show() -> None:
-    supports = _block(_chamfer(), [])
-    assert not find_bodies(supports)
-    (cone,) = _cones(supports)
-    assert cone.at_high / supports.scale == pytest.approx(_MOUTH)
+    carriers = _block(_chamfer(), [])
+    assert not find_bodies(carriers)
+    (cone,) = _cones(carriers)
+    assert cone.at_high / carriers.scale == pytest.approx(_MOUTH)
     assert not _cones(_block(_chamfer()[:1], []))
 
 
 def test_nothing_is_added_where_all_is_drawn() -> None:
-    supports = _block([*_bore(), *_chamfer()], [*_bore(), *_chamfer()])
-    assert with_untold_chamfers(supports) == supports
+    carriers = _block([*_bore(), *_chamfer()], [*_bore(), *_chamfer()])
+    assert with_short_chamfers(carriers) == carriers
 
 
 def test_chamfers_that_are_drawn_do_not_count_among_those_that_may_be_lost() -> None:
@@ -131,16 +133,16 @@ def test_chamfers_that_are_drawn_do_not_count_among_those_that_may_be_lost() -> 
         Role.TOP: (*_outline(130.0, 40.0), *circles),
         Role.RIGHT: (*_outline(40.0, 20.0), *_bore(), *_chamfer()),
     }
-    supports = find_supports(DrawnViews(strokes, size, 0.1))
-    cones = [body.centre[0] / supports.scale for body in find_bodies(supports)]
-    completed = find_bodies(with_untold_chamfers(supports))
+    carriers = find_carriers(DrawnViews(strokes, size, 0.1))
+    cones = [body.centre[0] / carriers.scale for body in find_bodies(carriers)]
+    completed = find_bodies(with_short_chamfers(carriers))
     assert sorted(cones) == pytest.approx(bores[1:])
-    assert sorted(body.centre[0] / supports.scale for body in completed) == pytest.approx(bores)
+    assert sorted(body.centre[0] / carriers.scale for body in completed) == pytest.approx(bores)
 
 
 def test_exact_lines_are_all_there() -> None:
-    supports = replace(_block(_bore(), _bore()), tolerance=1e-4)
-    assert with_untold_chamfers(supports) == supports
+    carriers = replace(_block(_bore(), _bore()), tolerance=1e-4)
+    assert with_short_chamfers(carriers) == carriers
 
 
 def test_steep_chamfers_are_another_thing() -> None:
@@ -167,12 +169,12 @@ def test_the_undercut_between_a_shoulder_and_a_pin_is_a_cone(shoulder: float, co
     circles = [Arc((15.0, 15.0), radius, 0.0, 2.0 * pi, _VISIBLE) for radius in (3.0, _BORE)]
     side = _undercut(10.0, shoulder)
     strokes = {Role.FRONT: side, Role.TOP: (*_outline(30.0, 30.0), *circles), Role.RIGHT: side}
-    supports = find_supports(DrawnViews(strokes, (30.0, 30.0, 20.0), 0.1))
-    found = _cones(supports)
+    carriers = find_carriers(DrawnViews(strokes, (30.0, 30.0, 20.0), 0.1))
+    found = _cones(carriers)
     units = [(cone.low, cone.high, cone.at_low, cone.at_high) for cone in found]
     stated = [9.0, 10.0, 3.0, _BORE]
     assert len(units) == cones
-    assert all([v / supports.scale for v in unit] == pytest.approx(stated) for unit in units)
+    assert all([v / carriers.scale for v in unit] == pytest.approx(stated) for unit in units)
 
 
 @pytest.mark.parametrize(("farther", "cones"), [(0.0, 2), (0.3, 2), (0.6, 0)])
@@ -183,7 +185,7 @@ def test_the_ground_of_a_groove_is_told_by_its_circle(farther: float, cones: int
     """
     reach = 4.0 + farther
     ground = [Segment((_CENTRE - reach, 1.0), (_CENTRE + reach, 1.0), _HIDDEN)]
-    supports = _block(ground, ground, radii=(3.0, 4.0, 5.0))
-    units = [(cone.low, cone.high, cone.at_low, cone.at_high) for cone in _cones(supports)]
-    stated = sorted([round(v / supports.scale, 3) for v in unit] for unit in units)
+    carriers = _block(ground, ground, radii=(3.0, 4.0, 5.0))
+    units = [(cone.low, cone.high, cone.at_low, cone.at_high) for cone in _cones(carriers)]
+    stated = sorted([round(v / carriers.scale, 3) for v in unit] for unit in units)
     assert stated == [[0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 5.0, 4.0]][:cones]

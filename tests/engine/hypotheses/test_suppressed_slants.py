@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.hypotheses.suppressed_slants import with_untold_lines
+from gaussiancad_core.hypotheses.suppressed_slants import with_suppressed_slants
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype, Segment
 
@@ -35,8 +35,8 @@ def _cut_corner(leg: tuple[float, float, float], roles: tuple[Role, ...]) -> Dra
 
 
 def _slants(views: DrawnViews) -> int:
-    plane = with_untold_lines(find_supports(views)).planes[Axis.X]
-    return sum(support.curve.axis is None for support in plane.supports)
+    plane = with_suppressed_slants(find_carriers(views)).planes[Axis.X]
+    return sum(carrier.curve.axis is None for carrier in plane.carriers)
 
 
 def _edge(y: float, z: float) -> DrawnViews:
@@ -52,16 +52,16 @@ def _edge(y: float, z: float) -> DrawnViews:
 @given(st.integers(6, 15), st.integers(6, 15))
 def test_an_edge_of_two_views_may_be_drawn_in_the_third(y: int, z: int) -> None:
     y, z = y / 10.0, z / 10.0
-    supports = with_untold_lines(find_supports(_edge(y, z)))
-    found = [s for s in supports.planes[Axis.X].supports if s.curve.axis is None]
+    carriers = with_suppressed_slants(find_carriers(_edge(y, z)))
+    found = [s for s in carriers.planes[Axis.X].carriers if s.curve.axis is None]
     assert len(found) == 1
-    (span,) = found[0].spans[Role.RIGHT]
-    assert span.confidence == 0.0
-    ends = [found[0].curve.at(at) for at in (span.low, span.high)]
-    stated = sorted((a / supports.scale, b / supports.scale) for a, b in ends)
+    (interval,) = found[0].intervals[Role.RIGHT]
+    assert interval.confidence == 0.0
+    ends = [found[0].curve.at(at) for at in (interval.low, interval.high)]
+    stated = sorted((a / carriers.scale, b / carriers.scale) for a, b in ends)
     assert stated[0] == pytest.approx((0.0, 0.0), abs=1e-6)
     assert stated[1] == pytest.approx((y, z), abs=1e-6)
-    middle = (span.low + span.high) / 2.0
+    middle = (interval.low + interval.high) / 2.0
     assert found[0].linetype_at(Role.RIGHT, middle) is None
     assert found[0].is_open_at(Role.RIGHT, middle)
 
@@ -75,9 +75,9 @@ def test_a_line_that_is_drawn_stays_as_it_is() -> None:
     drawn = Segment((0.0, 0.0), (1.0, 1.2), Linetype.HIDDEN)
     strokes = {**views.strokes, Role.RIGHT: (*views.strokes[Role.RIGHT], drawn)}
     views = replace(views, strokes=strokes)
-    plane = with_untold_lines(find_supports(views)).planes[Axis.X]
-    (slant,) = (s for s in plane.supports if s.curve.axis is None)
-    assert [span.confidence for span in slant.spans[Role.RIGHT]] == [1.0]
+    plane = with_suppressed_slants(find_carriers(views)).planes[Axis.X]
+    (slant,) = (s for s in plane.carriers if s.curve.axis is None)
+    assert [interval.confidence for interval in slant.intervals[Role.RIGHT]] == [1.0]
 
 
 def test_one_view_alone_tells_nothing() -> None:
@@ -89,9 +89,11 @@ def test_an_edge_whose_ends_are_one_corner_is_no_line() -> None:
     # A third line crosses within reach of both ends.
     right = (*views.strokes[Role.RIGHT], Segment((0.35, 0.0), (0.0, 0.35), Linetype.HIDDEN))
     views = replace(views, strokes={**views.strokes, Role.RIGHT: right})
-    plane = with_untold_lines(find_supports(views)).planes[Axis.X]
-    spans = [span for support in plane.supports for span in support.spans[Role.RIGHT]]
-    assert all(span.high - span.low > _TOLERANCE for span in spans)
+    plane = with_suppressed_slants(find_carriers(views)).planes[Axis.X]
+    intervals = [
+        interval for carrier in plane.carriers for interval in carrier.intervals[Role.RIGHT]
+    ]
+    assert all(interval.high - interval.low > _TOLERANCE for interval in intervals)
 
 
 def test_where_ends_agree_by_chance_nothing_is_added() -> None:
@@ -104,7 +106,7 @@ def test_where_ends_agree_by_chance_nothing_is_added() -> None:
         scribble = zip(starts.tolist(), ends.tolist(), strict=True)
         lines = (Segment(tuple(a), tuple(b), Linetype.VISIBLE) for a, b in scribble)
         strokes[role] = (*outline, *lines)
-    supports = find_supports(replace(views, strokes=strokes))
-    found = with_untold_lines(supports)
-    for axis, plane in supports.planes.items():
-        assert len(found.planes[axis].supports) - len(plane.supports) <= 12
+    carriers = find_carriers(replace(views, strokes=strokes))
+    found = with_suppressed_slants(carriers)
+    for axis, plane in carriers.planes.items():
+        assert len(found.planes[axis].carriers) - len(plane.carriers) <= 12

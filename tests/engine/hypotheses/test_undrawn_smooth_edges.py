@@ -16,7 +16,7 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.coordinates.carrier_curves import axis_line
-from gaussiancad_core.coordinates.carriers import find_supports
+from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.hypotheses.undrawn_smooth_edges import with_smooth_edges
 from gaussiancad_core.kernel.brep import volume
@@ -52,7 +52,7 @@ def test_a_pad_that_passes_smoothly_into_a_face_is_found(drawn: Draw) -> None:
     part = model_part(drawn(solid))
     labels = Search(part.rules, Effort()).best(relaxed=False).labels
     assert labels is not None
-    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
+    built = build_solid(LabelledSpace(part.space, labels), part.carriers.scale)
     assert built.shape is not None
     assert volume(built.shape) == pytest.approx(volume(solid), rel=1e-7)
 
@@ -90,27 +90,27 @@ def test_a_web_that_touches_its_bosses_is_found(drawn: Draw, lower: float) -> No
     part = model_part(drawn(solid))
     labels = Search(part.rules, Effort()).best(relaxed=True).labels
     assert labels is not None
-    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
+    built = build_solid(LabelledSpace(part.space, labels), part.carriers.scale)
     assert built.shape is not None
     assert volume(built.shape) == pytest.approx(volume(solid), rel=1e-7)
 
 
 def test_the_edge_between_two_open_ends_may_be_drawn_or_not(drawn: Draw) -> None:
-    supports = find_supports(drawn(_padded(15.0, 25.0)))
-    units = supports.scale
-    front = with_smooth_edges(supports).planes[Axis.Y]
-    (added,) = (s for s in front.supports if s.curve == axis_line(1, 10.0 * units))
-    (span,) = added.spans[Role.FRONT]
-    assert (span.low, span.high) == pytest.approx((15.0 * units, 25.0 * units))
-    assert span.confidence == 0.0
+    carriers = find_carriers(drawn(_padded(15.0, 25.0)))
+    units = carriers.scale
+    front = with_smooth_edges(carriers).planes[Axis.Y]
+    (added,) = (s for s in front.carriers if s.curve == axis_line(1, 10.0 * units))
+    (interval,) = added.intervals[Role.FRONT]
+    assert (interval.low, interval.high) == pytest.approx((15.0 * units, 25.0 * units))
+    assert interval.confidence == 0.0
 
 
 def test_beyond_one_open_end_the_edge_goes_on_both_ways(drawn: Draw) -> None:
-    supports = find_supports(drawn(_padded(0.0, 25.0)))
-    units = supports.scale
-    front = with_smooth_edges(supports).planes[Axis.Y]
-    (added,) = (s for s in front.supports if s.curve == axis_line(1, 10.0 * units))
-    ends = sorted((span.low, span.high) for span in added.spans[Role.FRONT])
+    carriers = find_carriers(drawn(_padded(0.0, 25.0)))
+    units = carriers.scale
+    front = with_smooth_edges(carriers).planes[Axis.Y]
+    (added,) = (s for s in front.carriers if s.curve == axis_line(1, 10.0 * units))
+    ends = sorted((interval.low, interval.high) for interval in added.intervals[Role.FRONT])
     assert [end for pair in ends for end in pair] == pytest.approx(
         [0.0, 25.0 * units, 25.0 * units, 40.0 * units]
     )
@@ -120,5 +120,5 @@ def test_beyond_one_open_end_the_edge_goes_on_both_ways(drawn: Draw) -> None:
 def test_nothing_is_added_where_no_line_ends_in_the_open(
     name: str, sample_views: Callable[[str], DrawnViews]
 ) -> None:
-    plain = find_supports(sample_views(name))
+    plain = find_carriers(sample_views(name))
     assert with_smooth_edges(plain) == plain

@@ -12,8 +12,8 @@ from gaussiancad_core.labelling.clauses import SURFACES, Labels, Model, every, l
 from gaussiancad_core.labelling.equivalence_classes import (
     Form,
     Look,
-    Saying,
-    Sayings,
+    NormalisedConstraint,
+    NormalisedConstraints,
     eliminated,
     find_blocks,
     independent,
@@ -136,7 +136,7 @@ def test_what_is_said_of_blocks_is_what_rules_say(
     chosen = data.draw(st.integers(0, 2 ** len(blocks.free) - 1))
     cells = _cells_of(rules)
     labels = {cell: _sum(blocks.forms[cell], chosen) for cell in cells}
-    sayings = Sayings(blocks)
+    sayings = NormalisedConstraints(blocks)
     stated = [(sayings.of(rule), rule) for rule in rules]
     for said, rule in stated:
         assert _holds(said, chosen) == holds(rule, labels)
@@ -149,7 +149,7 @@ def test_what_is_said_of_blocks_is_what_rules_say(
     assert differing == sum(n for form, n in blocks.surfaces.items() if _sum(form, chosen))
 
 
-def _holds(said: Saying, chosen: int) -> bool:
+def _holds(said: NormalisedConstraint, chosen: int) -> bool:
     covered = False
     for place in said.places:
         if any(_sum(form, chosen) for form in place.differs):
@@ -218,7 +218,7 @@ def test_cells_of_one_block_make_one_clause() -> None:
     rules = [_lone((one, two), None, 4.0), _lone((three, two), None, 4.0), *edges]
     blocks = find_blocks(rules, lambda rule: rule.weight > 1.0)
     assert blocks.free == (one,)
-    assert len(set(map(Sayings(blocks).of, edges))) == 1
+    assert len(set(map(NormalisedConstraints(blocks).of, edges))) == 1
     model = Model(rules, lighter(1.0))
     assert set(model.given_up) == {2, 3, 4}
     assert len({literal.index for literal in model.given_up.values()}) == 1

@@ -29,7 +29,7 @@ def test_no_drawn_line_has_the_outside_on_both_sides(
     for plane in space.planes.values():
         assert plane.regions > 1
         for index, low, high in plane.stretches:
-            curve = plane.supports[index].curve
+            curve = plane.carriers[index].curve
             for share in (0.1, 0.37, 0.61, 0.9):
                 at = low + share * (high - low)
                 (a, b), (da, db) = curve.at(at), curve.normal(at)
@@ -42,9 +42,9 @@ def test_a_direction_without_a_view_is_the_whole_box(
 ) -> None:
     views = drawn(sample_solid("l-bracket"), (Role.FRONT, Role.TOP))
     part = model_part(views)
-    assert set(part.supports.planes) == {Axis.Y, Axis.Z}
+    assert set(part.carriers.planes) == {Axis.Y, Axis.Z}
     assert part.space.planes[Axis.X].regions == 2
-    second, third = part.supports.size[1:]
+    second, third = part.carriers.size[1:]
     for share in np.linspace(0.01, 0.99, 9):
         assert part.space.planes[Axis.X].locate(share * second, share * third) != OUTSIDE
     assert {rule.role for rule in part.rules} == {Role.FRONT, Role.TOP}
@@ -137,11 +137,11 @@ def test_where_values_are_rounded_the_unseen_side_is_as_large_as_they_are(stretc
     top = [_upright(at, y) for at in (0.0, *lines, x)] + [_level(at, x) for at in (0.0, 2.0, y)]
     strokes = {Role.FRONT: tuple(front), Role.TOP: tuple(top)}
     part = model_part(DrawnViews(strokes, (x, y, z), 0.04))
-    assert part.supports.nominal
+    assert part.carriers.nominal
     corners = part.space.planes[Axis.X].corners
     for place, axis in enumerate((Axis.Y, Axis.Z)):
         far = max(corner[place] for corner in corners)
-        assert far == max(part.supports.values[axis])
+        assert far == max(part.carriers.values[axis])
 
 
 def _upright(at: float, height: float) -> Segment:

@@ -9,7 +9,7 @@ from gaussiancad_core.cells.cell_complex import Cell, Surface
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.labelling.cell_labelling import Effort, Search
 from gaussiancad_core.labelling.part_model import model_part
-from gaussiancad_core.labelling.unconstrained_cells import with_unsaid
+from gaussiancad_core.labelling.unconstrained_cells import with_unconstrained
 from gaussiancad_core.labelling.visibility_rules import Group, Rule
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
@@ -53,13 +53,13 @@ def _labels(void: bool) -> dict[Cell, bool]:
 
 @pytest.mark.parametrize("void", [True, False])
 def test_a_face_goes_on_and_what_is_none_does_not(void: bool) -> None:
-    assert with_unsaid(_Columns(), (), _labels(void), _SLIM)[_cell(2)] is void
+    assert with_unconstrained(_Columns(), (), _labels(void), _SLIM)[_cell(2)] is void
 
 
 @pytest.mark.parametrize("thin", [0.01, 1.0])
 def test_slim_cells_change_where_no_rule_minds(thin: float) -> None:
     labels = {**_labels(True), _cell(2): False}
-    assert with_unsaid(_Columns(thin), (), labels, _SLIM)[_cell(2)] is (thin < 0.1)
+    assert with_unconstrained(_Columns(thin), (), labels, _SLIM)[_cell(2)] is (thin < 0.1)
 
 
 @pytest.mark.parametrize("linetype", [Linetype.VISIBLE, None])
@@ -69,9 +69,9 @@ def test_no_rule_that_holds_is_broken(linetype: Linetype | None) -> None:
     rule = Rule((Group((), (face,), (face,)),), linetype, 1.0, Role.FRONT, (0.0, 0.0))
     labels = {**_labels(True), _cell(2): False}
     held = linetype is None
-    assert with_unsaid(_Columns(0.01), (rule,), labels, _SLIM)[_cell(2)] is not held
+    assert with_unconstrained(_Columns(0.01), (rule,), labels, _SLIM)[_cell(2)] is not held
     rule = Rule((Group((), (other,), (other,)),), linetype, 1.0, Role.FRONT, (0.0, 0.0))
-    assert with_unsaid(_Columns(0.01), (rule,), labels, _SLIM)[_cell(2)] is held
+    assert with_unconstrained(_Columns(0.01), (rule,), labels, _SLIM)[_cell(2)] is held
 
 
 def test_any_label_of_a_part_follows_from_the_others(
@@ -80,7 +80,7 @@ def test_any_label_of_a_part_follows_from_the_others(
     part = model_part(sample_views("three-axis-block"))
     labels = Search(part.rules, Effort()).best().labels
     assert labels is not None
-    assert with_unsaid(part.space, part.rules, labels, _SLIM) == labels
+    assert with_unconstrained(part.space, part.rules, labels, _SLIM) == labels
     for cell in labels:
         others = {other: label for other, label in labels.items() if other != cell}
-        assert with_unsaid(part.space, part.rules, others, _SLIM) == labels
+        assert with_unconstrained(part.space, part.rules, others, _SLIM) == labels

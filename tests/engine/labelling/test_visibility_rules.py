@@ -53,7 +53,7 @@ def _truth(part: PartModel, solid: TopoDS_Shape) -> dict[Cell, bool]:
     """Labels of all cells beside pieces: whether the part holds a point of each."""
     classifier = BRepClass3d_SolidClassifier(solid)
     labels: dict[Cell, bool] = {}
-    for piece in find_pieces(part.space, part.supports.planes, _NEAR):
+    for piece in find_pieces(part.space, part.carriers.planes, _NEAR):
         normal = role_plane(piece.role).normal
         for way in (-BESIDE, BESIDE):
             a, b = (p + way * q for p, q in zip(piece.point, piece.across, strict=True))
@@ -62,7 +62,7 @@ def _truth(part: PartModel, solid: TopoDS_Shape) -> dict[Cell, bool]:
                 if cell is None or cell in labels or following.depth - crossing.depth < 1e-3:
                     continue
                 middle = lifted(normal, a, b, (crossing.depth + following.depth) / 2.0)
-                classifier.Perform(gp_Pnt(*(x / part.supports.scale for x in middle)), 1e-7)
+                classifier.Perform(gp_Pnt(*(x / part.carriers.scale for x in middle)), 1e-7)
                 labels[cell] = classifier.State() == TopAbs_State.TopAbs_IN
     return labels
 
@@ -102,7 +102,7 @@ def test_pieces_that_say_the_same_are_one_rule(
     sample_views: Callable[[str], DrawnViews],
 ) -> None:
     part = model_part(sample_views("stepped-block"))
-    pieces = list(find_pieces(part.space, part.supports.planes, _NEAR))
+    pieces = list(find_pieces(part.space, part.carriers.planes, _NEAR))
     once = rules_of(part.space, pieces)
     assert len({(rule.groups, rule.linetype) for rule in once}) == len(once)
     twice = rules_of(part.space, [*pieces, *pieces])
@@ -117,7 +117,7 @@ def test_columns_that_are_alike_say_what_their_groups_say(
     name: str, sample_views: Callable[[str], DrawnViews], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     part = model_part(sample_views(name))
-    pieces = list(find_pieces(part.space, part.supports.planes, _NEAR))
+    pieces = list(find_pieces(part.space, part.carriers.planes, _NEAR))
     quick = [groups_beside(part.space, piece) for piece in pieces]
     monkeypatch.setattr(visibility_rules, "_aligned", lambda *_: None)
     assert [groups_beside(part.space, piece) for piece in pieces] == quick

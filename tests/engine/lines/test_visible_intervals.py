@@ -4,7 +4,7 @@ import pytest
 from gaussiancad_core.geometry.line_tolerances import Precision
 from gaussiancad_core.kernel.solid_rays import SightLines
 from gaussiancad_core.lines.strokes import DrawnStroke
-from gaussiancad_core.lines.visibility import Sighting, Witness
+from gaussiancad_core.lines.visibility import RayTest, Visibility
 from gaussiancad_core.lines.visible_intervals import Line, decided
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -16,7 +16,7 @@ PART = fuse(box((0, 20, 0), (60, 40, 30)), box((10, 0, 0), (30, 20, 18)))
 
 
 def _decided(strokes: list[DrawnStroke], role: Role = Role.REAR) -> list[tuple]:
-    witness = Witness(SightLines(PART, role.frame, 1e-6), role.frame, 1e-3)
+    witness = RayTest(SightLines(PART, role.frame, 1e-6), role.frame, 1e-3)
     found = decided([Line(stroke, 0.0) for stroke in strokes], witness, PRECISION, False)
     return [
         (round(stroke.start[0], 2), round(stroke.end[0], 2), stroke.linetype) for stroke in found
@@ -46,17 +46,17 @@ def test_a_line_is_cut_where_it_stops_being_one_with_and_without_a_junction(help
     assert found[:2] == pytest.approx((-30.0, -10.0), abs=1e-9 if helped else 0.02)
 
 
-class _Fickle(Witness):
+class _Fickle(RayTest):
     """Says visible, but hidden near one place."""
 
     def __init__(self, place: tuple[float, float], reach: float) -> None:
         self._place, self._reach = place, reach
 
-    def sightings(
+    def visibility_of(
         self, points: np.ndarray, normals: np.ndarray, slacks: np.ndarray
-    ) -> list[Sighting]:
+    ) -> list[Visibility]:
         near = np.hypot(*(points - self._place).T) < self._reach
-        return [Sighting.HIDDEN if hidden else Sighting.VISIBLE for hidden in near]
+        return [Visibility.HIDDEN if hidden else Visibility.VISIBLE for hidden in near]
 
 
 def test_a_single_dissenter_is_overruled() -> None:

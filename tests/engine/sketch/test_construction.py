@@ -7,7 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.evidence.dimension_constraints import (
+    DimensionConstraints,
+    LengthDimension,
+    RadiusDimension,
+)
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.report.construction_sentences import construction_in_words
@@ -39,11 +43,11 @@ def test_a_bored_plate_is_a_slab_with_holes_and_says_what_fixes_it(
     assert all({stroke.view for stroke in level.strokes} >= {"front"} for level in plain.levels)
 
     hole = plain.holes[0]
-    stated = ToldNumbers(
+    stated = DimensionConstraints(
         (
-            ToldLength(Axis.Z, 0.0, high, high),
-            ToldLength(Axis.X, 0.0, wide, wide),
-            ToldRadius(Axis.Z, hole.centre, hole.diameter / 2.0, hole.diameter / 2.0),
+            LengthDimension(Axis.Z, 0.0, high, high),
+            LengthDimension(Axis.X, 0.0, wide, wide),
+            RadiusDimension(Axis.Z, hole.centre, hole.diameter / 2.0, hole.diameter / 2.0),
         ),
         0.05,
         0.01,

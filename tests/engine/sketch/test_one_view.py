@@ -13,7 +13,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.lines.cut_solids import section_view
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
-from gaussiancad_core.model.section_planes import Cut, Opening
+from gaussiancad_core.model.section_planes import Cut, CutRegion
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
 from gaussiancad_core.sketch.sketching import sketch
 
@@ -106,7 +106,7 @@ def test_a_circle_of_a_shaft_is_a_hole_across_it() -> None:
 def test_a_section_of_a_bush_tells_its_bore(half: bool) -> None:
     truth = bush()
     upper = shapely.box(-1e3, 20.0, 1e3, 1e3) if half else None
-    openings = (Opening(20.0, upper),)
+    openings = (CutRegion(20.0, upper),)
     section = section_view(truth, Role.FRONT, openings)
     views = turned(truth, hidden=False)
     found = sketch(

@@ -7,7 +7,7 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers
+from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints, LengthDimension
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import soundness, volume
 from gaussiancad_core.lines.strokes import mapped
@@ -95,7 +95,7 @@ def test_the_projection_is_that_whose_part_explains_more(
 def test_a_number_tells_how_thick_a_plate_is(sample_views: Views) -> None:
     views = sample_views("bored-plate")
     high = views.size[2]
-    stated = ToldNumbers((ToldLength(Axis.Z, 0.0, high, high + 0.04),), 0.05, 0.01)
+    stated = DimensionConstraints((LengthDimension(Axis.Z, 0.0, high, high + 0.04),), 0.05, 0.01)
     rough = replace(views, tolerance=0.1, apart=0.03, dimensions=stated)
     found = sketch(rough, GRID)
     assert found.slabs[-1].high == pytest.approx(high + 0.04, abs=1e-6)

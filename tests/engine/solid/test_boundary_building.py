@@ -21,7 +21,7 @@ from OCP.BRepPrimAPI import (
 from OCP.gp import gp_Ax2, gp_Ax3, gp_Cylinder, gp_Dir, gp_Pnt, gp_Sphere
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, RevolvedBody
+from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, SurfaceOfRevolution
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, volume
 from gaussiancad_core.labelling.cell_labelling import Effort, Search
@@ -46,7 +46,7 @@ def test_the_part_is_built_with_its_faces_and_volume(
     name: str, labelled: Labelled, sample_solid: Callable[[str], TopoDS_Shape]
 ) -> None:
     part, space = labelled(name)
-    built = build_solid(space, part.supports.scale)
+    built = build_solid(space, part.carriers.scale)
     truth = soundness(sample_solid(name))
     assert built.bodies == 1 and built.shape is not None
     state = soundness(built.shape)
@@ -63,7 +63,7 @@ def _built(solid: TopoDS_Shape, drawn: Draw) -> BuiltSolid:
     part = model_part(drawn(solid))
     labels = Search(part.rules, Effort()).best(relaxed=False).labels
     assert labels is not None
-    return build_solid(LabelledSpace(part.space, labels), part.supports.scale)
+    return build_solid(LabelledSpace(part.space, labels), part.carriers.scale)
 
 
 def test_a_cavity_is_a_second_shell(drawn: Draw) -> None:
@@ -91,13 +91,13 @@ def test_separate_bodies_are_counted_and_make_no_solid_but_the_largest_is_told(
 def test_no_material_no_solid(labelled: Labelled) -> None:
     part, space = labelled("stepped-block")
     void = LabelledSpace(part.space, dict.fromkeys(space.labels, False))
-    assert build_solid(void, part.supports.scale).shape is None
+    assert build_solid(void, part.carriers.scale).shape is None
 
 
 def test_all_material_is_the_space_that_the_outlines_leave(labelled: Labelled) -> None:
     part, space = labelled("pocket-block")
     full = LabelledSpace(part.space, dict.fromkeys(space.labels, True))
-    built = build_solid(full, part.supports.scale)
+    built = build_solid(full, part.carriers.scale)
     assert built.shape is not None
     low, high = bounding_box(built.shape)
     assert soundness(built.shape).faces == 6
@@ -140,9 +140,9 @@ def _low_step(height: float) -> tuple[PartModel, LabelledSpace]:
 def test_where_faces_do_not_close_narrower_ones_are_taken_along_if_there_is_time() -> None:
     height = 0.04
     part, space = _low_step(height)
-    still_open = build_solid(space, part.supports.scale, OVER)
+    still_open = build_solid(space, part.carriers.scale, OVER)
     assert not still_open.closed and still_open.open_at
-    built = build_solid(space, part.supports.scale)
+    built = build_solid(space, part.carriers.scale)
     assert built.shape is not None and soundness(built.shape).faces == 8
     assert volume(built.shape) == pytest.approx(60 * (100 * 30 + 50 * height), rel=1e-9)
 
@@ -183,7 +183,7 @@ def test_a_face_that_only_touches_others_does_not_keep_them_open(
 ) -> None:
     block = BRepAlgoAPI_Cut(_box(0, 0, 0, 94, 60, 22), _round_groove(38, 30, 15)).Shape()
     part = model_part(drawn(block))
-    units = part.supports.scale
+    units = part.carriers.scale
     touching = PlanePatch(Axis.Z, 2.0 * units, (36 * units, 39.2 * units, 15 * units, 16 * units))
 
     def with_touching(space: LabelledSpace, narrow: float) -> list[Patch]:
@@ -233,9 +233,9 @@ def test_faces_that_the_kernel_cannot_make_do_not_close(
 ) -> None:
     part, space = labelled("pocket-block")
     # Its profile crosses the axis that it turns about.
-    crossing = RevolvedBody(Axis.Z, (20.0, 20.0), ArcProfile(5.0, 25.0, 15.0, 8.0, 10.0, -1))
+    crossing = SurfaceOfRevolution(Axis.Z, (20.0, 20.0), ArcProfile(5.0, 25.0, 15.0, 8.0, 10.0, -1))
     monkeypatch.setattr(boundary_building, "_face", lambda patch: revolved_face(crossing))
-    assert build_solid(space, part.supports.scale) == BuiltSolid(None, 0, closed=False)
+    assert build_solid(space, part.carriers.scale) == BuiltSolid(None, 0, closed=False)
 
 
 def test_strips_narrower_than_seams_do_not_part_a_body() -> None:

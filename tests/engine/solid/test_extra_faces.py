@@ -15,7 +15,7 @@ from gaussiancad_core.cells.surfaces_of_revolution import (
     ArcProfile,
     LineProfile,
     Profile,
-    RevolvedBody,
+    SurfaceOfRevolution,
 )
 from gaussiancad_core.kernel.brep import subshapes
 from gaussiancad_core.model.axes import Axis
@@ -25,7 +25,7 @@ _CENTRE = (20.0, 30.0)
 
 
 def _face(profile: Profile, axis: Axis, sector: tuple[float, float] | None = None) -> TopoDS_Face:
-    return revolved_face(RevolvedBody(axis, _CENTRE, profile, sector))
+    return revolved_face(SurfaceOfRevolution(axis, _CENTRE, profile, sector))
 
 
 def _area(face: TopoDS_Face) -> float:

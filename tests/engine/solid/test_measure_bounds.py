@@ -9,14 +9,14 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.coordinates.constrained_places import ToldPlaces
-from gaussiancad_core.evidence.dimension_constraints import ToldLength, ToldNumbers
+from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces
+from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints, LengthDimension
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import faces_of, volume
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.known_faces import axes_of, is_known
-from gaussiancad_core.solid.known_measures import ToldMeasures
+from gaussiancad_core.solid.known_measures import DimensionEvidence
 from gaussiancad_core.solid.measure_bounds import MeasureSource
 from gaussiancad_protocol.modes import Status
 
@@ -27,8 +27,8 @@ _BOUND = 0.03
 
 def _known(shape: TopoDS_Shape, *stated: tuple[float, ...], radii: tuple[float, ...] = ()) -> int:
     """How many faces follow from numbers along x, y and z."""
-    places = ToldPlaces(dict(zip(Axis, stated, strict=True)), radii, 0.05, 0.01)
-    return sum(is_known(face, ToldMeasures(places, 1e-3)) for face in faces_of(shape))
+    places = ConstrainedPlaces(dict(zip(Axis, stated, strict=True)), radii, 0.05, 0.01)
+    return sum(is_known(face, DimensionEvidence(places, 1e-3)) for face in faces_of(shape))
 
 
 def test_told_sides_are_known() -> None:
@@ -86,7 +86,7 @@ def test_numbers_tell_measures_but_for_their_rounding(numbered: bool, drawn: Dra
     solid = BRepAlgoAPI_Cut(block, slot).Shape()
     # A picture's lines: off by hundredths, for which the numbers make up.
     stated = [
-        ToldLength(axis, 0.01, value - 0.01, value)
+        LengthDimension(axis, 0.01, value - 0.01, value)
         for axis, value in (
             (Axis.X, 12.07),
             (Axis.X, 33.73),
@@ -96,7 +96,7 @@ def test_numbers_tell_measures_but_for_their_rounding(numbered: bool, drawn: Dra
             (Axis.Z, 24.17),
         )
     ]
-    numbers = ToldNumbers(tuple(stated if numbered else stated[2:4]), 0.05, 0.004)
+    numbers = DimensionConstraints(tuple(stated if numbered else stated[2:4]), 0.05, 0.004)
     result = exact_solid(replace(_picture(drawn(solid)), dimensions=numbers))
     assert volume(result.shape) == pytest.approx(volume(solid), rel=1e-9)
     assert (result.status, result.reasons) == (Status.VERIFIED, ())

@@ -12,7 +12,7 @@ from gaussiancad_core.kernel.brep import bounding_box
 from gaussiancad_core.lines.cut_solids import section_view
 from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.model.section_planes import Cut, Opening, SectionRole
+from gaussiancad_core.model.section_planes import Cut, CutRegion, SectionRole
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.solid.exact import exact_solid
@@ -43,13 +43,13 @@ def _drawn(shape: TopoDS_Shape, plain: tuple[Role, ...], section: Role) -> Drawn
     size = tuple(float(item) for item in high - low)
     drawing = LineDrawing(shape)
     at = size[section.frame.look_axis[0].value] / 2.0
-    this_section_view = section_view(shape, section, (Opening(at),))
+    this_section_view = section_view(shape, section, (CutRegion(at),))
     strokes = {
         role: tuple(s for s in drawing.view(role) if s.linetype is Linetype.VISIBLE)
         for role in plain
     }
     views = exact_views({**strokes, section: this_section_view.strokes}, size)
-    return replace(views, cuts={section: Cut((Opening(at),), this_section_view.areas)})
+    return replace(views, cuts={section: Cut((CutRegion(at),), this_section_view.areas)})
 
 
 @pytest.mark.parametrize("section", [Role.FRONT, Role.RIGHT, Role.LEFT])
@@ -92,7 +92,7 @@ def test_hatching_where_nothing_is_cut_is_told() -> None:
 
 
 def _beside(
-    shape: TopoDS_Shape, plain: tuple[Role, ...], openings: tuple[Opening, ...]
+    shape: TopoDS_Shape, plain: tuple[Role, ...], openings: tuple[CutRegion, ...]
 ) -> DrawnViews:
     """Views without hidden lines, and a section beside the front view."""
     low, high = bounding_box(shape)
@@ -117,7 +117,7 @@ _OFFSET = cut(
 
 def test_a_section_beside_tells_what_plain_views_do_not(iou: Iou) -> None:
     part = _PARTS["blind bore"]
-    views = _beside(part, (Role.FRONT, Role.TOP, Role.RIGHT), (Opening(20.0),))
+    views = _beside(part, (Role.FRONT, Role.TOP, Role.RIGHT), (CutRegion(20.0),))
     found = exact_solid(views)
     assert found.shape is not None
     assert found.explains
@@ -126,8 +126,8 @@ def test_a_section_beside_tells_what_plain_views_do_not(iou: Iou) -> None:
 
 def test_an_offset_section_cuts_at_several_depths(iou: Iou) -> None:
     openings = (
-        Opening(10.0, shapely.box(-1e3, -1e3, 30.0, 1e3)),
-        Opening(28.0, shapely.box(30.0, -1e3, 1e3, 1e3)),
+        CutRegion(10.0, shapely.box(-1e3, -1e3, 30.0, 1e3)),
+        CutRegion(28.0, shapely.box(30.0, -1e3, 1e3, 1e3)),
     )
     found = exact_solid(_beside(_OFFSET, (Role.FRONT, Role.TOP), openings))
     assert found.shape is not None
@@ -137,7 +137,7 @@ def test_an_offset_section_cuts_at_several_depths(iou: Iou) -> None:
 
 def test_half_of_a_view_is_cut(iou: Iou) -> None:
     part = _PARTS["counterbore"]
-    openings = (Opening(20.0, shapely.box(30.0, -1e3, 1e3, 1e3)),)
+    openings = (CutRegion(20.0, shapely.box(30.0, -1e3, 1e3, 1e3)),)
     this_section_view = section_view(part, Role.FRONT, openings)
     plain = _drawn(part, (Role.TOP,), Role.FRONT)
     views = replace(

@@ -8,7 +8,7 @@ import torch
 
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.splatting.density import Density
-from gaussiancad_core.splatting.gaussian_model import Trainee
+from gaussiancad_core.splatting.gaussian_model import GaussianModel
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import DensityControl, Rates
 
@@ -18,9 +18,9 @@ COUNT = 50
 
 
 @pytest.fixture
-def trainee(box_surface: TriangleMesh) -> Trainee:
+def trainee(box_surface: TriangleMesh) -> GaussianModel:
     """Fifty Gaussians of a size of 0.01, all of which have moved once."""
-    found = Trainee(gaussians_on(box_surface, Start(COUNT)), 4.0, Rates(), "cpu")
+    found = GaussianModel(gaussians_on(box_surface, Start(COUNT)), 4.0, Rates(), "cpu")
     with torch.no_grad():
         found.parameters.log_scales.fill_(float(np.log(0.01)))
     for tensor in found.parameters.tensors:
@@ -29,7 +29,7 @@ def trainee(box_surface: TriangleMesh) -> Trainee:
     return found
 
 
-def density(trainee: Trainee, control: DensityControl = CONTROL) -> Density:
+def density(trainee: GaussianModel, control: DensityControl = CONTROL) -> Density:
     return Density(control, EXTENT, trainee, np.random.default_rng(0))
 
 
@@ -40,7 +40,7 @@ def pulls(*chosen: int, strength: float = 1.0) -> torch.Tensor:
     return gradients
 
 
-def test_small_ones_are_doubled_where_the_loss_pulls(trainee: Trainee) -> None:
+def test_small_ones_are_doubled_where_the_loss_pulls(trainee: GaussianModel) -> None:
     before = [tensor.detach().clone() for tensor in trainee.parameters.tensors]
     roots = trainee.roots
     this_density = density(trainee)
@@ -56,7 +56,7 @@ def test_small_ones_are_doubled_where_the_loss_pulls(trainee: Trainee) -> None:
     assert (state["means_first"][:COUNT] != 0.0).all() and (state["means_first"][COUNT:] == 0).all()
 
 
-def test_large_ones_are_split_into_two_smaller_ones_nearby(trainee: Trainee) -> None:
+def test_large_ones_are_split_into_two_smaller_ones_nearby(trainee: GaussianModel) -> None:
     with torch.no_grad():
         trainee.parameters.log_scales[5] = torch.log(torch.tensor([0.1, 0.05, 1e-4]))
         trainee.parameters.quaternions[5] = torch.tensor([1.0, 0.0, 0.0, 0.0])
@@ -74,7 +74,9 @@ def test_large_ones_are_split_into_two_smaller_ones_nearby(trainee: Trainee) -> 
     assert (away < 5.0 * torch.tensor([0.1, 0.05, 1e-4])).all()
 
 
-def test_weak_pulls_change_nothing_and_means_are_over_the_times_seen(trainee: Trainee) -> None:
+def test_weak_pulls_change_nothing_and_means_are_over_the_times_seen(
+    trainee: GaussianModel,
+) -> None:
     this_density = density(trainee)
     this_density.note(pulls(3, strength=0.99), (2, 2))
     this_density.after(20)
@@ -87,14 +89,14 @@ def test_weak_pulls_change_nothing_and_means_are_over_the_times_seen(trainee: Tr
 
 
 @pytest.mark.parametrize("iteration", [10, 25, 100, 110])
-def test_nothing_changes_at_other_times(trainee: Trainee, iteration: int) -> None:
+def test_nothing_changes_at_other_times(trainee: GaussianModel, iteration: int) -> None:
     this_density = density(trainee)
     this_density.note(pulls(1, 2, strength=9.0), (2, 2))
     this_density.after(iteration)
     assert len(trainee) == COUNT
 
 
-def test_the_transparent_die_and_after_a_reset_the_huge(trainee: Trainee) -> None:
+def test_the_transparent_die_and_after_a_reset_the_huge(trainee: GaussianModel) -> None:
     with torch.no_grad():
         trainee.parameters.logit_opacities[:4] = -6.0
         trainee.parameters.log_scales[10] = 0.0
@@ -105,7 +107,7 @@ def test_the_transparent_die_and_after_a_reset_the_huge(trainee: Trainee) -> Non
     assert len(trainee) == COUNT - 5
 
 
-def test_a_reset_makes_all_nearly_transparent(trainee: Trainee) -> None:
+def test_a_reset_makes_all_nearly_transparent(trainee: GaussianModel) -> None:
     density(trainee, replace(CONTROL, every=7)).after(40)
     opacities = torch.sigmoid(trainee.parameters.logit_opacities.detach())
     assert opacities.numpy() == pytest.approx(np.full(COUNT, 0.01), rel=1e-4)
@@ -113,7 +115,7 @@ def test_a_reset_makes_all_nearly_transparent(trainee: Trainee) -> None:
     assert (trainee.state()["means_first"] != 0.0).all()
 
 
-def test_none_are_born_beyond_the_limit_and_the_last_do_not_die(trainee: Trainee) -> None:
+def test_none_are_born_beyond_the_limit_and_the_last_do_not_die(trainee: GaussianModel) -> None:
     this_density = density(trainee, replace(CONTROL, most=COUNT + 1))
     this_density.note(pulls(1, 2, strength=9.0), (2, 2))
     this_density.after(20)

@@ -18,8 +18,8 @@ from gaussiancad_core.splatting.gsplat_draw import draw_gsplat
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
 from gaussiancad_core.splatting.rasterizer import (
     Backend,
-    Optics,
     Parameters,
+    RasterSettings,
     Rendering,
     rasteriser,
 )
@@ -143,7 +143,7 @@ def test_what_is_handed_to_gsplat_is_what_the_reference_draws(
     for draw in (draw_gsplat, draw_reference, draw_tiles):
         some = parameters(12, torch.float64)
         shifts = torch.zeros(3, 12, 2, dtype=torch.float64, requires_grad=True)
-        rendering = draw(some, batch, Optics(dilation=0.1), shifts)
+        rendering = draw(some, batch, RasterSettings(dilation=0.1), shifts)
         images = (rendering.colours, rendering.alphas, rendering.depths)
         slopes = gradients(rendering, (*some.tensors, shifts))
         found.append([tensor.detach() for tensor in (*images, *slopes)])
@@ -155,7 +155,9 @@ def test_what_is_handed_to_gsplat_is_what_the_reference_draws(
 def test_limits_that_gsplat_does_not_have_are_refused() -> None:
     batch = cameras(CameraModel.ORTHOGRAPHIC, 32, torch.float32)
     with pytest.raises(ValueError, match="fixed"):
-        draw_gsplat(parameters(2, torch.float32), batch, replace(Optics(), largest_alpha=0.9))
+        draw_gsplat(
+            parameters(2, torch.float32), batch, replace(RasterSettings(), largest_alpha=0.9)
+        )
 
 
 def test_it_is_found_by_name() -> None:
@@ -169,15 +171,15 @@ def test_on_a_gpu_all_back_ends_agree(model: CameraModel) -> None:
         pytest.skip(f"no GPU to compare with: {problem}")
     batch = cameras(model, 96, torch.float32)
     plain, fast = (
-        gradients(draw(item, batch, Optics()), item.tensors)
+        gradients(draw(item, batch, RasterSettings()), item.tensors)
         for draw, item in (
             (draw_reference, parameters(200, torch.float32)),
             (draw_tiles, parameters(200, torch.float32)),
         )
     )
     this_parameters = parameters(200, torch.float32, "cuda")
-    rendering = draw_gsplat(this_parameters, batch.on("cuda"), Optics())
-    other = draw_reference(parameters(200, torch.float32), batch, Optics())
+    rendering = draw_gsplat(this_parameters, batch.on("cuda"), RasterSettings())
+    other = draw_reference(parameters(200, torch.float32), batch, RasterSettings())
     for name, tolerance in (("colours", 4e-3), ("alphas", 4e-3), ("depths", 4e-2)):
         difference = (getattr(rendering, name).cpu() - getattr(other, name)).abs().max()
         assert difference <= tolerance, name

@@ -15,8 +15,8 @@ from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
 from gaussiancad_core.splatting.rasterizer import (
     Backend,
-    Optics,
     Parameters,
+    RasterSettings,
     Rendering,
     parameters_of,
     rasteriser,
@@ -34,7 +34,7 @@ SIZE = (50.0, 30.0, 40.0)
 THREE = (Role.FRONT, Role.TOP, Role.RIGHT)
 BOTH = pytest.mark.parametrize("draw", [draw_tiles, draw_reference])
 MODELS = pytest.mark.parametrize("model", list(CameraModel))
-SMOOTH = Optics(smallest_alpha=0.0, largest_alpha=0.9999, smallest_transmittance=0.0)
+SMOOTH = RasterSettings(smallest_alpha=0.0, largest_alpha=0.9999, smallest_transmittance=0.0)
 
 
 def cameras(
@@ -133,7 +133,7 @@ def test_tiles_draw_and_differentiate_as_the_reference_does(
 ) -> None:
     batch = cameras(model, 70, dtype)
     some = parameters(60, 0.2, dtype)
-    fast, plain = (draw(some, batch, Optics()) for draw in (draw_tiles, draw_reference))
+    fast, plain = (draw(some, batch, RasterSettings()) for draw in (draw_tiles, draw_reference))
     for name in ("colours", "alphas", "depths"):
         one, other = getattr(fast, name), getattr(plain, name)
         assert one.dtype == dtype
@@ -149,7 +149,7 @@ def test_thin_slanting_gaussians_lose_no_pixel(model: CameraModel) -> None:
     with torch.no_grad():
         some.log_scales[:, 2] -= 4.0
         some.log_scales[::2, 1] -= 3.0
-    optics = Optics(dilation=0.02)
+    optics = RasterSettings(dilation=0.02)
     fast, plain = (draw(some, batch, optics) for draw in (draw_tiles, draw_reference))
     assert float(plain.alphas.detach().max()) > 0.5
     for name in ("colours", "alphas", "depths"):
@@ -182,7 +182,7 @@ def test_an_opaque_pile_ends_the_drawing_in_both_back_ends(model: CameraModel) -
     with torch.no_grad():
         some.logit_opacities.fill_(6.0)
     batch = cameras(model, 40, torch.float64)
-    fast, plain = (draw(some, batch, Optics()) for draw in (draw_tiles, draw_reference))
+    fast, plain = (draw(some, batch, RasterSettings()) for draw in (draw_tiles, draw_reference))
     assert float((1.0 - plain.alphas).min().detach()) < 1e-4
     assert torch.allclose(fast.colours, plain.colours, atol=1e-12)
     for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
@@ -202,9 +202,9 @@ def test_what_lies_outside_or_behind_draws_nothing_and_gets_no_gradient(
         some.means[2] += torch.tensor([0.0, -far if model is CameraModel.PINHOLE else far, far])
         some.logit_opacities[3] = -20.0
     batch = cameras(model, 64, torch.float64, (Role.FRONT,))
-    rendering = draw(some, batch, Optics())
+    rendering = draw(some, batch, RasterSettings())
     alone = Parameters(*(tensor.detach()[4:].requires_grad_() for tensor in some.tensors))
-    assert torch.allclose(rendering.alphas, draw(alone, batch, Optics()).alphas, atol=1e-12)
+    assert torch.allclose(rendering.alphas, draw(alone, batch, RasterSettings()).alphas, atol=1e-12)
     for gradient in gradients(rendering, some):
         assert torch.isfinite(gradient).all()
         assert (gradient[:4] == 0.0).all()
@@ -213,7 +213,7 @@ def test_what_lies_outside_or_behind_draws_nothing_and_gets_no_gradient(
 @BOTH
 def test_no_gaussians_draw_blank_images(draw: object) -> None:
     none = Parameters(*(tensor.detach()[:0].requires_grad_() for tensor in one_gaussian().tensors))
-    rendering = draw(none, cameras(CameraModel.ORTHOGRAPHIC, 20, torch.float64), Optics())
+    rendering = draw(none, cameras(CameraModel.ORTHOGRAPHIC, 20, torch.float64), RasterSettings())
     assert rendering.colours.shape == (3, 3, 20, 20)
     assert (rendering.alphas == 0.0).all()
     assert all(gradient.numel() == 0 for gradient in gradients(rendering, none))
@@ -227,7 +227,7 @@ def test_the_number_of_threads_does_not_change_a_bit() -> None:
     try:
         for threads in (1, before):
             numba.set_num_threads(threads)
-            rendering = draw_tiles(some, batch, Optics())
+            rendering = draw_tiles(some, batch, RasterSettings())
             found.append((rendering.colours.detach(), *gradients(rendering, some)))
     finally:
         numba.set_num_threads(before)
@@ -267,6 +267,6 @@ def test_warming_up_compiles_what_a_run_calls() -> None:
     before = [len(kernel.signatures) for kernel in kernels]
     some = parameters(10, 0.2, torch.float32)
     for model in CameraModel:
-        rendering = draw_tiles(some, cameras(model, 32, torch.float32), Optics())
+        rendering = draw_tiles(some, cameras(model, 32, torch.float32), RasterSettings())
         gradients(rendering, some)
     assert [len(kernel.signatures) for kernel in kernels] == before

@@ -17,9 +17,9 @@ from gaussiancad_core.sheet.registration.axis_clusters import (
 )
 from gaussiancad_core.sheet.registration.stroke_carriers import (
     AxisLine,
+    CarriedStrokes,
     Round,
     Support,
-    SupportedStrokes,
 )
 from gaussiancad_core.sheet.registration.stroke_precision import Precision
 
@@ -82,7 +82,7 @@ class SeenByViews:
         loose: centres too uncertain to be coordinates; circles' sides tell them.
     """
 
-    def __init__(self, views: Sequence[PlaneView], supported: Sequence[SupportedStrokes]) -> None:
+    def __init__(self, views: Sequence[PlaneView], supported: Sequence[CarriedStrokes]) -> None:
         self.views = views
         self.supported = supported
         self.limits = _common_limits(views)

@@ -32,10 +32,10 @@ from gaussiancad_core.sheet.registration.seen_coordinates import (
 )
 from gaussiancad_core.sheet.registration.stroke_carriers import (
     AxisLine,
+    CarriedStrokes,
     Round,
     Slant,
     Support,
-    SupportedStrokes,
     supports_of,
 )
 from gaussiancad_core.sheet.registration.vertices import Grid, settled_strokes
@@ -295,7 +295,7 @@ class _Unknowns:
         return list(dict.fromkeys(ties))
 
 
-def _on_shared(strokes: SupportedStrokes, view: PlaneView, place: ViewMap) -> SupportedStrokes:
+def _on_shared(strokes: CarriedStrokes, view: PlaneView, place: ViewMap) -> CarriedStrokes:
     """A view's strokes and supports on the shared axes, as its map has them."""
     signs = np.array([sign for _, sign in view.axes], dtype=float)
     gain, shift = np.array(place.gain), signs * np.array(place.shift)
@@ -328,7 +328,7 @@ def _on_shared(strokes: SupportedStrokes, view: PlaneView, place: ViewMap) -> Su
             return replace(support, line=line)
         return replace(support, centre=moved(support.centre), radius=scale * support.radius)
 
-    return SupportedStrokes(
+    return CarriedStrokes(
         tuple(stroke_moved(stroke) for stroke in strokes.strokes),
         tuple(support_moved(support) for support in strokes.supports),
         strokes.of,
@@ -336,7 +336,7 @@ def _on_shared(strokes: SupportedStrokes, view: PlaneView, place: ViewMap) -> Su
 
 
 def _settled(
-    unknowns: _Unknowns, view: PlaneView, index: int, supported_strokes: SupportedStrokes
+    unknowns: _Unknowns, view: PlaneView, index: int, supported_strokes: CarriedStrokes
 ) -> tuple[Stroke, ...]:
     """The strokes of a view at the shared coordinates."""
     signs = [sign for _, sign in view.axes]
@@ -362,7 +362,7 @@ def _settled(
 
     levels = tuple(np.sort(sign * unknowns.levels[axis]) for axis, sign in view.axes)
     grid = Grid((levels[0], levels[1]), view.precision)
-    settled = SupportedStrokes(
+    settled = CarriedStrokes(
         tuple(_translated(stroke, -zeros) for stroke in supported_strokes.strokes),
         tuple(
             support_settled(number, support)

@@ -88,7 +88,7 @@ Support = AxisLine | Slant | Round
 
 
 @dataclass(frozen=True, eq=False)
-class SupportedStrokes:
+class CarriedStrokes:
     """Strokes and what they lie on.
 
     Attributes:
@@ -102,7 +102,7 @@ class SupportedStrokes:
     of: tuple[int | None, ...]
 
 
-def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> SupportedStrokes:
+def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> CarriedStrokes:
     """What the strokes of a view lie on."""
     groups: list[list[int]] = []
     of: list[int | None] = []
@@ -125,7 +125,7 @@ def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> SupportedS
     supports = tuple(
         _support([strokes[i] for i in this_groups], precision) for this_groups in groups
     )
-    return SupportedStrokes(strokes, supports, tuple(of))
+    return CarriedStrokes(strokes, supports, tuple(of))
 
 
 class _Firsts:

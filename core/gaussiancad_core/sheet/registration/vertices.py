@@ -17,10 +17,10 @@ from gaussiancad_core.model.views import Arc, Segment, Stroke
 from gaussiancad_core.sheet.registration.curve_crossings import crossings, meeting, nearest
 from gaussiancad_core.sheet.registration.stroke_carriers import (
     AxisLine,
+    CarriedStrokes,
     Round,
     Slant,
     Support,
-    SupportedStrokes,
 )
 from gaussiancad_core.sheet.registration.stroke_precision import Precision
 
@@ -75,7 +75,7 @@ class Grid:
         return nearest if abs(nearest - value) <= allowed else value
 
 
-def settled_strokes(strokes: SupportedStrokes, grid: Grid) -> tuple[Stroke, ...]:
+def settled_strokes(strokes: CarriedStrokes, grid: Grid) -> tuple[Stroke, ...]:
     """The strokes with their ends at common vertices.
 
     Args:
@@ -115,7 +115,7 @@ def end_points(stroke: Stroke) -> tuple[Point, Point] | None:
     return None
 
 
-def _vertices(strokes: SupportedStrokes, precision: Precision) -> list[Vertex]:
+def _vertices(strokes: CarriedStrokes, precision: Precision) -> list[Vertex]:
     """Ends that lie together, and what passes there."""
     from scipy.spatial import cKDTree
 
@@ -161,7 +161,7 @@ def _vertices(strokes: SupportedStrokes, precision: Precision) -> list[Vertex]:
     ]
 
 
-def _passing(strokes: SupportedStrokes, places: Floats, reach: float) -> list[list[int]]:
+def _passing(strokes: CarriedStrokes, places: Floats, reach: float) -> list[list[int]]:
     """For each of (n, 2) places the supports of strokes that run through it."""
     found: list[list[int]] = [[] for _ in places]
     for stroke, support in zip(strokes.strokes, strokes.of, strict=True):
@@ -185,7 +185,7 @@ def _passing(strokes: SupportedStrokes, places: Floats, reach: float) -> list[li
     return found
 
 
-def _place(vertex: Vertex, strokes: SupportedStrokes, grid: Grid, slanted: bool) -> Point | None:
+def _place(vertex: Vertex, strokes: CarriedStrokes, grid: Grid, slanted: bool) -> Point | None:
     """Where the supports of a vertex meet.
 
     Args:
@@ -283,7 +283,7 @@ def _foot(slant: Round | Slant, place: Point) -> Point:
 
 def _relaid(
     number: int,
-    supported_strokes: SupportedStrokes,
+    supported_strokes: CarriedStrokes,
     on_it: tuple[Sequence[Stroke], Sequence[tuple[Vertex, Point | None]]],
     grid: Grid,
 ) -> Slant:
@@ -367,7 +367,7 @@ def _settled_segment(
     return replace(segment, start=start, end=end)
 
 
-def _settled(strokes: SupportedStrokes, index: int, ends: dict[tuple[int, int], Point]) -> Stroke:
+def _settled(strokes: CarriedStrokes, index: int, ends: dict[tuple[int, int], Point]) -> Stroke:
     """A stroke on its support, with the ends of its vertices."""
     stroke, number = strokes.strokes[index], strokes.of[index]
     support = strokes.supports[number] if number is not None else None

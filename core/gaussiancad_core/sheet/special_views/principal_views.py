@@ -19,7 +19,7 @@ from gaussiancad_core.sheet.special_views.cut_views import hatched_box, section_
 from gaussiancad_core.sheet.special_views.drawing_names import details, inside, merged, special_kind
 from gaussiancad_core.sheet.special_views.half_views import Half, completed, find_halves
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
-from gaussiancad_core.sheet.views.captioned_views import Caption, captioned, told_projection
+from gaussiancad_core.sheet.views.captioned_views import Caption, captioned, projection_named
 from gaussiancad_core.sheet.views.role_score import Drawings, arrange
 from gaussiancad_core.sheet.views.sheet_layout import (
     Layout,
@@ -211,7 +211,7 @@ def _arranged(
 def _named(named: dict[Role, Box], clusters: list[Box], projection: Projection | None) -> Layout:
     """The layout where captions name the views: their places tell the projection."""
     rest = tuple(box for box in clusters if box not in named.values())
-    stated_projection = projection or told_projection(named)
+    stated_projection = projection or projection_named(named)
     source: ProjectionSource = "inferred" if projection is None else "given"
     return Layout(named, stated_projection or Projection.THIRD, source, (), rest)
 

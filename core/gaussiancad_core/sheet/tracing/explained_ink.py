@@ -16,7 +16,7 @@ from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Geometry, L
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
-from gaussiancad_core.sheet.tracing.linetype_odds import Told
+from gaussiancad_core.sheet.tracing.linetype_odds import RunOdds
 
 _MIN_NEW = 0.4
 """Share of a run's ink that no earlier stroke of about its direction explains."""
@@ -105,7 +105,7 @@ def is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bo
 
 
 def is_next_dash(
-    geometry: Geometry, runs: list[Told], index: int, explained: Explained, rhythm: Rhythm
+    geometry: Geometry, runs: list[RunOdds], index: int, explained: Explained, rhythm: Rhythm
 ) -> bool:
     """Whether a run follows a series of dashes, and is new but for what ran from strokes across."""
     run = runs[index][0]
@@ -113,8 +113,12 @@ def is_next_dash(
 
 
 def with_dashes_beside(
-    curve: Curve, runs: Sequence[Told], fresh: Sequence[Told], rhythm: Rhythm, stroke_width: float
-) -> list[Told]:
+    curve: Curve,
+    runs: Sequence[RunOdds],
+    fresh: Sequence[RunOdds],
+    rhythm: Rhythm,
+    stroke_width: float,
+) -> list[RunOdds]:
     """The new runs of a curve, and those that may be dashes beside them.
 
     What an arc has of a dash that goes on along its tangent lies in the tangent's ink: it is no new
@@ -162,7 +166,7 @@ def joins_arcs(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -
 
 def told_linetypes(
     geometry: Geometry,
-    runs: list[Told],
+    runs: list[RunOdds],
     explained: npt.NDArray[np.uint8],
     rhythm: Rhythm,
 ) -> list[float]:
@@ -189,7 +193,7 @@ def _direction_marks(vectors: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
     return np.rint(degrees / 2.0).astype(int) % _HALF_TURN + 1
 
 
-def _has_dash_beside(runs: list[Told], index: int, rhythm: Rhythm) -> bool:
+def _has_dash_beside(runs: list[RunOdds], index: int, rhythm: Rhythm) -> bool:
     """Whether a run follows a dash, or is followed by one, at about the sheet's gap."""
     for other in (index - 1, index + 1):
         if not 0 <= other < len(runs):

@@ -255,10 +255,10 @@ def _close_gaps(runs: list[Run], gap: float) -> list[Run]:
 def learn_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm:
     """Dash and gap of a sheet from the runs of all its shapes, or usual ones."""
     usual = Rhythm(4.0 * stroke_width + 2.0, 2.0 * stroke_width + 1.0)
-    return told_rhythm(series, SHORTEST_DASH * stroke_width) or usual
+    return labelled_rhythm(series, SHORTEST_DASH * stroke_width) or usual
 
 
-def told_rhythm(series: Sequence[Sequence[Run]], shortest: float) -> Rhythm | None:
+def labelled_rhythm(series: Sequence[Sequence[Run]], shortest: float) -> Rhythm | None:
     """Dash and gap of a sheet as the runs of its shapes tell them, if they do.
 
     A shape counts if it has three runs or more in a row whose inner ones are of one length, with

@@ -50,7 +50,7 @@ from gaussiancad_core.sheet.tracing.junctions import FULL_TURN, ended_at_junctio
 from gaussiancad_core.sheet.tracing.leftover_tracing import trace_remainder
 from gaussiancad_core.sheet.tracing.line_widths import Pens
 from gaussiancad_core.sheet.tracing.linetype_changes import with_changes_at_junctions
-from gaussiancad_core.sheet.tracing.linetype_odds import told_runs
+from gaussiancad_core.sheet.tracing.linetype_odds import run_odds
 from gaussiancad_core.sheet.tracing.outline_bows import with_bows
 from gaussiancad_core.sheet.tracing.outline_jogs import find_jogs
 from gaussiancad_core.sheet.tracing.parted_lines import parted_at_corners
@@ -170,7 +170,7 @@ def _seen_pieces(
         inked = own_runs(shape.geometry, shape.runs, lines, rhythm, width)
         # The ink of twins is as wide as both.
         own_pens = Pens() if pens is None or shape.twin else pens
-        runs = told_runs(view.sheet, shape.geometry, inked, own_pens)
+        runs = run_odds(view.sheet, shape.geometry, inked, own_pens)
         fresh = [
             (run, odds)
             for k, (run, odds) in enumerate(runs)

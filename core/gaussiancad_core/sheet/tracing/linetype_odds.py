@@ -20,7 +20,7 @@ from gaussiancad_core.sheet.tracing.line_widths import Pens, widths_along
 
 Floats = npt.NDArray[np.float64]
 
-Told = tuple[Run, float]
+RunOdds = tuple[Run, float]
 """A run, and log-odds that it is hidden: what something but its length tells; 0 for nothing."""
 
 _BY_PEN = 2.5
@@ -39,7 +39,9 @@ _ALIKE = 1.35
 """Ratio of the lengths of dashes in a row at most."""
 
 
-def told_runs(sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: Pens) -> list[Told]:
+def run_odds(
+    sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: Pens
+) -> list[RunOdds]:
     """The runs of a shape, cut where its ink changes from hidden to visible, with their log-odds.
 
     Args:
@@ -50,9 +52,9 @@ def told_runs(sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: 
     """
     if sheet.hidden_odds is None and not pens.distinct:
         return [(run, 0.0) for run in runs]
-    found: list[Told] = []
+    found: list[RunOdds] = []
     for run in runs:
-        cut: list[Told] = []
+        cut: list[RunOdds] = []
         odds = odds_along(sheet, geometry, run, pens)
         for first, last in _stretches(odds):
             step = run.length / (len(odds) - 1)
@@ -79,7 +81,7 @@ def odds_along(sheet: CleanSheet, geometry: Geometry, run: Run, pens: Pens) -> F
     return odds
 
 
-def _joined(cut: list[Told]) -> list[Told]:
+def _joined(cut: list[RunOdds]) -> list[RunOdds]:
     """The stretches of a run, without the cuts beside which nothing is told to change; all of it
     with the mean log-odds where none is visible, as then no edge begins."""
     if all(odds > -TOLD for _, odds in cut):
@@ -97,14 +99,14 @@ def _joined(cut: list[Told]) -> list[Told]:
     return joined
 
 
-def _shared_in_rows(runs: list[Told]) -> list[Told]:
+def _shared_in_rows(runs: list[RunOdds]) -> list[RunOdds]:
     """The runs, those of a row of dashes with their mean log-odds: they are of one kind."""
     lengths = np.array([run.length for run, _ in runs])
     alike = np.maximum(lengths[1:], lengths[:-1]) <= _ALIKE * np.minimum(lengths[1:], lengths[:-1])
     # Two of equal length may be anything; three are a row.
     adjacent = np.pad(alike, 1)
     follows = np.concatenate([[False], alike & (adjacent[:-2] | adjacent[2:])])[: len(runs)]
-    found: list[Told] = []
+    found: list[RunOdds] = []
     for row in np.split(np.arange(len(runs)), np.flatnonzero(~follows))[1:]:
         odds = [runs[k][1] for k in row]
         known = [odd for odd in odds if odd]

@@ -31,10 +31,10 @@ from gaussiancad_core.sheet.tracing.ink_runs import (
     Run,
     circle_runs,
     ink_field,
+    labelled_rhythm,
     learn_rhythm,
     line_runs,
     runs_spans,
-    told_rhythm,
 )
 from gaussiancad_core.sheet.tracing.ink_shapes import (
     edge_map,
@@ -214,10 +214,10 @@ def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
     labelled = [
         list(runs) for view in views for shape in view.shapes for runs in _hidden(view, shape)
     ]
-    if rhythm := told_rhythm(labelled, SHORTEST_DOT * stroke_width):
+    if rhythm := labelled_rhythm(labelled, SHORTEST_DOT * stroke_width):
         return rhythm
     series = [list(shape.runs) for view in views for shape in view.shapes]
-    if rhythm := told_rhythm(series, SHORTEST_DASH * stroke_width):
+    if rhythm := labelled_rhythm(series, SHORTEST_DASH * stroke_width):
         return rhythm
     drawn = [(view.field, shape.geometry, shape.runs) for view in views for shape in view.shapes]
     return paired_rhythm(drawn, stroke_width) or learn_rhythm(series, stroke_width)

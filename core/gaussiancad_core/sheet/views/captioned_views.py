@@ -50,7 +50,7 @@ def captioned(captions: Sequence[Caption], figures: Sequence[Box]) -> dict[Role,
     return best
 
 
-def told_projection(views: dict[Role, Box]) -> Projection | None:
+def projection_named(views: dict[Role, Box]) -> Projection | None:
     """The projection under which views with known roles stand as they do; None where they tell
     none, or both."""
     front = views.get(Role.FRONT)

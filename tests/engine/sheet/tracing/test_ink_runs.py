@@ -14,8 +14,8 @@ from gaussiancad_core.sheet.tracing.ink_runs import (
     Run,
     bridged,
     ink_field,
+    labelled_rhythm,
     line_runs,
-    told_rhythm,
     with_dashes_between,
     with_dashes_led_to,
 )
@@ -94,4 +94,4 @@ def test_a_short_wide_dash_that_begins_on_an_edge_is_one(length: int) -> None:
 def test_runs_that_touch_are_no_dashes(gap: float) -> None:
     """They were cut where the pen changes."""
     runs = [Run(k * (10.0 + gap), k * (10.0 + gap) + 10.0) for k in range(6)]
-    assert told_rhythm([runs], 2.0) == (Rhythm(10.0, gap) if gap else None)
+    assert labelled_rhythm([runs], 2.0) == (Rhythm(10.0, gap) if gap else None)

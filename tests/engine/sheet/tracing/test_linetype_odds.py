@@ -13,7 +13,7 @@ from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
 from gaussiancad_core.sheet.tracing.line_widths import Pens, widths_along
-from gaussiancad_core.sheet.tracing.linetype_odds import Told, told_runs
+from gaussiancad_core.sheet.tracing.linetype_odds import RunOdds, run_odds
 from gaussiancad_core.sheet.tracing.run_linetypes import classify
 from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
 
@@ -34,7 +34,7 @@ def _labelled(sheet: CleanSheet, hidden: list[tuple[slice, slice]]) -> CleanShee
     return replace(sheet, hidden_odds=odds)
 
 
-def _kinds(stated: list[Told]) -> list[tuple[Run, Linetype | None]]:
+def _kinds(stated: list[RunOdds]) -> list[tuple[Run, Linetype | None]]:
     """What is told of each run."""
     return [
         (run, HIDDEN if odds >= TOLD else VISIBLE if odds <= -TOLD else None)
@@ -46,7 +46,7 @@ def _kinds(stated: list[Told]) -> list[tuple[Run, Linetype | None]]:
 def test_a_run_is_cut_where_the_pen_changes(sketch: Sketch, place: float) -> None:
     drawn = sketch().line((20, 60), (place, 60), 3.0)
     sheet = clean_sheet(drawn.line((place, 60), (150, 60), 2.0).grey)
-    stated = _kinds(told_runs(sheet, LEVEL, [Run(20.0, 150.0)], PENS))
+    stated = _kinds(run_odds(sheet, LEVEL, [Run(20.0, 150.0)], PENS))
     assert [kind for _, kind in stated] == [VISIBLE, HIDDEN]
     first, second = (run for run, _ in stated)
     assert (first.start, second.end) == (20.0, 150.0)
@@ -59,7 +59,7 @@ def test_crossings_do_not_cut(sketch: Sketch) -> None:
         drawn.line((x, 20), (x, 100), 3.0)
     sheet = clean_sheet(drawn.grey)
     run = Run(22.0, 147.0)
-    assert _kinds(told_runs(sheet, LEVEL, [run], PENS)) == [(run, HIDDEN)]
+    assert _kinds(run_odds(sheet, LEVEL, [run], PENS)) == [(run, HIDDEN)]
     widths = widths_along(sheet, LEVEL, run)
     assert len(widths) == 126
     assert np.nanmedian(widths) == pytest.approx(2.0, abs=0.2)
@@ -70,7 +70,7 @@ def test_the_last_pixels_do_not_tell_a_long_run(sketch: Sketch) -> None:
     drawn = sketch().line((20, 60), (144, 60), 3.0).line((144, 60), (150, 60), 2.0)
     drawn.line((20, 63), (146, 63), 3.0)
     run = Run(20.0, 150.0)
-    assert _kinds(told_runs(clean_sheet(drawn.grey), LEVEL, [run], PENS)) == [(run, None)]
+    assert _kinds(run_odds(clean_sheet(drawn.grey), LEVEL, [run], PENS)) == [(run, None)]
 
 
 def test_nothing_is_cut_where_no_pen_is_told_to_change(sketch: Sketch) -> None:
@@ -78,7 +78,7 @@ def test_nothing_is_cut_where_no_pen_is_told_to_change(sketch: Sketch) -> None:
     drawn = sketch().line((20, 60), (150, 60), 2.5).line((50, 60), (80, 130), 2.5)
     sheet = clean_sheet(drawn.line((120, 60), (90, 130), 2.5).line((60, 60), (100, 60), 3.0).grey)
     run = Run(22.0, 147.0)
-    assert _kinds(told_runs(sheet, LEVEL, [run], PENS)) == [(run, VISIBLE)]
+    assert _kinds(run_odds(sheet, LEVEL, [run], PENS)) == [(run, VISIBLE)]
 
 
 def test_the_pen_tells_what_dashes_do_not() -> None:
@@ -107,13 +107,13 @@ def test_labels_tell_where_no_pen_does(sketch: Sketch) -> None:
     for x in (50, 100):
         sheet.hidden_odds[:, x - 2 : x + 3] = -6.0
     run = Run(22.0, 147.0)
-    assert _kinds(told_runs(sheet, LEVEL, [run], Pens())) == [(run, HIDDEN)]
-    assert told_runs(clean_sheet(drawn.grey), LEVEL, [run], Pens()) == [(run, 0.0)]
+    assert _kinds(run_odds(sheet, LEVEL, [run], Pens())) == [(run, HIDDEN)]
+    assert run_odds(clean_sheet(drawn.grey), LEVEL, [run], Pens()) == [(run, 0.0)]
 
 
 def test_a_run_is_cut_where_its_label_changes(sketch: Sketch) -> None:
     sheet = clean_sheet(sketch().line((20, 60), (150, 60), 2.5).grey)
-    stated = told_runs(_labelled(sheet, [np.s_[:, 90:]]), LEVEL, [Run(20.0, 150.0)], Pens())
+    stated = run_odds(_labelled(sheet, [np.s_[:, 90:]]), LEVEL, [Run(20.0, 150.0)], Pens())
     assert [kind for _, kind in _kinds(stated)] == [VISIBLE, HIDDEN]
     assert stated[0][0].end == stated[1][0].start == pytest.approx(90.0, abs=1.0)
 
@@ -125,7 +125,7 @@ def test_a_run_of_which_nothing_is_visible_is_not_cut(sketch: Sketch) -> None:
     odds = np.full(sheet.ink.shape, -0.5, np.float16)
     odds[:, :45] = odds[:, 130:] = 4.0
     run = Run(20.0, 150.0)
-    stated = told_runs(replace(sheet, hidden_odds=odds), LEVEL, [run], Pens())
+    stated = run_odds(replace(sheet, hidden_odds=odds), LEVEL, [run], Pens())
     assert _kinds(stated) == [(run, None)]
     found = classify([run], RHYTHM, [(False, False)], stated=[odds for _, odds in stated])
     assert [piece.linetype for piece in found] == [VISIBLE]
@@ -139,9 +139,9 @@ def test_pen_and_label_add_up(sketch: Sketch) -> None:
         replace(sheet, hidden_odds=np.full(sheet.ink.shape, odds, np.float16))
         for odds in (-0.3, -6.0)
     )
-    (stated,) = told_runs(doubtful, LEVEL, [run], PENS)
-    assert TOLD < stated[1] < told_runs(sheet, LEVEL, [run], PENS)[0][1]
-    assert told_runs(sure, LEVEL, [run], PENS)[0][1] < 0.0
+    (stated,) = run_odds(doubtful, LEVEL, [run], PENS)
+    assert TOLD < stated[1] < run_odds(sheet, LEVEL, [run], PENS)[0][1]
+    assert run_odds(sure, LEVEL, [run], PENS)[0][1] < 0.0
 
 
 def test_a_row_shares_what_its_dashes_tell(sketch: Sketch) -> None:
@@ -151,11 +151,11 @@ def test_a_row_shares_what_its_dashes_tell(sketch: Sketch) -> None:
     for run in row:
         drawn.line((run.start, 60), (run.end, 60), 2.5)
     sheet = _labelled(clean_sheet(drawn.grey), [np.s_[:, :54], np.s_[:, 70:]])
-    stated = told_runs(sheet, LEVEL, row, Pens())
+    stated = run_odds(sheet, LEVEL, row, Pens())
     assert len({odds for _, odds in stated}) == 1
     found = classify(row, RHYTHM, [(True, True)] * 5, stated=[odds for _, odds in stated])
     assert [piece.linetype for piece in found] == [HIDDEN]
-    ((_, alone),) = told_runs(sheet, LEVEL, row[2:3], Pens())
+    ((_, alone),) = run_odds(sheet, LEVEL, row[2:3], Pens())
     assert alone < -TOLD
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.sheet.reading_options import Box
-from gaussiancad_core.sheet.views.captioned_views import Caption, captioned, told_projection
+from gaussiancad_core.sheet.views.captioned_views import Caption, captioned, projection_named
 
 FRONT, TOP, RIGHT = (
     (460.0, 115.0, 640.0, 385.0),
@@ -47,9 +47,9 @@ def test_captions_without_figures_name_nothing() -> None:
 
 
 def test_places_tell_the_projection() -> None:
-    assert told_projection(FIRST_ANGLE) is Projection.FIRST
+    assert projection_named(FIRST_ANGLE) is Projection.FIRST
     third = {Role.FRONT: TOP, Role.TOP: FRONT}
-    assert told_projection(third) is Projection.THIRD
-    assert told_projection({Role.TOP: TOP, Role.RIGHT: RIGHT}) is None
+    assert projection_named(third) is Projection.THIRD
+    assert projection_named({Role.TOP: TOP, Role.RIGHT: RIGHT}) is None
     mixed = {Role.FRONT: FRONT, Role.TOP: TOP, Role.LEFT: RIGHT}
-    assert told_projection(mixed) is None
+    assert projection_named(mixed) is None
