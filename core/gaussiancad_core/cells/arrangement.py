@@ -32,15 +32,10 @@ from gaussiancad_core.coordinates.point_chains import (
     crossings_with_chain,
     crossings_with_curves,
 )
+from gaussiancad_core.geometry.tolerances import ASIDE, ON_CURVE
 
 _SAME = 3e-6
 """Coordinates closer than this are one."""
-
-_ON = 1e-5
-"""Reach of a stretch's ends, in units."""
-
-_OPENING = 2e-5
-"""Gap on a slab's border from which regions join through it."""
 
 OUTSIDE = 0
 
@@ -203,7 +198,7 @@ class Arrangement:
 
     def _on(self, index: int, stretch: Sequence[float], point: Point) -> bool:
         curve = self.carriers[index].curve
-        at, slack = curve.parameter(point), _ON / curve.speed
+        at, slack = curve.parameter(point), ON_CURVE / curve.speed
         turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
         return any(stretch[0] - slack <= at + t <= stretch[1] + slack for t in turns)
 
@@ -287,7 +282,7 @@ class Arrangement:
             walls = standing[border]
             marks = sorted([*left, *right, *(b for wall in walls for b in wall[1:3])])
             for low, high in zip([-1e9, *marks], [*marks, 1e9], strict=True):
-                if high - low < _OPENING:
+                if high - low < ASIDE:
                     continue
                 middle = (low + high) / 2.0
                 if any(wall[1] - 1e-7 < middle < wall[2] + 1e-7 for wall in walls):
@@ -381,7 +376,7 @@ class Arrangement:
             ]
             for one, (low, high) in zip(stacks[index], pairwise(sides[0]), strict=True):
                 for other, (start, end) in zip(stacks[index + 1], pairwise(sides[1]), strict=True):
-                    if one != other and min(high, end) - max(low, start) > _OPENING:
+                    if one != other and min(high, end) - max(low, start) > ASIDE:
                         found.add((one, other))
         if stacks:
             ends = [*stacks[0], *stacks[-1]]

@@ -12,6 +12,7 @@ from typing import NamedTuple, Protocol
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement, distinct
 from gaussiancad_core.cells.arrangement_kernels import CHAIN, ROUGH
 from gaussiancad_core.coordinates.carrier_curves import PlaneCurve, Point
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -25,9 +26,6 @@ Surface = tuple[int, int]
 """Which surface: (normal of the plane, support) or (BODY, body)."""
 
 BODY = 3
-
-FUSED = 1e-6
-"""Depths closer than this, with parallel normals, are one crossing."""
 
 PARALLEL = 1.0 - 2e-4
 """Cosine of the angle within which normals are parallel."""
@@ -229,7 +227,7 @@ class Space:
                 before = after
                 continue
             last = crossings[-1] if crossings else None
-            if last and abs(last.depth - depth) < FUSED and parallel(last.normal, direction):
+            if last and abs(last.depth - depth) < COMPUTED and parallel(last.normal, direction):
                 crossings[-1] = Crossing(last.depth, last.normal, last.surface, last.before, after)
             else:
                 crossings.append(Crossing(depth, direction, surface, before, after))
@@ -296,9 +294,9 @@ def _within_chains(steps: list[_Step]) -> list[_Step]:
         depth = step[0]
         for at, region in chains if step[2][1] != CHAIN else ():
             if region != OUTSIDE and at - ROUGH < depth <= at:
-                depth = at + FUSED
+                depth = at + COMPUTED
             elif region == OUTSIDE and at <= depth < at + ROUGH:
-                depth = at - FUSED
+                depth = at - COMPUTED
         moved.append((depth, *step[1:]))
     return sorted(moved, key=_depth)
 

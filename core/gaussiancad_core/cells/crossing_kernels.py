@@ -20,17 +20,15 @@ from gaussiancad_core.cells.arrangement_kernels import (
     locate,
     longer,
 )
-from gaussiancad_core.cells.cell_complex import BODY, FUSED, PARALLEL
+from gaussiancad_core.cells.cell_complex import BODY, PARALLEL
 from gaussiancad_core.cells.revolution_kernels import MOST, crossings
+from gaussiancad_core.geometry.tolerances import ASIDE, COMPUTED
 
 VOID = -1
 """Key of what is no cell."""
 
 SURFACES = 1 << 32
 """More than any plane has supports."""
-
-BESIDE = 2e-5
-"""Units between a line and the columns beside it."""
 
 GROUP = 0.06
 """Units of depth within which crossings of both columns are looked at together."""
@@ -128,9 +126,9 @@ def _within_chains(count, depths, surfaces, regions):  # noqa: ANN001, ANN202
             if surfaces[chain] % SURFACES == 0:
                 at = depths[chain]
                 if regions[chain] != 0 and at - ROUGH < depth <= at:
-                    depth = at + FUSED
+                    depth = at + COMPUTED
                 elif regions[chain] == 0 and at <= depth < at + ROUGH:
-                    depth = at - FUSED
+                    depth = at - COMPUTED
         depths[k] = depth
 
 
@@ -202,7 +200,7 @@ def _column(frame, sides, which, steps, column):  # noqa: ANN001, ANN202
         depth, normal = steps[0][k], steps[1][k]
         if (
             found
-            and abs(depths[found - 1] - depth) < FUSED
+            and abs(depths[found - 1] - depth) < COMPUTED
             and _parallel(normals[found - 1], normal)
         ):
             after[found - 1] = key
@@ -351,7 +349,7 @@ def _is_clear(item, point, across):  # noqa: ANN001, ANN202
 def _beside(sides, piece, side):  # noqa: ANN001, ANN202
     """The point of a column."""
     point, across = sides.points[piece], sides.across[piece]
-    way = BESIDE if side else -BESIDE
+    way = ASIDE if side else -ASIDE
     return point[0] + way * across[0], point[1] + way * across[1]
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.cells.cell_complex import Space
-from gaussiancad_core.cells.grid_rows import NEAR, SHORT, SIDE, Row, find_rows
+from gaussiancad_core.cells.grid_rows import Row, find_rows
 from gaussiancad_core.coordinates.carrier_curves import (
     PlaneCurve,
     Point,
@@ -25,6 +25,7 @@ from gaussiancad_core.coordinates.carrier_curves import (
 from gaussiancad_core.coordinates.carriers import PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.coordinates.point_chains import chain_distances
+from gaussiancad_core.geometry.tolerances import ASIDE, COMPUTED, ON_CURVE, SHORTEST
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -53,9 +54,6 @@ _ALONG = 0.999
 
 _STEADY = 1e-3
 """Slope over depth below which a curve of two surfaces is a point in the view."""
-
-_EDGE_ON = 1e-6
-"""Slope below which a curve's tangent has no graph over depth."""
 
 
 @dataclass(frozen=True)
@@ -119,7 +117,7 @@ def find_pieces(
 def _is_outline(arrangement: Arrangement, point: Point, across: Point) -> bool:
     """Whether the outside begins at a piece: nothing hides it, whatever it looks like."""
     (a, b), (da, db) = point, across
-    one, other = (arrangement.locate(a + way * da, b + way * db) for way in (-SIDE, SIDE))
+    one, other = (arrangement.locate(a + way * da, b + way * db) for way in (-ASIDE, ASIDE))
     return (one == OUTSIDE) != (other == OUTSIDE)
 
 
@@ -129,7 +127,7 @@ def _is_outside(arrangement: Arrangement, point: Point, across: Point) -> bool:
     An outline that is a curve of two surfaces is known as a chain of chords, a hair inside of it.
     """
     (a, b), (da, db) = point, across
-    return all(arrangement.locate(a + way * da, b + way * db) == OUTSIDE for way in (-SIDE, SIDE))
+    return all(arrangement.locate(a + way * da, b + way * db) == OUTSIDE for way in (-ASIDE, ASIDE))
 
 
 def _drawn(carrier: Carrier | None, role: Role, point: Point) -> tuple[Linetype | None, float]:
@@ -198,7 +196,7 @@ def _cuts(
                 cuts.add(curve.parameter(point))
     inside = sorted(t for t in cuts if stretch[0] - 1e-9 <= t <= stretch[1] + 1e-9)
     for low, high in pairwise(inside):
-        if (high - low) * curve.speed >= SHORT:
+        if (high - low) * curve.speed >= SHORTEST:
             yield low, high
 
 
@@ -249,7 +247,7 @@ class _Branch:
                 continue
             normal = self.curve.normal(at)
             along = normal[1 - depth_coordinate]
-            if abs(along) > _EDGE_ON:
+            if abs(along) > COMPUTED:
                 found.append((point[1 - depth_coordinate], -normal[depth_coordinate] / along))
         return found
 
@@ -288,7 +286,7 @@ def _meeting_curves(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, 
             point, slope_a, slope_b = run[len(run) // 2]
             steep = hypot(slope_a, slope_b)
             length = (high - low) * len(run) / _SAMPLES * steep
-            if length > SHORT:
+            if length > SHORTEST:
                 yield point, (-slope_b / steep, slope_a / steep), length
 
 
@@ -318,7 +316,7 @@ def _meeting_lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, f
         for depth, drawn in _planes_across(space.planes[facing], facing, normal):
             found = {at for branch in branches for at, _ in branch.over(depth, place)}
             for value in found:
-                if any(abs(value - known) < NEAR for known in space.values[facing]):
+                if any(abs(value - known) < ON_CURVE for known in space.values[facing]):
                     continue
                 for low, high in pairwise(space.values[adjacent_axis]):
                     at = low + SHARE * (high - low)

@@ -15,17 +15,9 @@ from gaussiancad_core.cells.arrangement_kernels import CHAIN, traces
 from gaussiancad_core.cells.cell_complex import Space
 from gaussiancad_core.coordinates.carrier_curves import LineCurve, PlaneCurve
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
+from gaussiancad_core.geometry.tolerances import ASIDE, ON_CURVE, SHORTEST
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-SHORT = 1e-3
-"""Units that a piece is long at least."""
-
-NEAR = 1e-5
-"""Units within which a value is that of a support."""
-
-SIDE = 2e-5
-"""Units beside a line at which its sides are looked up."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +39,7 @@ class Row:
     def pieces(self) -> Iterator[tuple[float, float]]:
         """Ends of its pieces."""
         for low, high in pairwise(self.cuts):
-            if high - low >= SHORT:
+            if high - low >= SHORTEST:
                 yield low, high
 
 
@@ -75,7 +67,7 @@ def find_rows(space: Space, normal: Axis) -> list[Row]:
 
 def count_pieces(rows: Sequence[Row]) -> int:
     """How many pieces lines of a grid have."""
-    return sum(int(np.count_nonzero(np.diff(row.cuts) >= SHORT)) for row in rows)
+    return sum(int(np.count_nonzero(np.diff(row.cuts) >= SHORTEST)) for row in rows)
 
 
 def _met(plane: Arrangement, coordinate: int, value: float) -> Iterator[tuple[float, int]]:
@@ -94,7 +86,7 @@ def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float
     axis = Axis(IN_PLANE[normal][coordinate])
     adjacent_plane = next(plane for plane in Axis if plane not in (normal, axis))
     place = IN_PLANE[adjacent_plane].index(axis.value)
-    sides = np.array(values)[:, None] + np.array([-SIDE, SIDE])
+    sides = np.array(values)[:, None] + np.array([-ASIDE, ASIDE])
     found = traces(space.planes[adjacent_plane].table, place, sides.ravel())
     slices = [slice(low, high) for low, high in pairwise(found.starts.tolist())]
     return [
@@ -106,4 +98,4 @@ def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float
 
 
 def _is_at(curve: PlaneCurve, coordinate: int, value: float) -> bool:
-    return isinstance(curve, LineCurve) and abs(curve.point[coordinate] - value) < NEAR
+    return isinstance(curve, LineCurve) and abs(curve.point[coordinate] - value) < ON_CURVE

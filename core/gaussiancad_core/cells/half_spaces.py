@@ -8,14 +8,9 @@ regions of all views do, the half space counts (see :class:`.columns.Space`).
 from dataclasses import dataclass
 
 from gaussiancad_core.coordinates.carrier_curves import PlaneCurve, Point, line_through
+from gaussiancad_core.geometry.tolerances import FAR, SHORTEST
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_FAR = 1e3
-"""Units; farther than any part."""
-
-_SHORT = 1e-3
-"""Units that a crease is long at least in a view to be looked at."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +45,7 @@ class HalfSpace:
         One of the two is far away: the half space has no other border than the plane.
         """
         depth = self.depth(normal, a, b)
-        end = -_FAR if self.normal[normal.value] > 0.0 else _FAR
+        end = -FAR if self.normal[normal.value] > 0.0 else FAR
         return sorted([(depth, self.normal), (end, self.normal)])
 
     def rims(self, normal: Axis) -> list[tuple[PlaneCurve, tuple[float, float]]]:
@@ -62,7 +57,7 @@ class HalfSpace:
         found: list[tuple[PlaneCurve, tuple[float, float]]] = []
         for crease in self.creases:
             start, end = ((point[first], point[second]) for point in crease)
-            if max(abs(start[0] - end[0]), abs(start[1] - end[1])) < _SHORT:
+            if max(abs(start[0] - end[0]), abs(start[1] - end[1])) < SHORTEST:
                 continue
             line = line_through(start, end)
             if line.axis is None:

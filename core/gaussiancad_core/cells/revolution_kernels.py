@@ -11,7 +11,7 @@ from math import hypot, sqrt
 import numpy as np
 from numba import njit
 
-from gaussiancad_core.cells.surfaces_of_revolution import AXIS, FAR
+from gaussiancad_core.geometry.tolerances import FAR, UNIT_VECTOR
 
 HALF_SPACE, CONE, ROUND = 0.0, 1.0, 2.0
 
@@ -117,7 +117,7 @@ def crossings(body, normal, at, out):  # noqa: ANN001, ANN201
 def _met_along(body, at, out):  # noqa: ANN001, ANN202
     a, b = at
     axis = int(body[ALONG])
-    r = max(hypot(a, b), AXIS)
+    r = max(hypot(a, b), UNIT_VECTOR)
     count = 0
     for z in (body[LOW], body[HIGH]):
         if (r > _radius(body, z)) == bool(body[BEYOND]):
@@ -125,7 +125,7 @@ def _met_along(body, at, out):  # noqa: ANN001, ANN202
     heights = np.empty(2)
     for k in range(_heights(body, r, heights)):
         along_r, along_z = _leaving(body, heights[k])
-        away = (0.0, 0.0) if r <= AXIS else (a / r, b / r)
+        away = (0.0, 0.0) if r <= UNIT_VECTOR else (a / r, b / r)
         direction = (along_r * away[0], along_r * away[1], along_z)
         count = _put(out, count, heights[k], axis, direction)
     return count
@@ -172,7 +172,7 @@ def _met_sector(body, at, out):  # noqa: ANN001, ANN202
     for side in range(2):
         inward = (body[SECTOR + 1 + 2 * side], body[SECTOR + 2 + 2 * side])
         slope, rest = inward[place], inward[1 - place] * off
-        if abs(slope) < AXIS:
+        if abs(slope) < UNIT_VECTOR:
             if rest <= 0.0:
                 return 0
             continue

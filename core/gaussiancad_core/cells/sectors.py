@@ -10,11 +10,10 @@ from math import pi
 
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 Sector = tuple[float, float]
 """(start, sweep) in radians of the axis' projection plane, sweep at most pi."""
-
-_TINY = 1e-6
 
 _SMOOTH = 0.02
 """Sine of the angle within which a line or circle goes on from an arc's end."""
@@ -35,7 +34,7 @@ def sector_of(
         near: units within which a line ends at an arc's end.
     """
     low, high = stretch
-    if high - low > pi + _TINY:
+    if high - low > pi + COMPUTED:
         # More than a half has no sides.
         return None
     begins, ends = (_goes_on(arc, angle, carriers, near) for angle in stretch)

@@ -14,15 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.arrangement_kernels import Integers, Traces, traces
 from gaussiancad_core.cells.cell_complex import Body, Cell, Space, Surface, side_views
-from gaussiancad_core.cells.crossing_kernels import (
-    BESIDE,
-    SURFACES,
-    VOID,
-    Frame,
-    Sides,
-    Told,
-    statements,
-)
+from gaussiancad_core.cells.crossing_kernels import SURFACES, VOID, Frame, Sides, Told, statements
 from gaussiancad_core.cells.edge_fragments import Piece
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.revolution_kernels import (
@@ -35,6 +27,7 @@ from gaussiancad_core.cells.revolution_kernels import (
     SECTOR,
 )
 from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, SurfaceOfRevolution
+from gaussiancad_core.geometry.tolerances import ASIDE
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import role_plane
 from gaussiancad_core.model.views import Linetype
@@ -164,7 +157,7 @@ class SightLines:
     def _sides(self, normal: Axis, pieces: Sequence[Piece]) -> Sides:
         points = np.array([piece.point for piece in pieces])
         across = np.array([piece.across for piece in pieces])
-        ways = np.array([-BESIDE, BESIDE])
+        ways = np.array([-ASIDE, ASIDE])
         at = points[:, None, :] + ways[None, :, None] * across[:, None, :]
         traced = np.empty(at.shape, dtype=np.int64)
         found: list[Traces] = []

@@ -9,20 +9,12 @@ from dataclasses import dataclass
 from math import cos, hypot, sin, sqrt
 
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, PlaneCurve, line_through
+from gaussiancad_core.geometry.tolerances import FAR, SHORTEST, UNIT_VECTOR
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
-RIM = 1e-3
-"""Units of radius from which an end of a body is a circle."""
-
-FAR = 1e3
-"""Units; farther than any part."""
-
 _SMOOTH = 0.01
 """Units from its widest place within which an arc ends along the axis."""
-
-AXIS = 1e-9
-"""Distance from the axis below which there is no radial direction."""
 
 
 @dataclass(frozen=True)
@@ -171,13 +163,17 @@ class SurfaceOfRevolution:
     def _along(self, a: float, b: float) -> list[tuple[float, Vector]]:
         profile = self.profile
         # On the axis itself a cone would be entered at its apex, which is no crossing.
-        r = max(hypot(a - self.centre[0], b - self.centre[1]), AXIS)
+        r = max(hypot(a - self.centre[0], b - self.centre[1]), UNIT_VECTOR)
         flat = self._vector((0.0, 0.0), 1.0)
         ends = (profile.low, profile.high)
         found = [(z, flat) for z in ends if (r > profile.radius(z)) == self.is_beyond]
         for z in profile.heights(r):
             along_r, along_z = profile.normal(z)
-            out = (0.0, 0.0) if r <= AXIS else ((a - self.centre[0]) / r, (b - self.centre[1]) / r)
+            out = (
+                (0.0, 0.0)
+                if r <= UNIT_VECTOR
+                else ((a - self.centre[0]) / r, (b - self.centre[1]) / r)
+            )
             found.append((z, self._vector((along_r * out[0], along_r * out[1]), along_z)))
         return found
 
@@ -220,7 +216,7 @@ class SurfaceOfRevolution:
         sides: dict[float, Vector] = {}
         for inward in self._inward():
             slope, rest = inward[place], inward[1 - place] * off
-            if abs(slope) < AXIS:
+            if abs(slope) < UNIT_VECTOR:
                 if rest <= 0.0:
                     return []
                 continue
@@ -253,7 +249,7 @@ class SurfaceOfRevolution:
             return [
                 (CircleCurve(self.centre, radius), stretch)
                 for radius in radii
-                if radius > RIM
+                if radius > SHORTEST
                 for stretch in self._stretches()
             ]
         if self.sector:

@@ -8,9 +8,7 @@ import numpy as np
 
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
 from gaussiancad_core.coordinates.point_chains import Chain
-
-_RISE = 4.0
-"""Tolerances that the chain's arc rises above its chord at least: flatter ones are straight too."""
+from gaussiancad_core.geometry.tolerances import TELLING
 
 
 def arc_along(chain: Chain, circle: CircleCurve, near: float) -> tuple[float, float] | None:
@@ -33,6 +31,6 @@ def arc_along(chain: Chain, circle: CircleCurve, near: float) -> tuple[float, fl
         return None
     low, high = sorted((float(angles[0]), float(angles[-1])))
     sweep = min(high - low, TURN)
-    if circle.radius * (1.0 - np.cos(min(sweep, np.pi) / 2.0)) < _RISE * near:
+    if circle.radius * (1.0 - np.cos(min(sweep, np.pi) / 2.0)) < TELLING * near:
         return None
     return low % TURN, sweep

@@ -14,14 +14,12 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import MEETING, TELLING
 from gaussiancad_core.lines.line_points import Curve, Lines, lines_of_strokes
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 UNSURE = 0.4
 """Confidence up to which a stroke may be of either linetype; readers tell more of each."""
-
-_REACH = 3.0
-"""Tolerances within which strokes meet."""
 
 _STEP = 0.5
 """Tolerances between the points of strokes at which others may meet them."""
@@ -30,9 +28,6 @@ _AS_DRAWN = 0.6
 """Share of a stroke that a solid draws as the other linetype, for it to be of that."""
 
 Points = npt.NDArray[np.float64]
-
-_LEAST = 4.0
-"""Tolerances of a part of a stroke from which it counts: behind a line's width nothing is seen."""
 
 
 def with_unsure_kinds(views: DrawnViews) -> DrawnViews | None:
@@ -103,7 +98,7 @@ def _parts(
         yield stroke
         return
     low, high = points[number].min(0), points[number].max(0)
-    reach = _REACH * views.tolerance
+    reach = MEETING * views.tolerance
     others = [
         (other, points[k])
         for k, other in enumerate(strokes)
@@ -114,7 +109,7 @@ def _parts(
     places = _met(stroke, others, views.tolerance)
     cuts = [0.0, *places, stroke.length]
     parts = [
-        _Part(low, high, _LEAST * views.tolerance < high - low <= longest)
+        _Part(low, high, TELLING * views.tolerance < high - low <= longest)
         for low, high in pairwise(cuts)
     ]
     if stroke.linetype is Linetype.HIDDEN:
@@ -154,7 +149,7 @@ def _met(stroke: Segment, others: Sequence[tuple[Curve, Points]], tolerance: flo
     """Positions along a stroke, mm and ascending, at which others cross it or end on it."""
     along = np.subtract(stroke.end, stroke.start) / stroke.length
     across = np.array([-along[1], along[0]])
-    reach = _REACH * tolerance
+    reach = MEETING * tolerance
     found: list[float] = []
     for other, points in others:
         offset = points - np.array(stroke.start)

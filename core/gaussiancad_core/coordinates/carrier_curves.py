@@ -8,15 +8,14 @@ numbers.
 from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin, sqrt
 
+from gaussiancad_core.geometry.tolerances import COMPUTED
+
 Point = tuple[float, float]
 
 TURN = 2.0 * pi
 
 _PARALLEL = 1e-7
 """Sine of the angle below which lines do not meet."""
-
-_TOUCHING = 1e-6
-"""Distance within which a line or circle that comes close to a circle is taken to touch it."""
 
 _ONE_POINT = 1e-3
 """Half distance of two meetings of circles below which the circles touch once."""
@@ -154,9 +153,9 @@ def _line_meets_circle(line: LineCurve, circle: CircleCurve) -> list[Point]:
     foot = line.parameter(circle.centre)
     x, y = line.at(foot)
     away = hypot(x - circle.centre[0], y - circle.centre[1])
-    if away > circle.radius + _TOUCHING:
+    if away > circle.radius + COMPUTED:
         return []
-    if away > circle.radius - _TOUCHING:
+    if away > circle.radius - COMPUTED:
         return [(x, y)]
     half = sqrt(circle.radius**2 - away**2)
     return [line.at(foot - half), line.at(foot + half)]
@@ -165,9 +164,9 @@ def _line_meets_circle(line: LineCurve, circle: CircleCurve) -> list[Point]:
 def _circles_meet(one: CircleCurve, other: CircleCurve) -> list[Point]:
     dx, dy = other.centre[0] - one.centre[0], other.centre[1] - one.centre[1]
     away = hypot(dx, dy)
-    if away < _TOUCHING:
+    if away < COMPUTED:
         return []
-    if not abs(one.radius - other.radius) - _TOUCHING <= away <= one.radius + other.radius + 1e-6:
+    if not abs(one.radius - other.radius) - COMPUTED <= away <= one.radius + other.radius + 1e-6:
         return []
     dx, dy = dx / away, dy / away
     along = (away**2 + one.radius**2 - other.radius**2) / (2.0 * away)

@@ -49,6 +49,7 @@ from gaussiancad_core.coordinates.split_arcs import is_piece, with_pieces_of_arc
 from gaussiancad_core.coordinates.tangents import touched_circles
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import TELLING
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, plane_points, role_plane
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -68,9 +69,6 @@ boundaries."""
 
 _CHAIN_LINKS = 128
 """Links of a chain."""
-
-_FLAT = 4.0
-"""Tolerances of rise that an arc has at least to tell a circle; flatter ones are boundaries."""
 
 _END_WEIGHT = 1e-3
 """Weight of a coordinate that only ends of slanted lines tell: all else counts more."""
@@ -282,7 +280,7 @@ def _tells_line(line: _Line, tolerance: float) -> bool:
 
 def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:
     rise = arc.radius * scale * (1.0 - np.cos(min(arc.sweep, TURN) / 2.0))
-    return bool(rise > _FLAT * tolerance) or is_quarter(arc, tolerance / scale)
+    return bool(rise > TELLING * tolerance) or is_quarter(arc, tolerance / scale)
 
 
 def _circle(arc: Arc, role: Role, scale: float) -> _Circle:

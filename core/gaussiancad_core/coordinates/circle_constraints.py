@@ -3,11 +3,9 @@
 from collections.abc import Sequence
 
 from gaussiancad_core.coordinates.linear_constraints import Linear
+from gaussiancad_core.geometry.tolerances import TELLING
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_TOO_SMALL = 4.0
-"""Tolerances that a radius has at least for its extremes to be told from its centre."""
 
 
 def circle_relations(
@@ -30,7 +28,7 @@ def circle_relations(
         for index, centre in zip(IN_PLANE[normal], (x, y), strict=True):
             axis = Axis(index)
             candidates: list[list[tuple[int, float]]] = [[(centre, 1.0)]]
-            if observed[radius] > _TOO_SMALL * tolerance:
+            if observed[radius] > TELLING * tolerance:
                 candidates.append([(centre, 1.0), (radius, -1.0)])
                 candidates.append([(centre, 1.0), (radius, 1.0)])
             for terms in candidates:

@@ -11,11 +11,9 @@ import numpy as np
 from scipy.linalg import null_space
 
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_FOLLOWS = 1e-6
-"""Component along what equations leave open up to which a number follows from them."""
 
 
 @dataclass(frozen=True)
@@ -86,7 +84,7 @@ def constrained_places(
 
 
 def _is_still(component: Numbers) -> bool:
-    return bool(np.abs(component).max(initial=0.0) <= _FOLLOWS)
+    return bool(np.abs(component).max(initial=0.0) <= COMPUTED)
 
 
 def _centres(circles: Sequence[tuple[Axis, int, int, int]], axis: Axis) -> list[int]:

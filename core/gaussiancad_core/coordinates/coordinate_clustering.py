@@ -21,14 +21,12 @@ from gaussiancad_core.coordinates.grid_fitting import Roughness, likely_numbers
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, solved
 from gaussiancad_core.coordinates.round_numbers import round_numbers
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
+from gaussiancad_core.geometry.tolerances import MOVED
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
 CERTAIN = 1e6
 """Weight of a number that is known to be a multiple of the part's step."""
-
-_FAR = 2.5
-"""Tolerances by which anything moves at most; an equation that asks for more is dropped."""
 
 _FOLLOWING = 1e-5
 """Share of the step within which a centre or a radius is a multiple, or the middle of two, because
@@ -184,14 +182,14 @@ def snapped(
     if stated is not None:
         said = dimension_relations(variables.observed, clusters, items, stated, tolerance)
         known = with_dimensions(
-            variables.observed, (clusters, items), (relations, said), _FAR * tolerance
+            variables.observed, (clusters, items), (relations, said), MOVED * tolerance
         )
         variables.observed, relations = known.numbers, [*relations, *known.kept]
         variables.weights = (known.factors * variables.weights).tolist()
-    numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
+    numbers = solved(variables.observed, variables.weights, relations, MOVED * tolerance)
     # Files round as well: solids that lie a hundred-thousandth beside each other defeat Booleans.
     step = _step(numbers, tolerance, millimetre)
-    nominal, moved, far = False, 0.0, _FAR * tolerance
+    nominal, moved, far = False, 0.0, MOVED * tolerance
     if step is not None:
         step = step.moving(numbers)
         variables, numbers, nominal = _rounded(

@@ -16,11 +16,9 @@ from gaussiancad_core.evidence.dimension_constraints import (
     LengthDimension,
     RadiusDimension,
 )
+from gaussiancad_core.geometry.tolerances import SAME_READ
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_NEAR = 1.5
-"""Tolerances between the ends of a dimension, or its circle, and what it belongs to at most."""
 
 _OWN = 0.1
 """How much it counts how near that is, against how well it fits the number."""
@@ -52,7 +50,7 @@ def dimension_relations(
             continue
         places = list(_places(observed, values, circles, length.axis))
         near = [
-            [(at, terms) for at, terms in places if abs(at - end) <= _NEAR * tolerance]
+            [(at, terms) for at, terms in places if abs(at - end) <= SAME_READ * tolerance]
             for end in (length.low, length.high)
         ]
         pairs = [
@@ -192,7 +190,7 @@ def _radii(
             abs(observed[y] - this_radius.centre[1]),
             abs(observed[radius] - this_radius.radius),
         )
-        <= _NEAR * tolerance
+        <= SAME_READ * tolerance
         and abs(observed[radius] - this_radius.value) <= reach
     ]
     if not radii:

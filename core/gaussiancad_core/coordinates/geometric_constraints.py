@@ -31,6 +31,7 @@ from gaussiancad_core.coordinates.corner_equations import (
 )
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, Relation, solved
 from gaussiancad_core.coordinates.tangents import touched_circles, touching_circles
+from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING, MOVED
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -40,17 +41,11 @@ _ON = 0.5
 _ON_LOOSELY = 2.0
 """The same where a value is told by ends of strokes only, or the corner is the line's own end."""
 
-_READ_NEAR = 3.0
-"""Tolerances within which the end of a stroke is on a curve."""
-
 _LOOSE = 0.1
 """Weight below which a value is told by ends of strokes only."""
 
 _FAR = 1.0
 """Tolerances by which well-read numbers move at most."""
-
-_FAR_LOOSELY = 2.5
-"""The same for values that only ends tell, and for lines at their ends."""
 
 _FIRM = 1e6
 """Factor of the weight of the extents."""
@@ -64,17 +59,11 @@ _UNROUNDED = 4
 _ROUNDED = 0.1 * CERTAIN
 """Weight from which a number was made a multiple of the step."""
 
-_STAYS = 1e-6
-"""Units by which such a number may move."""
-
 _SPANNING = 3
 """Corners that any plane goes through."""
 
 _FREE = 1e-3
 """Weight of numbers that nothing tells."""
-
-_KNOWN = 1e-6
-"""Units within which an equation between values and circles holds already."""
 
 _EXTREME = 0.02
 """Component of a circle's normal below which a corner is the circle's extreme."""
@@ -195,8 +184,7 @@ class _Network:
         ]
         self._slants = {
             plane.normal: [
-                self._add([0.0, 0.0], [slant.weight / 4.0] * 2, _FAR_LOOSELY)
-                for slant in plane.slants
+                self._add([0.0, 0.0], [slant.weight / 4.0] * 2, MOVED) for slant in plane.slants
             ]
             for plane in planes
         }
@@ -216,7 +204,7 @@ class _Network:
             weight = self._snap.weights[axis, value]
             # The views were lined up by their extents.
             factor = _FIRM if value in (values[0], values[-1]) else 1.0
-            far = _FAR_LOOSELY if weight < _LOOSE else _FAR
+            far = MOVED if weight < _LOOSE else _FAR
             found[value] = self._add([value], [weight], far)
             self.weights[-1] *= factor
         return found
@@ -228,7 +216,7 @@ class _Network:
             for (normal, _), at in zip(self._snap.circles, self._circles, strict=True)
         ]
         places = {axis: list(value.values()) for axis, value in self._values.items()}
-        return circle_relations(self.observed, places, circles, _KNOWN)
+        return circle_relations(self.observed, places, circles, COMPUTED)
 
     def relations(self, plane: PlaneReading) -> Iterator[Relation]:
         """Corners on the plane's curves, and lines and circles that touch its circles."""
@@ -245,7 +233,7 @@ class _Network:
                 if circle is not None:
                     yield Touches(circles[circle], first, slant, _side(slant, circle.centre))
             low, high = sorted((line.parameter(slant.start), line.parameter(slant.end)))
-            room = _READ_NEAR * self._tolerance
+            room = MEETING * self._tolerance
             this_corners = self._corners(plane.normal, ends)
             for corner in {**corners, **this_corners}.values():
                 along = line.parameter(corner.point)
@@ -280,7 +268,7 @@ class _Network:
         self, arcs: Sequence[tuple[float, float]], circle: CircleCurve, point: Point
     ) -> bool:
         """Whether a circle, of which these arcs are told, is drawn right beside a point of it."""
-        room = _READ_NEAR * self._tolerance / circle.radius
+        room = MEETING * self._tolerance / circle.radius
         at = circle.parameter(point)
         return not arcs or any(
             (at - low + room) % TURN <= sweep + 2.0 * room for low, sweep in arcs
@@ -301,7 +289,7 @@ class _Network:
         along = np.cross(normal, np.eye(3)[int(np.abs(normal).argmin())])
         along /= np.linalg.norm(along)
         frame = np.array([along, np.cross(normal, along), normal])
-        first = self._add([0.0, 0.0, 0.0], [_FREE] * 3, _FAR_LOOSELY)
+        first = self._add([0.0, 0.0, 0.0], [_FREE] * 3, MOVED)
         origin = np.mean(list(known.values()), axis=0)
         for places in known:
             yield OnFacet(places, first, frame, origin)
@@ -332,7 +320,7 @@ class _Network:
         Multiples of the step stay where they are.  Where an equation moves them, the one that the
         least ink tells was none.
         """
-        moved = np.abs(numbers - np.array(self.observed)) > _STAYS
+        moved = np.abs(numbers - np.array(self.observed)) > COMPUTED
         found = set()
         for relation in relations:
             places = {at for at, _ in relation.at(numbers)[1] if moved[at]} & self._rounded

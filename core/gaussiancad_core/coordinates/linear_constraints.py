@@ -16,6 +16,8 @@ from scipy.linalg import cho_solve
 from scipy.linalg.lapack import dlange, dpstrf, dtrtrs
 from scipy.sparse import csr_array
 
+from gaussiancad_core.geometry.tolerances import COMPUTED
+
 Numbers = npt.NDArray[np.float64]
 
 Places = npt.NDArray[np.intp]
@@ -28,9 +30,6 @@ _ROUNDS = 8
 
 _HOLDS = 1e-9
 """Units within which an equation holds."""
-
-_FULFILLED = 1e-6
-"""The same once all are solved together."""
 
 _STAYS = 0.9
 """Share of what was left of the equations from which another linearisation is in vain."""
@@ -60,7 +59,7 @@ class Linear:
 
     def holds(self, numbers: Numbers) -> bool:
         """Whether it is fulfilled, but for rounding errors."""
-        return abs(self.at(numbers)[0]) <= _FULFILLED
+        return abs(self.at(numbers)[0]) <= COMPUTED
 
 
 def solved(

@@ -9,11 +9,9 @@ from math import cos, hypot, pi, sin
 
 import numpy as np
 
+from gaussiancad_core.geometry.tolerances import TELLING
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.views import Arc, Segment
-
-_SMALLEST = 4.0
-"""Tolerances of a fillet's radius at least."""
 
 _LEAST_SWEEP, _MOST_SWEEP = pi / 3.0, 0.75 * pi
 """Radians that a fillet turns by: less says little of its circle, more needs no neighbours."""
@@ -21,9 +19,6 @@ _LEAST_SWEEP, _MOST_SWEEP = pi / 3.0, 0.75 * pi
 _FLAT_SWEEP, _FLAT_RISE = pi / 7.0, 1.5
 """Radians and tolerances by which one between two straight lines turns and rises at least: both are
 its tangents, which tell its circle but for the radius."""
-
-_LONG = 4.0
-"""Tolerances of length of such lines at least: chords follow any curve."""
 
 _SMOOTH = 0.12
 """Sine of the angle within which two strokes pass smoothly into each other."""
@@ -37,12 +32,12 @@ def is_rounding(arc: Arc, strokes: Iterable[Curve], tolerance: float) -> bool:
         strokes: of the view; mm.
         tolerance: mm by which strokes may miss where they belong.
     """
-    if arc.radius <= _SMALLEST * tolerance or not _FLAT_SWEEP <= arc.sweep <= _MOST_SWEEP:
+    if arc.radius <= TELLING * tolerance or not _FLAT_SWEEP <= arc.sweep <= _MOST_SWEEP:
         return False
     others = [stroke for stroke in strokes if stroke is not arc]
     if arc.sweep < _LEAST_SWEEP:
         # Flatter arcs one after the other follow a free curve.
-        others = [s for s in others if isinstance(s, Segment) and s.length >= _LONG * tolerance]
+        others = [s for s in others if isinstance(s, Segment) and s.length >= TELLING * tolerance]
         if arc.radius * (1.0 - cos(arc.sweep / 2.0)) < _FLAT_RISE * tolerance:
             return False
     angles = (arc.start_angle, arc.start_angle + arc.sweep)
@@ -56,7 +51,7 @@ def is_quarter(arc: Arc, tolerance: float) -> bool:
         arc: of a view; mm.
         tolerance: mm by which strokes may miss where they belong.
     """
-    if arc.radius <= _SMALLEST * tolerance:
+    if arc.radius <= TELLING * tolerance:
         return False
     ends = np.array([arc.start_angle, arc.start_angle + arc.sweep]) / (pi / 2.0)
     off = np.abs(ends - np.rint(ends)).max() * (pi / 2.0) * arc.radius

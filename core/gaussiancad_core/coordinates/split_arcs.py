@@ -13,17 +13,12 @@ import numpy as np
 
 from gaussiancad_core.coordinates.carrier_curves import TURN
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import MEETING
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.views import Arc, Segment
 
 _SAME = 0.05
 """Tolerances within which centres and radii are one, and ends of a chord lie on its arc."""
-
-_BESIDE = 3.0
-"""Tolerances by which a piece leaves its arc at most."""
-
-_FLAT = 3.0
-"""Tolerances by which a piece that is an arc rises at most: a higher one tells its own circle."""
 
 _TURN = pi / 4.0
 """Radians that a piece turns by at most."""
@@ -87,7 +82,7 @@ def _with_pieces(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...
 def _may_be_piece(stroke: Curve, strokes: Sequence[Curve], tolerance: float) -> bool:
     if isinstance(stroke, Arc):
         rise = stroke.radius * (1.0 - np.cos(min(stroke.sweep, TURN) / 2.0))
-        return bool(rise <= _FLAT * tolerance) and not _has_twin(stroke, strokes, tolerance)
+        return bool(rise <= MEETING * tolerance) and not _has_twin(stroke, strokes, tolerance)
     return isinstance(stroke, Segment) and stroke.length > 0.0
 
 
@@ -98,7 +93,7 @@ def _piece(stroke: Curve, arcs: Sequence[Arc], tolerance: float) -> Arc | None:
     offs = points - np.array([arc.centre for arc in arcs]).reshape(-1, 1, 2)
     aways = np.abs(np.hypot(*offs.transpose(2, 1, 0)) - [arc.radius for arc in arcs])
     ends_away = np.maximum(aways[0], aways[-1])
-    near = (ends_away <= least) & (aways.max(axis=0) <= _BESIDE * tolerance)
+    near = (ends_away <= least) & (aways.max(axis=0) <= MEETING * tolerance)
     for number in np.flatnonzero(near).tolist():
         arc, off, ends = arcs[number], offs[number], ends_away[number]
         if ends > least:

@@ -17,17 +17,9 @@ import numpy.typing as npt
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Geometry, Reference, Spot
 from gaussiancad_core.features.thread_notes import ThreadNote
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 Vector = npt.NDArray[np.float64]
-
-_SAME = 1e-6
-"""mm within which coordinates are one."""
-
-_SMOOTH = 1e-6
-"""Sine of the angle between edges that go on in each other."""
-
-_INDEPENDENT = 1e-6
-"""Length of what an equation adds to others, of a unit gradient, at least."""
 
 
 class Kind(Enum):
@@ -132,7 +124,7 @@ class _Basis:
             for _ in range(2):
                 left = left - rows.T @ (rows @ left)
             length = float(np.linalg.norm(left))
-            if length < _INDEPENDENT:
+            if length < COMPUTED:
                 return False
             rows = np.vstack([rows, left / length])
         self._rows = rows
@@ -158,7 +150,7 @@ def _joints(geometry: Geometry, loops: Sequence[Loop]) -> Iterator[Constraint]:
             one, other = first + k, first + (k + 1) % count
             ends = Reference(one, Spot.END), Reference(other, Spot.START)
             is_arc = geometry.is_arc(one) or geometry.is_arc(other)
-            if is_arc and abs(_turn(loop[k], loop[(k + 1) % count])) < _SMOOTH:
+            if is_arc and abs(_turn(loop[k], loop[(k + 1) % count])) < COMPUTED:
                 yield Constraint(Kind.TANGENT, ends)
             yield Constraint(Kind.COINCIDENT, ends)
         first += count
@@ -174,9 +166,9 @@ def _directions(geometry: Geometry) -> Iterator[Constraint]:
     for k, edge in enumerate(geometry.edges):
         if edge.centre is not None:
             continue
-        if abs(edge.start[1] - edge.end[1]) < _SAME:
+        if abs(edge.start[1] - edge.end[1]) < COMPUTED:
             yield Constraint(Kind.HORIZONTAL, (Reference(k),))
-        elif abs(edge.start[0] - edge.end[0]) < _SAME:
+        elif abs(edge.start[0] - edge.end[0]) < COMPUTED:
             yield Constraint(Kind.VERTICAL, (Reference(k),))
 
 
@@ -187,10 +179,10 @@ def _round_ties(geometry: Geometry) -> Iterator[Constraint]:
         a, b = geometry.edges[one], geometry.edges[other]
         if a.centre is None or b.centre is None or a.radius is None or b.radius is None:
             continue
-        if max(abs(a.centre[0] - b.centre[0]), abs(a.centre[1] - b.centre[1])) < _SAME:
+        if max(abs(a.centre[0] - b.centre[0]), abs(a.centre[1] - b.centre[1])) < COMPUTED:
             centres = Reference(one, Spot.CENTRE), Reference(other, Spot.CENTRE)
             yield Constraint(Kind.COINCIDENT, centres)
-        if abs(a.radius - b.radius) < _SAME:
+        if abs(a.radius - b.radius) < COMPUTED:
             yield Constraint(Kind.EQUAL, (Reference(one), Reference(other)))
 
 
@@ -230,7 +222,7 @@ def _sheet_distances(geometry: Geometry, numbers: Numbers) -> Iterator[Constrain
 def _distances_from_origin(geometry: Geometry, numbers: Numbers) -> Iterator[Constraint]:
     for axis, kind in ((0, Kind.DISTANCE_X), (1, Kind.DISTANCE_Y)):
         for value, group in geometry.columns(axis):
-            if abs(value) > _SAME:
+            if abs(value) > COMPUTED:
                 ends = (ORIGIN, group[0]) if value > 0.0 else (group[0], ORIGIN)
                 yield Constraint(kind, ends, abs(value), numbers.source_of(value))
 

@@ -6,9 +6,7 @@ from collections.abc import Iterable, Sequence
 from gaussiancad_core.features.constraints import Constraint, Kind
 from gaussiancad_core.features.loops import Edge
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Reference, Spot
-
-_SAME = 1e-6
-"""mm within which coordinates are one."""
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 _ROUND = {Kind.RADIUS: "Radius", Kind.DIAMETER: "Diameter"}
 
@@ -48,7 +46,7 @@ def _stem(constraint: Constraint, edges: Sequence[Edge]) -> str:
     axis, letter = _AXES[constraint.kind]
     ends = sorted(_place(each, edges)[axis] for each in constraint.of)
     low, high = _extent(edges, axis)
-    if abs(ends[0] - low) < _SAME and abs(ends[-1] - high) < _SAME:
+    if abs(ends[0] - low) < COMPUTED and abs(ends[-1] - high) < COMPUTED:
         return _WHOLE[constraint.kind]
     is_apart = ORIGIN in constraint.of and not _has_point(edges, axis, 0.0)
     return f"{'Offset' if is_apart else 'Distance'}{letter}"
@@ -80,6 +78,6 @@ def _has_point(edges: Iterable[Edge], axis: int, value: float) -> bool:
     for edge in edges:
         places = [] if edge.is_circle else [edge.start, edge.end]
         places += [] if edge.centre is None else [edge.centre]
-        if any(abs(place[axis] - value) < _SAME for place in places):
+        if any(abs(place[axis] - value) < COMPUTED for place in places):
             return True
     return False

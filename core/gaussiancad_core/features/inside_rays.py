@@ -8,6 +8,8 @@ from OCP.gp import gp_Dir, gp_Lin, gp_Pnt
 from OCP.IntCurvesFace import IntCurvesFace_ShapeIntersector
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.geometry.tolerances import COMPUTED
+
 Points = npt.NDArray[np.float64]
 
 _TOLERANCE = 1e-7
@@ -18,9 +20,6 @@ _NUDGES = 4
 
 _NUDGE = 3.7e-5
 """Units by which it is."""
-
-_ONE_CROSSING = 1e-6
-"""Units within which two crossings, on an edge between faces, are one."""
 
 
 class Rays:
@@ -57,6 +56,6 @@ class Rays:
         )
         crossings: list[float] = []
         for at in found:
-            if not crossings or at - crossings[-1] > _ONE_CROSSING:
+            if not crossings or at - crossings[-1] > COMPUTED:
                 crossings.append(at)
         return crossings

@@ -17,11 +17,9 @@ from gaussiancad_core.features.feature_model import (
     Sketch,
     Turning,
 )
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 Points = npt.NDArray[np.float64]
-
-_SAME = 1e-6
-"""Share of the farthest coordinate up to which places are one: as much as volumes may differ by."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +93,7 @@ def instances_of(features: Sequence[Feature]) -> tuple[Instance, ...]:
 
 def tolerance_of(instances: Sequence[Instance]) -> float:
     """mm within which places are one."""
-    return _SAME * max((float(np.abs(each.points).max()) for each in instances), default=1.0)
+    return COMPUTED * max((float(np.abs(each.points).max()) for each in instances), default=1.0)
 
 
 def is_moved(one: Instance, motion: Motion, other: Instance, near: float) -> bool:

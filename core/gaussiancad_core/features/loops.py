@@ -6,9 +6,7 @@ from math import atan2, hypot, pi
 
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
 from gaussiancad_core.features.sketch_cells import Cells, Piece
-
-_MEETING = 1e-3
-"""Units within which ends meet."""
+from gaussiancad_core.geometry.tolerances import SHORTEST
 
 _ROUNDED = 9
 """Decimal places."""
@@ -135,7 +133,7 @@ def _directed(piece: Piece, inside: set[int]) -> _Directed:
 
 
 def _meet(one: Point, other: Point) -> bool:
-    return hypot(one[0] - other[0], one[1] - other[1]) < _MEETING
+    return hypot(one[0] - other[0], one[1] - other[1]) < SHORTEST
 
 
 def _turn(one: _Directed, other: _Directed) -> float:

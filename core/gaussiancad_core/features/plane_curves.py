@@ -25,6 +25,7 @@ from gaussiancad_core.coordinates.carrier_curves import (
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, u_range
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import edges_of
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
@@ -34,14 +35,8 @@ Points = npt.NDArray[np.float64]
 SAME = 5e-5
 """Units within which two curves are one, and a point is on a curve."""
 
-_ALONG = 1e-6
-"""Sine of the angle up to which an edge runs along the direction of the view."""
-
 _ALONG_A_CURVE = 65
 """Points of a curved edge that are looked at."""
-
-_AXIS_PARALLEL = 1e-6
-"""Component of a unit vector below which a line is taken for level or upright."""
 
 
 @dataclass(frozen=True)
@@ -84,13 +79,13 @@ def stretches_of_walls(faces: Iterable[SolidFace], frame: Frame) -> list[Stretch
     found: list[Stretch] = []
     for face in faces:
         lean = abs(float(face.direction @ normal))
-        if face.kind is Kind.PLANE and lean < _ALONG:
+        if face.kind is Kind.PLANE and lean < COMPUTED:
             seen = frame.project(_edge_points(face.face))[:, :2]
             along = seen @ _direction(seen)
             ends = (seen[int(along.argmin())], seen[int(along.argmax())])
             made = segment(*((float(x), float(y)) for x, y in ends))
             found += [] if made is None else [made]
-        elif face.kind is Kind.CYLINDER and lean > 1.0 - _ALONG:
+        elif face.kind is Kind.CYLINDER and lean > 1.0 - COMPUTED:
             low, high = u_range(face)
             surface = BRepAdaptor_Surface(face.face)
             places = [surface.Value(low + share * (high - low), 0.0) for share in (0.0, 0.5, 1.0)]
@@ -132,7 +127,7 @@ def segment(start: Point, end: Point) -> Stretch | None:
     """The straight stretch between two points; None where they are one."""
     if hypot(end[0] - start[0], end[1] - start[1]) < SAME:
         return None
-    curve = line_through(start, end, _AXIS_PARALLEL)
+    curve = line_through(start, end, COMPUTED)
     low, high = sorted((curve.parameter(start), curve.parameter(end)))
     return Stretch(curve, low, high)
 
@@ -170,9 +165,9 @@ def _stretches(curve: BRepAdaptor_Curve, frame: Frame) -> Iterator[Stretch]:
     lean = abs(float(np.array([axis.X(), axis.Y(), axis.Z()]) @ np.array(frame.normal)))
     at = circle.Location()
     centre = frame.project(np.array([[at.X(), at.Y(), at.Z()]]))[0, :2]
-    if lean > 1.0 - _ALONG:
+    if lean > 1.0 - COMPUTED:
         yield from arc(tuple(centre.tolist()), circle.Radius(), (start, end), middle)
-    elif lean < _ALONG:
+    elif lean < COMPUTED:
         # Edge-on it is a straight stretch, between the extremes that the arc reaches.
         span = np.linspace(low, high, _ALONG_A_CURVE)
         seen = [curve.Value(float(t)) for t in span]

@@ -22,11 +22,9 @@ from gaussiancad_core.features.sample_points import Samples
 from gaussiancad_core.features.sketch_cells import Cells, edge_count, length_of
 from gaussiancad_core.features.solid_faces import SolidFace
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, regions_of
+from gaussiancad_core.geometry.tolerances import ON_CURVE
 
 Points = npt.NDArray[np.float64]
-
-_SAME_LEVEL = 1e-5
-"""mm within which two levels are one."""
 
 _WITHIN = 1e-4
 """mm by which a stretch of material may miss the ends of a layer that it fills."""
@@ -172,6 +170,6 @@ def _heights(cut: Points, low: float, high: float) -> Iterator[tuple[float, bool
 def _distinct(values: Sequence[float]) -> list[float]:
     found: list[float] = []
     for value in sorted(values):
-        if not found or value - found[-1] > _SAME_LEVEL:
+        if not found or value - found[-1] > ON_CURVE:
             found.append(value)
     return found

@@ -8,17 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.features.solid_faces import Kind, SolidFace
+from gaussiancad_core.geometry.tolerances import COMPUTED, UNIT_VECTOR
 
 Vector = npt.NDArray[np.float64]
 
 SAME = 1e-4
 """Units within which places are one."""
-
-PARALLEL = 1e-6
-"""Sine of the angle between axes that are one."""
-
-_ACROSS = 1e-9
-"""1 less the cosine between a normal and the direction that its plane lies across."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +33,7 @@ class RoundAxis:
     def is_as(self, other: "RoundAxis") -> bool:
         """Whether two are one line."""
         apart = float(np.linalg.norm(np.cross(self.direction, other.direction)))
-        return apart < PARALLEL and float(np.linalg.norm(self.point - other.point)) < SAME
+        return apart < COMPUTED and float(np.linalg.norm(self.point - other.point)) < SAME
 
     def off(self, place: Vector) -> float:
         """Units between a place and the axis."""
@@ -70,7 +65,7 @@ def levels_along(faces: Sequence[SolidFace], point: Vector, direction: Vector) -
     return [
         float((face.point - point) @ direction)
         for face in faces
-        if face.kind is Kind.PLANE and abs(float(face.direction @ direction)) > 1.0 - _ACROSS
+        if face.kind is Kind.PLANE and abs(float(face.direction @ direction)) > 1.0 - UNIT_VECTOR
     ]
 
 

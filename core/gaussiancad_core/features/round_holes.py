@@ -10,8 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.features.inside_rays import Rays
-from gaussiancad_core.features.round_axes import PARALLEL, SAME, RoundAxis, around, by_axis
+from gaussiancad_core.features.round_axes import SAME, RoundAxis, around, by_axis
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import ShapeTable, edges_of
 
 Vector = npt.NDArray[np.float64]
@@ -110,7 +111,7 @@ def _goes_on(one: Bore, other: Bore) -> bool:
     is_beyond = one.is_through and len(other.sections) == 1 and end.high < first.low
     is_like = end.is_cylinder and first.is_cylinder and abs(end.at_high - first.at_low) < SAME
     apart = float(np.linalg.norm(one.direction - other.direction))
-    is_one_axis = apart < PARALLEL and float(np.linalg.norm(one.point - other.point)) < SAME
+    is_one_axis = apart < COMPUTED and float(np.linalg.norm(one.point - other.point)) < SAME
     return is_beyond and is_like and is_one_axis
 
 

@@ -8,11 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.features.loops import Edge
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 Vector = npt.NDArray[np.float64]
-
-_SAME = 1e-6
-"""mm within which coordinates are one."""
 
 
 class Spot(Enum):
@@ -119,7 +117,7 @@ class Geometry:
         found: list[tuple[float, list[Reference]]] = []
         # The origin, where it is among others, is the first of them.
         for value, reference in sorted(places, key=lambda place: place[0]):
-            if found and value - found[-1][0] < _SAME:
+            if found and value - found[-1][0] < COMPUTED:
                 group = found[-1][1]
                 group.insert(0 if reference == ORIGIN else len(group), reference)
             else:

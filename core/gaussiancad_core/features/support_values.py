@@ -8,9 +8,7 @@ from gaussiancad_core.features.feature_model import Extrusion, Feature, Holes, T
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.supported_features import Side, Support, along, edges_in, frame_of
 from gaussiancad_core.features.supporting_faces import standing_of
-
-_SAME = 1e-6
-"""mm within which coordinates are one."""
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 _AXES = ("distance-x", "distance-y")
 """Kinds of dimensions along the coordinates of a sketch."""
@@ -74,10 +72,10 @@ def dimensions_to(coordinate: float, axis: int, sketch: Values) -> dict[str, int
     seen = [0.0]
     while ways:
         place, known = ways.popleft()
-        if abs(place - coordinate) < _SAME:
+        if abs(place - coordinate) < COMPUTED:
             return known
         for start, end, name in steps:
-            if abs(start - place) < _SAME and all(abs(end - other) > _SAME for other in seen):
+            if abs(start - place) < COMPUTED and all(abs(end - other) > COMPUTED for other in seen):
                 seen.append(end)
                 ways.append((end, {**known, name: 1 if end > start else -1}))
     return None

@@ -15,9 +15,7 @@ import numpy as np
 from gaussiancad_core.features.feature_model import Extrusion, Feature, Holes, Sketch, Turning
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.loops import Edge
-
-_PARALLEL = 1e-9
-"""By which products of unit vectors differ from 0 and 1."""
+from gaussiancad_core.geometry.tolerances import UNIT_VECTOR
 
 
 class Side(Enum):
@@ -74,7 +72,7 @@ def along(frame: Frame, normal: Sequence[float]) -> tuple[int, float] | None:
     against it; None where neither does."""
     for axis, direction in enumerate((frame.right, frame.up)):
         product = float(np.array(direction) @ np.array(normal))
-        if abs(abs(product) - 1.0) < _PARALLEL:
+        if abs(abs(product) - 1.0) < UNIT_VECTOR:
             return axis, 1.0 if product > 0.0 else -1.0
     return None
 

@@ -20,15 +20,10 @@ from gaussiancad_core.features.supported_features import (
     frame_of,
     height_of,
 )
+from gaussiancad_core.geometry.tolerances import COMPUTED, UNIT_VECTOR
 from gaussiancad_core.kernel.booleans import common
 from gaussiancad_core.kernel.brep import area, bounding_box
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
-
-_SAME = 1e-6
-"""mm within which two planes are one."""
-
-_ACROSS = 1e-9
-"""By which the components of unit vectors differ from 0."""
 
 _LEAST_SHARED = 1e-6
 """Share of a sketch that lies in a face for it to stand there."""
@@ -97,7 +92,7 @@ class _Faces:
                 each
                 for each in sides
                 if base.sketch.frame == frame
-                and abs(height_of(self._features, each, frame) - height) < _SAME
+                and abs(height_of(self._features, each, frame) - height) < COMPUTED
             )
             return next(in_plane, None)
         return found
@@ -152,7 +147,7 @@ class _Faces:
         for feature in self._features[:number]:
             if isinstance(feature, Extrusion | Turning) and feature.adds:
                 box = bounding_box(body_of(feature))
-                if float(np.where(normal > 0.0, box[1], box[0]) @ normal) > far + _SAME:
+                if float(np.where(normal > 0.0, box[1], box[0]) @ normal) > far + COMPUTED:
                     return False
         return True
 
@@ -160,7 +155,7 @@ class _Faces:
         """Faces of earlier features in a plane."""
         for k, feature in enumerate(self._features[:number]):
             for support in _supports(k, feature, frame):
-                if abs(height_of(self._features, support, frame) - height) < _SAME:
+                if abs(height_of(self._features, support, frame) - height) < COMPUTED:
                     yield support
 
     def _swept(self, support: Support) -> Extrusion | Turning:
@@ -221,7 +216,7 @@ class _Face:
     def is_near(self, other: "_Face") -> bool:
         """Whether their boxes touch."""
         (low, high), (others_low, others_high) = self.box, other.box
-        return bool(np.all(low <= others_high + _SAME) and np.all(others_low <= high + _SAME))
+        return bool(np.all(low <= others_high + COMPUTED) and np.all(others_low <= high + COMPUTED))
 
 
 def _drawn(feature: Extrusion | Holes) -> list[Sketch]:
@@ -248,8 +243,8 @@ def _supports(number: int, feature: Feature, frame: Frame) -> Iterator[Support]:
     if found is None:
         return
     axis = found[0]
-    if isinstance(feature, Turning) and abs(feature.direction[1 - axis]) > _ACROSS:
+    if isinstance(feature, Turning) and abs(feature.direction[1 - axis]) > UNIT_VECTOR:
         return
     for k, edge in enumerate(edges_in(feature.sketch)):
-        if edge.centre is None and abs(edge.start[axis] - edge.end[axis]) < _SAME:
+        if edge.centre is None and abs(edge.start[axis] - edge.end[axis]) < COMPUTED:
             yield Support(number, Side.WALL, k)

@@ -20,15 +20,13 @@ from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve,
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.coordinates.curve_ends import with_common_ends
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import COMPUTED, SAME_READ, TELLING
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.lines.strokes import Polyline
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points, role_plane
 from gaussiancad_core.model.views import Arc, Segment
-
-_REACH = 1.5
-"""Tolerances by which a stroke may leave the curve that it follows."""
 
 _LOOKS = 5
 """Places across a stroke, within reach, at which lines of sight are looked along; twice as many,
@@ -46,18 +44,12 @@ _LINKS = 96
 _LEVEL = 1.0
 """Tolerances of rise up to which a straight stroke is parallel to an axis."""
 
-_SHORT = 4.0
-"""Tolerances of length that a stroke has at least."""
-
 _ROUND = 1.01 * pi
 """Sweep from which an arc stands for itself: no curve follows a circle that far by chance."""
 
 _STRAIGHT = 0.1
 """Tolerances by which the curve that a straight stroke follows bends, at least: what is straight
 may be an edge of a face that is edge-on."""
-
-_ROUNDED = 1e-6
-"""Units by which a coordinate may be off."""
 
 _STEPS = 12
 """Steps in which a point is led onto the curve."""
@@ -130,7 +122,7 @@ class _Sights:
         self._bodies = bodies
         self._shown = [body in shown for body in bodies]
         self._rims = [[rim for rim, _ in body.rims(self._normal)] for body in bodies]
-        reach = _REACH * carriers.tolerance
+        reach = SAME_READ * carriers.tolerance
         self._offsets = np.linspace(-reach, reach, _LOOKS)
         self._surfaces = [
             _Surface(
@@ -186,7 +178,7 @@ class _Sights:
 
     def _may_follow(self, stroke: Curve) -> bool:
         """Whether a stroke is none that tells its surface by itself."""
-        if stroke.length * self._scale < _SHORT * self._tolerance:
+        if stroke.length * self._scale < TELLING * self._tolerance:
             return False
         if isinstance(stroke, Arc):
             return stroke.sweep <= _ROUND and not self._is_outlined(stroke)
@@ -350,7 +342,7 @@ def _reach(
     if isinstance(curve, CircleCurve):
         return curve.centre[place] - curve.radius, curve.centre[place] + curve.radius
     ends = [curve.at(at)[place] for stretch in drawn for at in stretch]
-    return min(ends, default=inf) - _ROUNDED, max(ends, default=-inf) + _ROUNDED
+    return min(ends, default=inf) - COMPUTED, max(ends, default=-inf) + COMPUTED
 
 
 def _is_on(curve: PlaneCurve, point: tuple[float, float], drawn: Sequence[tuple]) -> bool:

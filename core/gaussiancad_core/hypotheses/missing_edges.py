@@ -23,15 +23,13 @@ from gaussiancad_core.coordinates.carrier_curves import (
 )
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
+from gaussiancad_core.geometry.tolerances import SHORTEST
 from gaussiancad_core.hypotheses.missing_circles import missing_circles, sectioned_circles
 from gaussiancad_core.hypotheses.missing_slants import missing_slants
 from gaussiancad_core.hypotheses.open_corners import joining
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
-
-NEAR = 1e-3
-"""Units within which coordinates are one, at least."""
 
 _APART = 0.05
 """Units from all other lines that one is at least at which nothing is drawn."""
@@ -57,7 +55,7 @@ def with_missing_edges(
         cuts: cutting planes of sections: the axis that one is across, units along it.
         floors: coordinates in units at which nothing is drawn and a surface may lie.
     """
-    near = max(NEAR, carriers.tolerance)
+    near = max(SHORTEST, carriers.tolerance)
     if len(carriers.planes) < len(Axis):
         grids = {
             axis: _divided(
@@ -233,7 +231,7 @@ def _divided(plane: PlaneCarriers, found: Iterable[Stretch]) -> PlaneCarriers:
         if isinstance(line_curve, LineCurve) and isinstance(curve, LineCurve):
             first, last = sorted(line_curve.parameter(curve.at(end)) for end in (low, high))
             ends = first, last
-        slack = NEAR / line_curve.speed
+        slack = SHORTEST / line_curve.speed
         drawn = carriers[number].drawn()
         if not any(a - slack <= ends[0] and ends[1] <= b + slack for a, b in drawn):
             lost.append((number, *ends))

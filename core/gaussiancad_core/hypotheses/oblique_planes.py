@@ -17,6 +17,7 @@ from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.space_corners import SpatialEdges, spatial_edges
 from gaussiancad_core.coordinates.carrier_curves import LineCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers
+from gaussiancad_core.geometry.tolerances import TELLING
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -29,9 +30,6 @@ _SAME = 0.005
 SHORT = 10.0
 """Tolerances by which slanted lines may end too early: at sharp angles lines run into each other
 before they meet."""
-
-_EDGE_ON = 4.0
-"""Tolerances by which a face is deep in every view, at least."""
 
 _PARALLEL = 0.01
 """Sine of the angle from which two edges span a plane."""
@@ -116,7 +114,7 @@ def _candidate(points: Points, edges: list[tuple[int, int]], near: float) -> _Ca
     for loop in loops:
         point = points[loop]
         extent = float(np.ptp(point, axis=0).max())
-        if np.abs(normal).min() * extent <= _EDGE_ON * near:
+        if np.abs(normal).min() * extent <= TELLING * near:
             continue
         view = Axis(int(np.abs(normal).argmax()))
         hull = ConvexHull(point[:, IN_PLANE[view]])

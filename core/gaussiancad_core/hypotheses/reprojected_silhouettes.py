@@ -26,18 +26,10 @@ from gaussiancad_core.coordinates.drawn_intervals import (
     nearest_station,
     stations_on,
 )
+from gaussiancad_core.geometry.tolerances import MEETING, ON_CURVE, SAME_READ
 from gaussiancad_core.hypotheses.oblique_planes import SHORT
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_EXACT = 1e-5
-"""Units within which a line is as it should be."""
-
-_REACH = 3.0
-"""Tolerances within which an edge is a line that was read, and a line ends at another."""
-
-_OUTLINE = 1.5
-"""Tolerances within which the outline of a body of revolution is a line that was read."""
 
 
 def retraced(
@@ -48,7 +40,7 @@ def retraced(
     """The supports with those lines moved that are edges of half spaces, or outlines of bodies."""
     if not half_spaces and not bodies:
         return carriers
-    reach = _REACH * carriers.tolerance
+    reach = MEETING * carriers.tolerance
     planes = {}
     for axis, plane in carriers.planes.items():
         grid = [
@@ -57,7 +49,7 @@ def retraced(
             for value in carriers.values[Axis(other)]
         ]
         short = max(reach, SHORT * carriers.tolerance)
-        outlines = _outlines(plane, bodies, _OUTLINE * carriers.tolerance, short)
+        outlines = _outlines(plane, bodies, SAME_READ * carriers.tolerance, short)
         lines = {**outlines, **_edges(plane, half_spaces, reach, short)}
         corners = [c for body in half_spaces for hull in body.outlines(axis) for c in hull]
         planes[axis] = _moved(plane, lines, _Ends(grid, corners, reach, short))
@@ -73,7 +65,7 @@ def _edges(
     for body in half_spaces:
         for outline in body.outlines(plane.normal):
             for start, end in zip(outline, (*outline[1:], outline[0]), strict=True):
-                if hypot(end[0] - start[0], end[1] - start[1]) < _EXACT:
+                if hypot(end[0] - start[0], end[1] - start[1]) < ON_CURVE:
                     # Seen from its end.
                     continue
                 line = line_through(start, end)
@@ -112,7 +104,7 @@ def _missed(plane: PlaneCarriers, lines: dict[int, LineCurve]) -> dict[int, Line
     return {
         index: line
         for index, line in lines.items()
-        if max(line.distance(end) for end in _ends(plane.carriers[index])) > _EXACT
+        if max(line.distance(end) for end in _ends(plane.carriers[index])) > ON_CURVE
     }
 
 
@@ -159,7 +151,9 @@ def _moved(plane: PlaneCarriers, lines: dict[int, LineCurve], ends: _Ends) -> Pl
         stations = stations_on(curve, [*curves, *ends.grid])
         corners = []
         if index in lines:
-            corners = sorted(curve.parameter(c) for c in ends.corners if curve.distance(c) < _EXACT)
+            corners = sorted(
+                curve.parameter(c) for c in ends.corners if curve.distance(c) < ON_CURVE
+            )
         intervals = {
             role: tuple(
                 _span(interval, carrier.curve, curve, (corners, stations), ends)

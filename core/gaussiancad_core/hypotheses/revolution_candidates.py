@@ -19,6 +19,7 @@ from gaussiancad_core.cells.surfaces_of_revolution import (
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.hypotheses.profile_ends import ProfileEnds, with_continuations
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -31,8 +32,6 @@ _SAME = 0.02
 
 _WHOLE = 1.2 * pi
 """Angle of a circle that is drawn at least if the body turns all around."""
-
-_TINY = 1e-6
 
 _THIN = 0.05
 """Units of height or radius that a profile has at least."""
@@ -172,7 +171,7 @@ def _sectors(
     found: list[Sector | None] = []
     for circle, carrier in rims:
         arcs = carrier.drawn()
-        if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
+        if len(arcs) > 1 and arcs[0][0] < COMPUTED and arcs[-1][1] > TURN - COMPUTED:
             arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
         found += [sector_of(circle, arc, plane.carriers, near) for arc in arcs]
     return [None] if None in found else found

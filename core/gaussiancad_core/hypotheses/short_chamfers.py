@@ -14,7 +14,8 @@ from math import hypot, pi
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
-from gaussiancad_core.hypotheses.suppressed_slants import LEAST, MOST, SAME, shows
+from gaussiancad_core.geometry.tolerances import SAME_READ
+from gaussiancad_core.hypotheses.suppressed_slants import LEAST, MOST, shows
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -89,7 +90,7 @@ def with_short_chamfers(carriers: PartCarriers) -> PartCarriers:
     """The supports with the lines of chamfers that may be drawn; they have no confidence."""
     if len(carriers.planes) < len(Axis):
         return carriers
-    near = SAME * carriers.tolerance
+    near = SAME_READ * carriers.tolerance
     found: list[_Chamfer] = []
     for axis in Axis:
         for chamfer in _chamfers(carriers, axis):
@@ -117,7 +118,7 @@ def _is_same(one: _Chamfer, other: _Chamfer, near: float) -> bool:
 
 
 def _chamfers(carriers: PartCarriers, axis: Axis) -> Iterator[_Chamfer]:
-    near, least, lost, most = (k * carriers.tolerance for k in (SAME, LEAST, _WIDEST, MOST))
+    near, least, lost, most = (k * carriers.tolerance for k in (SAME_READ, LEAST, _WIDEST, MOST))
     for centre, radii in _round_edges(carriers.planes[axis], near):
         sides = [_side(p, axis, centre) for normal, p in carriers.planes.items() if normal != axis]
         for small, large in pairwise(radii):

@@ -19,6 +19,7 @@ from gaussiancad_core.coordinates.drawn_intervals import (
     nearest_station,
     stations_on,
 )
+from gaussiancad_core.geometry.tolerances import MEETING, SAME_READ
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -29,18 +30,11 @@ MOST = 24.0
 LEAST = 2.0
 """Tolerances from which a line counts."""
 
-SAME = 1.5
-"""Tolerances within which two views show the same end, and lines are one."""
-
-
 _CHANCE = 12
 """Lines of a view that may be lost; where more would be, ends agree by chance."""
 
 _LOOKED_AT = 2000
 """Edges that are looked at for a view."""
-
-_REACH = 3.0
-"""Tolerances within which a line ends at another one."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +76,7 @@ def slanted_edges(
         shared: that axis.
         most: units that such an edge is long in any view, at most.
     """
-    near, least = (k * carriers.tolerance for k in (SAME, LEAST))
+    near, least = (k * carriers.tolerance for k in (SAME_READ, LEAST))
     one, other = (Axis(index) for index in IN_PLANE[shared])
     firsts = _edges(carriers.planes[other], shared, most)
     seconds = sorted(_edges(carriers.planes[one], shared, most), key=lambda edge: edge.low)
@@ -118,12 +112,12 @@ def _completed(
     for start, end in missing:
         line = line_through(start, end)
         if line.axis is not None or any(
-            shows(carrier, start, end, SAME * tolerance) for carrier in found
+            shows(carrier, start, end, SAME_READ * tolerance) for carrier in found
         ):
             continue
         stations = stations_on(line, [carrier.curve for carrier in plane.carriers])
         low, high = sorted(
-            nearest_station(stations, line.parameter(end), _REACH * tolerance)
+            nearest_station(stations, line.parameter(end), MEETING * tolerance)
             for end in (start, end)
         )
         if high - low < LEAST * tolerance:

@@ -9,11 +9,9 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.cells.cell_complex import Cell, Crossing
 from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.geometry.tolerances import MEETING
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_ALIKE = 3.0
-"""Tolerances by which a line and the mirror image of another may differ."""
 
 _LEAST = 1e-2
 """The same in units, at least."""
@@ -22,7 +20,7 @@ _LEAST = 1e-2
 def is_symmetric(carriers: PartCarriers, axis: Axis) -> bool:
     """Whether all lines of the views that show an axis are alike on both sides of its middle."""
     middle = carriers.size[axis.value] / 2.0
-    reach = max(_LEAST, _ALIKE * carriers.tolerance)
+    reach = max(_LEAST, MEETING * carriers.tolerance)
     shown = False
     for normal, plane in carriers.planes.items():
         if normal is axis:

@@ -22,12 +22,10 @@ from gaussiancad_core.coordinates.carrier_curves import (
 )
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, stations_on
+from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
-
-_NEAR = 3.0
-"""Tolerances within which a stroke ends at an edge, and meets others."""
 
 _LEAST_NEAR = 0.02
 """The same in units, at least."""
@@ -35,9 +33,6 @@ _LEAST_NEAR = 0.02
 _TOUCHING = 0.2
 """Share of a circle's radius within which a line that touches it ends at the touching point: small
 errors of the line move that by much more."""
-
-_SEAM = 1e-6
-"""Angle within which an arc's end is where angles begin again."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +52,7 @@ class _FreeEnd:
 
 def with_smooth_edges(carriers: PartCarriers) -> PartCarriers:
     """The supports, with lines without confidence where strokes end at edges that are not drawn."""
-    near = max(_NEAR * carriers.tolerance, _LEAST_NEAR)
+    near = max(MEETING * carriers.tolerance, _LEAST_NEAR)
     planes = {}
     for normal, plane in carriers.planes.items():
         found = plane
@@ -134,7 +129,7 @@ def _free_ends(plane: PlaneCarriers, near: float) -> list[_FreeEnd]:
 def _ends(carrier: Carrier) -> list[float]:
     """Where what is drawn on a support ends; a circle's angle only begins again at zero."""
     ends = [end for stretch in carrier.drawn() for end in stretch]
-    round_ones = {end for end in ends if min(end, TURN - end) < _SEAM}
+    round_ones = {end for end in ends if min(end, TURN - end) < COMPUTED}
     if isinstance(carrier.curve, CircleCurve) and len(round_ones) > 1:
         return [end for end in ends if end not in round_ones]
     return ends

@@ -9,7 +9,6 @@ import numpy as np
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.cells.cell_complex import Space
-from gaussiancad_core.cells.crossing_kernels import BESIDE
 from gaussiancad_core.cells.edge_fragments import Piece, find_pieces
 from gaussiancad_core.cells.grid_rows import count_pieces, find_rows
 from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
@@ -21,6 +20,7 @@ from gaussiancad_core.coordinates.geometric_constraints import Facet
 from gaussiancad_core.coordinates.point_chains import Chain, through_points
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import ASIDE
 from gaussiancad_core.hypotheses.bridges import bridges
 from gaussiancad_core.hypotheses.missing_edges import as_if_drawn, with_missing_edges
 from gaussiancad_core.hypotheses.noted_holes import floors, kept_notes
@@ -221,7 +221,7 @@ def _looks_into(rule: Rule, bodies: Sequence[SurfaceOfRevolution]) -> bool:
         body.crossings(role_plane(piece.role).normal, a + way * da, b + way * db)
         for piece in rule.pieces
         for (a, b), (da, db) in [(piece.point, piece.across)]
-        for way in (-BESIDE, BESIDE)
+        for way in (-ASIDE, ASIDE)
         for body in bodies
     )
 

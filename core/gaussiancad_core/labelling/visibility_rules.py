@@ -15,11 +15,12 @@ from typing import TypeVar
 
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space, parallel
-from gaussiancad_core.cells.crossing_kernels import BESIDE, CLEAR, GROUP
+from gaussiancad_core.cells.crossing_kernels import CLEAR, GROUP
 from gaussiancad_core.cells.edge_fragments import Piece
 from gaussiancad_core.cells.sight_lines import Keys, SightLines
 from gaussiancad_core.coordinates.ambiguous_linetypes import is_unsure
 from gaussiancad_core.coordinates.carrier_curves import Point
+from gaussiancad_core.geometry.tolerances import ASIDE
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import role_plane
 from gaussiancad_core.model.views import Linetype
@@ -203,7 +204,7 @@ def groups_beside(space: Space, piece: Piece, seen: Seen | None = None) -> tuple
     plane = role_plane(piece.role)
     (a, b), (da, db) = piece.point, piece.across
     arrangement = space.planes[plane.normal]
-    sides = [(a + way * da, b + way * db) for way in (-BESIDE, BESIDE)]
+    sides = [(a + way * da, b + way * db) for way in (-ASIDE, ASIDE)]
     blank = piece.linetype is None and all(arrangement.locate(*side) == 0 for side in sides)
     if blank or not _is_clear(arrangement, piece):
         return None

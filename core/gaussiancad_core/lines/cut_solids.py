@@ -16,6 +16,7 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
 from OCP.gp import gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import bounding_box, tessellate
 from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
 from gaussiancad_core.lines.strokes import DrawnStroke
@@ -28,9 +29,6 @@ Plane = npt.NDArray[np.float64]
 
 _CHORD = 1e-3
 """Largest distance between a hatched area and its polygon, as a share of the longest extent."""
-
-_SAME = 1e-6
-"""mm between a line and the border that it lies on."""
 
 _WAVES, _DEPTH = 3, 0.04
 """Waves of a break line along each side of a broken-out region, and their depth as a share."""
@@ -191,6 +189,6 @@ def _lies_on(stroke: DrawnStroke, borders: Sequence[tuple[int, float]]) -> bool:
         return False
     ends = stroke.start, stroke.end
     return any(
-        max(abs(end[index] - at) for end in ends) < _SAME * max(1.0, abs(at))
+        max(abs(end[index] - at) for end in ends) < COMPUTED * max(1.0, abs(at))
         for index, at in borders
     )

@@ -18,6 +18,7 @@ from OCP.TopAbs import TopAbs_State
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 from skimage.measure import find_contours
 
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.kernel.surface_crossings import normal_at
 from gaussiancad_core.lines.strokes import Polyline
@@ -35,8 +36,6 @@ _ELEMENTARY = (
 )
 _NODES_PER_SPAN = 8
 _FEWEST_NODES, _MOST_NODES = 16, 160
-_EDGE_ON = 1e-6
-_NUDGE = 1e-6
 _NEWTON_STEPS = 4
 _CLOSE = 1.0 / 64.0
 _DEEPEST = 7
@@ -165,7 +164,7 @@ def _grid(face: TopoDS_Face, surface: BRepAdaptor_Surface) -> _Grid:
             [
                 normal
                 if np.isfinite(normal := normal_at(surface, u, v)).all()
-                else normal_at(surface, *(np.array([u, v]) + _NUDGE * (centre - [u, v])))
+                else normal_at(surface, *(np.array([u, v]) + COMPUTED * (centre - [u, v])))
                 for v in vs
             ]
             for u in us
@@ -179,10 +178,10 @@ def _contours(grid: _Grid, look: Array) -> list[Array]:
     values = grid.normals @ look
     known = values[np.isfinite(values)]
     # Seen edge-on all over, a face shows its borders only.
-    if not len(known) or np.abs(known).max() < _EDGE_ON:
+    if not len(known) or np.abs(known).max() < COMPUTED:
         return []
     # Rounding must not change signs where part of a face is seen edge-on.
-    values[np.abs(values) < _EDGE_ON**2] = _EDGE_ON**2
+    values[np.abs(values) < COMPUTED**2] = COMPUTED**2
     return [
         np.stack(
             [

@@ -13,6 +13,7 @@ from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
@@ -22,9 +23,6 @@ from gaussiancad_core.sketch.slab_plan import Plan
 
 _NEAR = 1.2
 """Grid steps between an edge and where a view shows it at most."""
-
-_ACROSS = 1e-6
-"""By how much less than 1 the normal of a face is along the axis at most."""
 
 
 def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[EdgeBreak, ...]]:
@@ -115,7 +113,9 @@ def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
         return False
     way, place = surface.Plane().Axis().Direction(), surface.Plane().Location()
     along = abs((way.X(), way.Y(), way.Z())[axis.value])
-    return along > 1.0 - _ACROSS and abs((place.X(), place.Y(), place.Z())[axis.value] - at) <= near
+    return (
+        along > 1.0 - COMPUTED and abs((place.X(), place.Y(), place.Z())[axis.value] - at) <= near
+    )
 
 
 def _broken(

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.sketch.closing_outlines import tidied
 from gaussiancad_core.sketch.plane_lines import PlaneLine
 
@@ -16,9 +17,6 @@ OUTSIDE = -1
 MOST_CELLS = 200
 """Regions of slabs from which nothing is chosen: of more nothing good was ever found in time, nor
 on a coarser grid."""
-
-_ROUNDED = 1e-6
-"""mm to which places are rounded where lines cross."""
 
 _SLIVER = 0.7
 """Grid steps that a region is wide at least, on the average; a narrower one belongs to that beside
@@ -148,7 +146,7 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
     if not lines:
         return []
     noded = shapely.union_all(
-        [shapely.LineString(line.points) for line in lines], grid_size=_ROUNDED
+        [shapely.LineString(line.points) for line in lines], grid_size=COMPUTED
     )
     found = list(shapely.get_parts(shapely.polygonize(shapely.get_parts(noded))))
     narrow = [2.0 * item.area / item.length < _SLIVER * grid for item in found]

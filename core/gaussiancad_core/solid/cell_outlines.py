@@ -13,7 +13,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.cells.crossing_kernels import BESIDE
 from gaussiancad_core.coordinates.carrier_curves import (
     TURN,
     CircleCurve,
@@ -29,6 +28,7 @@ from gaussiancad_core.evidence.mask_outlines import (
     plane_field,
     signed_distance,
 )
+from gaussiancad_core.geometry.tolerances import ASIDE, SHORTEST
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, role_plane
 from gaussiancad_core.model.views import Linetype, View, ViewSet
@@ -56,9 +56,6 @@ _COARSEST_PX = 16.0
 
 _SNAP_PX = 1.5
 """px within which a polygon's corner has the coordinate of a line."""
-
-_SHORT = 1e-3
-"""Units; corners that are closer are one."""
 
 _ON_CURVE = 1e-4
 """Units within which a corner is on a curve."""
@@ -143,7 +140,7 @@ def _bounded(arrangement: Arrangement, shadow: _Shadow, samples: Points) -> Outl
         curve = arrangement.carriers[index].curve
         at = low + 0.438 * (high - low)
         (a, b), (da, db) = curve.at(at), curve.normal(at)
-        sides = [arrangement.locate(a + w * da, b + w * db) in material for w in (-BESIDE, BESIDE)]
+        sides = [arrangement.locate(a + w * da, b + w * db) in material for w in (-ASIDE, ASIDE)]
         if sides[0] != sides[1]:
             intervals.setdefault(index, []).append((low, high))
     border = []
@@ -270,4 +267,4 @@ def _sides(polygons: Sequence[Sequence[Point]]) -> list[Carrier]:
 
 
 def _apart(one: Point, other: Point) -> bool:
-    return float(np.hypot(one[0] - other[0], one[1] - other[1])) >= _SHORT
+    return float(np.hypot(one[0] - other[0], one[1] - other[1])) >= SHORTEST

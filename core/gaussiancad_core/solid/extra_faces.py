@@ -15,11 +15,11 @@ from OCP.TopoDS import TopoDS_Face
 from gaussiancad_core.cells.cell_complex import Body
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.surfaces_of_revolution import (
-    RIM,
     ArcProfile,
     LineProfile,
     SurfaceOfRevolution,
 )
+from gaussiancad_core.geometry.tolerances import SHORTEST
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.model.axes import Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
@@ -46,7 +46,7 @@ def _angle(profile: ArcProfile, z: float) -> float:
     What ends on the axis is to end there exactly: a rim that is nearly a point stays open.
     """
     rise = min(1.0, max(-1.0, (z - profile.z) / profile.radius_of_arc))
-    if profile.r == 0.0 and profile.radius(z) < RIM:
+    if profile.r == 0.0 and profile.radius(z) < SHORTEST:
         rise = copysign(1.0, rise)
     return asin(rise) if profile.side > 0 else pi - asin(rise)
 
@@ -58,7 +58,7 @@ def revolved_face(body: SurfaceOfRevolution) -> TopoDS_Face:
     right, up = cos(start_angle), sin(start_angle)
 
     def point(z: float) -> gp_Pnt:
-        radius = profile.radius(z) if profile.radius(z) > RIM else 0.0
+        radius = profile.radius(z) if profile.radius(z) > SHORTEST else 0.0
         return gp_Pnt(*lifted(body.axis, a + radius * right, b + radius * up, z))
 
     if isinstance(profile, LineProfile):

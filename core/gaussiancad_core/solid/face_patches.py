@@ -9,7 +9,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
-from gaussiancad_core.cells.crossing_kernels import BESIDE
 from gaussiancad_core.coordinates.carrier_curves import (
     TURN,
     CircleCurve,
@@ -17,6 +16,7 @@ from gaussiancad_core.coordinates.carrier_curves import (
     axis_line,
     meetings,
 )
+from gaussiancad_core.geometry.tolerances import ASIDE, SHORTEST
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.solid.labelled_cells import LabelledSpace
@@ -24,7 +24,6 @@ from gaussiancad_core.solid.labelled_cells import LabelledSpace
 Rectangle = tuple[float, float, float, float]
 """Low and high of the first, low and high of the second parameter."""
 
-_SHORT = 1e-3
 NARROW = 0.1
 """Units of depth that a difference usually has at least: beside a plane that touches a cylinder, a
 narrow strip of the cylinder is seen."""
@@ -98,7 +97,7 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
                 flat[key].append((*intervals[first], *intervals[second]))
         for index, rectangles in swept.items():
             curve = plane.carriers[index].curve
-            gap = 2.0 * _SHORT / curve.speed
+            gap = 2.0 * SHORTEST / curve.speed
             # Only slants and circles are swept.
             closed = isinstance(curve, CircleCurve)
             items = _around(united(rectangles, gap), gap) if closed else united(rectangles, gap)
@@ -123,7 +122,7 @@ def _differences(
             at = low + share * (high - low)
             (a, b), (da, db) = curve.at(at), curve.normal(at)
             one, other = (
-                space.stretches(normal, a + way * da, b + way * db) for way in (-BESIDE, BESIDE)
+                space.stretches(normal, a + way * da, b + way * db) for way in (-ASIDE, ASIDE)
             )
             found += _unlike(one, other, narrow)
         for near, far in found:
@@ -136,7 +135,7 @@ def _differences(
 def _nearest(values: list[float], at: float, otherwise: float) -> float:
     """The value that a number is but for the offset of the columns beside a line."""
     nearest = min(values, key=lambda value: abs(value - at), default=otherwise)
-    return nearest if abs(nearest - at) <= _SHORT else otherwise
+    return nearest if abs(nearest - at) <= SHORTEST else otherwise
 
 
 def _pieces(
@@ -149,7 +148,7 @@ def _pieces(
             if line != curve:
                 cuts.update(curve.parameter(point) for point in meetings(curve, line))
     inside = sorted(t for t in cuts if stretch[0] - 1e-9 <= t <= stretch[1] + 1e-9)
-    short = _SHORT / curve.speed
+    short = SHORTEST / curve.speed
     for place, (low, high) in enumerate(pairwise(inside)):
         if high - low < short:
             continue
@@ -181,7 +180,7 @@ def _covers(stretches: list[tuple[float, float]], at: float) -> bool:
     return any(low < at < high for low, high in stretches)
 
 
-def united(rectangles: Iterable[Rectangle], gap: float = 2.0 * _SHORT) -> list[Rectangle]:
+def united(rectangles: Iterable[Rectangle], gap: float = 2.0 * SHORTEST) -> list[Rectangle]:
     """Rectangles that touch as their bounding rectangles, until none touch.
 
     Args:

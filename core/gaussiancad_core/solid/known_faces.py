@@ -16,6 +16,7 @@ from OCP.gp import gp_Ax1, gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face
 
+from gaussiancad_core.geometry.tolerances import SHORTEST
 from gaussiancad_core.kernel.brep import subshapes
 
 Points = npt.NDArray[np.float64]
@@ -23,9 +24,6 @@ Known = npt.NDArray[np.bool_]
 
 _ALONG = 1e-7
 """Component of a unit vector across an axis, at most, of what runs along it."""
-
-_APART = 1e-3
-"""mm from which points are different ones."""
 
 
 class KnownMeasures(Protocol):
@@ -83,7 +81,9 @@ def _is_plane_known(corners: Points, normal: Points, measures: KnownMeasures) ->
     # In the coordinates that tell where the plane is, known corners have to span it.
     each = [measures.coordinates(k, corners[:, k]) for k in across]
     known = corners[np.logical_and.reduce(each)][:, across]
-    return len(known) > 0 and np.linalg.matrix_rank(known - known[0], tol=_APART) >= len(across) - 1
+    return (
+        len(known) > 0 and np.linalg.matrix_rank(known - known[0], tol=SHORTEST) >= len(across) - 1
+    )
 
 
 def _is_cone_known(face: TopoDS_Face, axis: gp_Ax1, measures: KnownMeasures) -> bool:
@@ -96,9 +96,9 @@ def _is_cone_known(face: TopoDS_Face, axis: gp_Ax1, measures: KnownMeasures) -> 
     away = np.hypot(*(np.delete(corners, along, axis=1) - place).T)
     heights = corners[:, along]
     # Its tip has no radius to know.
-    radii = measures.radii(away) | (away <= _APART)
+    radii = measures.radii(away) | (away <= SHORTEST)
     known = heights[radii & measures.coordinates(along, heights)]
-    return len(known) > 0 and bool(np.ptp(known) > _APART)
+    return len(known) > 0 and bool(np.ptp(known) > SHORTEST)
 
 
 def _is_axis_known(axis: gp_Ax1, measures: KnownMeasures) -> bool:

@@ -20,6 +20,7 @@ from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, line_through, meetings
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.booleans import unified
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -31,14 +32,8 @@ _CHORDS = 96
 _FLAT = 1e-5
 """Height of an arc over its chord, as a share of its radius, up to which that stands for it."""
 
-_SHORTEST = 1e-6
-"""Length of a stretch that has an edge, at least: ten times what the kernel takes for one point."""
-
 _CLEARLY = 0.1
 """Sine of the angle from which two curves cross each other clearly."""
-
-_STRAIGHT = 1e-6
-"""Sine of the angle between lines that go on in each other."""
 
 Point = tuple[float, float]
 Floats = npt.NDArray[np.float64]
@@ -159,7 +154,7 @@ def _edges(runs: Sequence[tuple[Floats, Arc | None]]) -> list[ProfileEdge]:
     found = []
     for run, arc in runs:
         # A short stretch may have none left between the curves beside it.
-        if np.hypot(*(run[-1] - run[0])) < _SHORTEST:
+        if np.hypot(*(run[-1] - run[0])) < COMPUTED:
             continue
         middle = None if arc is None else _middle(run, arc)
         found.append(
@@ -218,7 +213,7 @@ def _runs_of(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
         if kinds[index] != kinds[before]:
             return True
         turn = ways[before][0] * ways[index][1] - ways[before][1] * ways[index][0]
-        return kinds[index] is None and abs(turn) > _STRAIGHT
+        return kinds[index] is None and abs(turn) > COMPUTED
 
     starts = [index for index in range(count) if begins(index)] or [0]
     if len(starts) == 1:

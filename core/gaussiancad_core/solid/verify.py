@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.coordinates.ambiguous_linetypes import as_drawn, with_unsure_kinds
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import TELLING
 from gaussiancad_core.kernel.brep import (
     area,
     bounding_box,
@@ -54,9 +55,6 @@ box, lies; those of a picture lie within the tolerance of its views."""
 _STEADY = 24.0
 """Matching tolerances of length from which a stroke is read that well; a shorter one may be off by
 as much more as it is shorter, and moves a face as little."""
-
-_TELLING = 4.0
-"""Matching tolerances of length from which a stroke tells where its line runs."""
 
 _SHORT = 1.5
 """Matching tolerances of length from which a straight stroke tells a direction."""
@@ -193,7 +191,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
                 lines.visible, lines.hidden.only(np.zeros(len(lines.hidden.points), bool))
             )
         found = matched[role] = match_lines(strokes, lines, tolerance)
-        spread = max(spread, _spread(strokes, lines, tolerance, _TELLING * tolerance))
+        spread = max(spread, _spread(strokes, lines, tolerance, TELLING * tolerance))
         askew |= _is_askew(strokes, lines, _SHORT * tolerance)
         unread = max(least, _UNREAD * views.tolerance)
         seen = max(_SEEN * tolerance, _SMALLEST_FLAW * max(views.size))

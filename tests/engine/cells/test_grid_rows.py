@@ -8,9 +8,10 @@ from itertools import pairwise
 import pytest
 
 from gaussiancad_core.cells.edge_fragments import SHARE, Piece, find_pieces
-from gaussiancad_core.cells.grid_rows import SHORT, count_pieces, find_rows
+from gaussiancad_core.cells.grid_rows import count_pieces, find_rows
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import SHORTEST
 from gaussiancad_core.labelling import part_model as reasoning_part
 from gaussiancad_core.labelling.part_model import PartModel, model_part
 from gaussiancad_core.labelling.visibility_rules import groups_beside
@@ -39,7 +40,7 @@ def test_pieces_of_the_grid_are_counted(part: PartModel) -> None:
         assert count_pieces(rows) == sum(len(list(row.pieces())) for row in rows)
         for row in rows:
             assert list(row.cuts) == sorted(row.cuts)
-            assert all(high - low >= SHORT for low, high in row.pieces())
+            assert all(high - low >= SHORTEST for low, high in row.pieces())
             place = normal, row.coordinate, round(row.value, 6)
             # Curves of two surfaces that run along it may be there as well.
             assert on_grid[place] >= len(list(row.pieces()))

@@ -19,10 +19,10 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.cells.cell_complex import Cell
 from gaussiancad_core.cells.edge_fragments import find_pieces
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.geometry.tolerances import ASIDE
 from gaussiancad_core.labelling import visibility_rules
 from gaussiancad_core.labelling.part_model import PartModel, model_part
 from gaussiancad_core.labelling.visibility_rules import (
-    BESIDE,
     Group,
     Rule,
     drawn_under,
@@ -55,7 +55,7 @@ def _truth(part: PartModel, solid: TopoDS_Shape) -> dict[Cell, bool]:
     labels: dict[Cell, bool] = {}
     for piece in find_pieces(part.space, part.carriers.planes, _NEAR):
         normal = role_plane(piece.role).normal
-        for way in (-BESIDE, BESIDE):
+        for way in -ASIDE:
             a, b = (p + way * q for p, q in zip(piece.point, piece.across, strict=True))
             for crossing, following in pairwise(part.space.column(normal, a, b)):
                 cell = crossing.after
