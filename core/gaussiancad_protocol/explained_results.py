@@ -110,7 +110,7 @@ REASONS = (
         Code.LINETYPES_RETOLD,
     ),
     row(
-        "the projection symbol says one angle, the lines the other; tell `--projection`",
+        "the projection symbol says one angle, the lines the other; pass `--projection`",
         Code.SYMBOL_CONTRADICTS_LINES,
     ),
     row(
@@ -219,7 +219,7 @@ WARNINGS = (
     ),
     row(
         "a vector sheet has no scale note that could be read: 1:1 was taken, or the size in "
-        "the unit that a DXF states; tell `--length` if it is not",
+        "the unit that a DXF states; pass `--length` if it is not",
         Code.FULL_SCALE_ASSUMED,
     ),
     row(
@@ -228,7 +228,7 @@ WARNINGS = (
         Code.SIZE_CONTRADICTS_UNIT,
     ),
     row(
-        "the longest edge was made 100 mm; tell `--length` or `--mm-per-pixel`", Code.SCALE_ASSUMED
+        "the longest edge was made 100 mm; pass `--length` or `--mm-per-pixel`", Code.SCALE_ASSUMED
     ),
     row(
         "so many corrections by hand were taken; the result is checked by the sheet as corrected",
@@ -244,7 +244,7 @@ WARNINGS = (
         Code.EXTERNAL_LEFT_OUT,
     ),
     row(
-        "the SVG does not say how large its paper is, or the DXF not its unit: tell `--unit`,"
+        "the SVG does not say how large its paper is, or the DXF not its unit: pass `--unit`,"
         " `--length` or `--mm-per-pixel`",
         Code.PAPER_SIZE_UNKNOWN,
     ),
@@ -261,7 +261,7 @@ WARNINGS = (
     ),
     row(
         "page 1 of a DXF shows no views that belong together, and one paper layout brings "
-        "them together: that one was taken; tell `--page` if another is meant",
+        "them together: that one was taken; pass `--page` if another is meant",
         Code.OTHER_PAGE_TAKEN,
     ),
     row(

@@ -1,4 +1,4 @@
-"""Solids and features at another size, so that the room's tolerances are plain numbers."""
+"""Solids and features at another size, so that the package's tolerances are plain numbers."""
 
 from dataclasses import replace
 

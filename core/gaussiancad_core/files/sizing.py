@@ -98,7 +98,7 @@ def notes_on(path: Path, sizing: Sizing) -> tuple[Note, ...]:
 def _no_paper_size(path: Path) -> Note:
     """That a file does not say how large its paper is."""
     message = Message(
-        "{name} does not say how large its paper is: tell --unit, --length or --mm-per-pixel",
+        "{name} does not say how large its paper is: pass --unit, --length or --mm-per-pixel",
         name=path.name,
     )
     return Note(UNIT_UNKNOWN, message)

@@ -1,4 +1,4 @@
-"""Triangle meshes as plain arrays, and the few questions that every room asks of them.
+"""Triangle meshes as plain arrays, and the few questions that every package asks of them.
 
 The dataclass holds nothing but numbers, so that it can be compared, stored and passed between
 processes; trimesh answers what needs more than arithmetic.

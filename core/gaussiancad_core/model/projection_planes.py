@@ -2,7 +2,7 @@
 
 Each view looks along an axis; opposite views share a plane.  A plane's coordinates (a, b) are the
 model's two other coordinates in the order x, y, z, in units of a hundredth of the part's longest
-extent.  In these units the room's tolerances are numbers.
+extent.  In these units the solver's tolerances are plain numbers.
 """
 
 from dataclasses import dataclass

@@ -88,7 +88,7 @@ def stated_unseen(
     if thickness is not None:
         raise NoModelError(
             Code.ONE_VIEW,
-            "the sheet has one view and a thickness, and nothing tells its scale: tell --length "
+            "the sheet has one view and a thickness, and nothing tells its scale: pass --length "
             "AXIS=MM along an axis that the view shows, or --mm-per-pixel",
             boxes=[view.box],
             axis=axis.name.lower(),

@@ -37,7 +37,7 @@ def tell_page(notes: RunNotes, page: int, image: SheetImage) -> None:
         Code.OTHER_PAGE_TAKEN,
         Message(
             "page 1 of {pages} shows no views that belong together: page {page} was taken, the "
-            "layout that brings them together; tell --page if another one is meant",
+            "layout that brings them together; pass --page if another one is meant",
             pages=image.pages,
             page=page,
         ),

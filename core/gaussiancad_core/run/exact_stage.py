@@ -32,7 +32,7 @@ _UNSETTLED = (
     Code.SEARCH_UNFINISHED,
     Message(
         "whether the views fit a solid in the other projection as well is not certain: "
-        "tell --projection",
+        "pass --projection",
         case="projection",
     ),
 )
@@ -49,7 +49,7 @@ _MORE_USUAL = 0.8
 _AMBIGUOUS = (
     Code.AMBIGUOUS,
     Message(
-        "the views fit different solids in first and in third angle: tell --projection",
+        "the views fit different solids in first and in third angle: pass --projection",
         case="projection",
     ),
 )

@@ -110,7 +110,7 @@ def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> Non
         Code.SYMBOL_CONTRADICTS_LINES,
         Message(
             "the projection symbol says {symbol} angle, but the visible and hidden lines fit "
-            "{other} angle better: {taken} angle was taken; tell --projection if it is the other",
+            "{other} angle better: {taken} angle was taken; pass --projection if it is the other",
             symbol=symbol,
             other=symbol.other,
             taken=taken,
@@ -226,7 +226,7 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
         notes.warn(
             Code.SCALE_ASSUMED,
             "the scale is not known: the longest edge was made 100 mm; "
-            "tell --length AXIS=MM or --mm-per-pixel",
+            "pass --length AXIS=MM or --mm-per-pixel",
         )
     for axis in registered.extents.disagreeing:
         spread = registered.extents.spread[axis]

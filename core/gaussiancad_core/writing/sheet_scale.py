@@ -84,11 +84,11 @@ _OTHER = 0.6
 
 _ON_PAPER = Message(
     "the sheet has no scale note that could be read: its paper was taken to show the part full "
-    "scale; tell --length AXIS=MM if it does not"
+    "scale; pass --length AXIS=MM if it does not"
 )
 _IN_OWN_SIZE = Message(
     "the file says the unit of its lengths, and no scale: the part was taken to be drawn in its "
-    "own size; tell --length AXIS=MM if it is not",
+    "own size; pass --length AXIS=MM if it is not",
     case="file",
 )
 
