@@ -21,7 +21,6 @@ from typing import IO, Any
 from gaussiancad_core.errors import (
     CancelledError,
     EngineError,
-    ExitCode,
     GaussianCadError,
     LimitError,
     NoModelError,
@@ -30,6 +29,7 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.messages import filled
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 PYTHON_VARIABLE = "GAUSSIANCAD_PYTHON"
 """Environment variable that names the engine's interpreter, as for the workbench."""

@@ -9,8 +9,9 @@ from typing import Any
 from gaussiancad.engine_call import run_command
 from gaussiancad.options import PathLike, options, path_of
 from gaussiancad.part_result import SOLID_FILE, Result
-from gaussiancad_core.errors import ExitCode, UnreadableError
+from gaussiancad_core.errors import UnreadableError
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _MESH_FILES = ("surface.stl", "hull.stl")
 """What is compared of a result without a solid, the first that is there."""

@@ -11,7 +11,7 @@ from gaussiancad.engine_call import Progress, run_command
 from gaussiancad.options import Box, PathLike, options, path_of, reading_options
 from gaussiancad.part_result import REPORT_FILE, Result
 from gaussiancad.sheet_reading import Reading
-from gaussiancad_core.errors import ExitCode
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _READING_FILE = "reading.json"
 _CORRECTIONS_SCHEMA = "gaussiancad-corrections/1"

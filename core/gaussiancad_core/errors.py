@@ -7,23 +7,10 @@ else that escapes the engine is a defect of the engine and ends in :attr:`ExitCo
 
 import errno
 from collections.abc import Iterable
-from enum import IntEnum
 
 from gaussiancad_core.messages import Box, Message
 from gaussiancad_protocol.codes import Code
-
-
-class ExitCode(IntEnum):
-    """Exit status of the ``gaussiancad`` command."""
-
-    DONE = 0
-    SOME_SHEETS_FAILED = 1
-    USAGE = 2
-    UNREADABLE = 3
-    NO_MODEL = 4
-    LIMIT = 5
-    ENGINE = 6
-    CANCELLED = 130
+from gaussiancad_protocol.exit_codes import ExitCode
 
 
 class GaussianCadError(Exception):

@@ -13,7 +13,6 @@ engine, 130 if it was interrupted.
 import os
 from collections import deque
 from collections.abc import Sequence
-from enum import IntEnum
 from pathlib import Path
 
 from freecad.gaussiancad.batch_bodies import BodyMaker
@@ -23,7 +22,7 @@ from freecad.gaussiancad.batch_report import SheetRow, write_report
 from freecad.gaussiancad.batch_stop import BatchStopped, StopOnSignals
 from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
-from freecad.gaussiancad.engine.protocol import Event, EventKind
+from freecad.gaussiancad.engine.protocol import Event, EventKind, ExitCode
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.preferences import read_preferences
@@ -36,17 +35,6 @@ _NO_NAME = (
     "the engine is older than this addon and tells no name for the files: choose GaussianCAD > "
     "Install Engine"
 )
-
-
-class ExitCode(IntEnum):
-    """Exit status of a batch."""
-
-    DONE = 0
-    SOME_FAILED = 1
-    USAGE = 2
-    LIMIT = 5
-    NO_ENGINE = 6
-    CANCELLED = 130
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -67,7 +55,7 @@ def main(arguments: Sequence[str]) -> int:
         engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
     except WorkbenchError as error:
         _say(error.message)
-        return ExitCode.NO_ENGINE
+        return ExitCode.ENGINE
     return _convert_one(engine, options) if options.flat else _convert_all(engine, options)
 
 
@@ -115,11 +103,11 @@ def _exit_code(result: RunResult, rows: Sequence[SheetRow], stopped: bool, is_wh
     """
     if stopped or result.state is RunState.CANCELLED:
         return ExitCode.CANCELLED
-    if is_whole and result.exit_code in (ExitCode.DONE, ExitCode.SOME_FAILED):
-        return ExitCode.SOME_FAILED if any(row.failed for row in rows) else ExitCode.DONE
+    if is_whole and result.exit_code in (ExitCode.DONE, ExitCode.SOME_SHEETS_FAILED):
+        return ExitCode.SOME_SHEETS_FAILED if any(row.failed for row in rows) else ExitCode.DONE
     _say(result.message)
     stated = result.exit_code in (ExitCode.USAGE, ExitCode.LIMIT)
-    return result.exit_code if stated else ExitCode.NO_ENGINE
+    return result.exit_code if stated else ExitCode.ENGINE
 
 
 def _convert_one(engine: Engine, options: BatchOptions) -> int:
@@ -149,10 +137,10 @@ def _convert_one(engine: Engine, options: BatchOptions) -> int:
         return ExitCode.CANCELLED
     codes = {
         RunState.DONE: ExitCode.DONE,
-        RunState.BROKEN: ExitCode.NO_ENGINE,
+        RunState.BROKEN: ExitCode.ENGINE,
         RunState.CANCELLED: ExitCode.CANCELLED,
     }
-    return codes.get(state, ExitCode.SOME_FAILED)
+    return codes.get(state, ExitCode.SOME_SHEETS_FAILED)
 
 
 def _say(line: str) -> None:

@@ -20,7 +20,7 @@ from gaussiancad_core.batches.batch_page import PAGE_FILE, page_bytes
 from gaussiancad_core.batches.batch_table import REPORT_FILE, BatchRow, table_bytes
 from gaussiancad_core.batches.job_arguments import job_arguments
 from gaussiancad_core.batches.manifest import MANIFEST_FILE, Key, Manifest
-from gaussiancad_core.errors import CancelledError, ExitCode, LimitError, UsageError
+from gaussiancad_core.errors import CancelledError, LimitError, UsageError
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, Supervisor
 from gaussiancad_core.storage.outputs import REPORT_FILE as SHEET_REPORT
 from gaussiancad_core.storage.outputs import os_error
@@ -28,6 +28,7 @@ from gaussiancad_core.storage.resume_check import finished_report, sha256
 from gaussiancad_core.storage.single_file import write_whole
 from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import Status
 
 if TYPE_CHECKING:

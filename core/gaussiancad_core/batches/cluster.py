@@ -15,10 +15,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from gaussiancad_core import __version__
-from gaussiancad_core.errors import ExitCode, UsageError
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, run_limited
 from gaussiancad_core.storage.extras import Extra, demand
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 if TYPE_CHECKING:
     from distributed import Client, Future

@@ -15,10 +15,11 @@ from typing import Any
 
 from gaussiancad_core.batches.batch_inputs import BatchSheet
 from gaussiancad_core.batches.batch_table import BatchRow
-from gaussiancad_core.errors import ExitCode, LimitError, UsageError
+from gaussiancad_core.errors import LimitError, UsageError
 from gaussiancad_core.processes.supervisor import Ended
 from gaussiancad_core.storage.resume_check import sha256
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 MANIFEST_FILE = "manifest.sqlite"
 

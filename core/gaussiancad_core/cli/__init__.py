@@ -16,7 +16,6 @@ from gaussiancad_core.cli.terminal import terminal
 from gaussiancad_core.errors import (
     CancelledError,
     EngineError,
-    ExitCode,
     GaussianCadError,
     LimitError,
     UsageError,
@@ -34,6 +33,7 @@ from gaussiancad_core.processes.events import (
 )
 from gaussiancad_core.processes.library_behaviour import prepare_environment
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _REFUSED = {
     errno.ENAMETOOLONG,

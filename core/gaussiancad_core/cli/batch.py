@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.reconstruct import add_events_option, add_job_options, greet, job_of
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode, UsageError
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.report.job import Job
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 if TYPE_CHECKING:
     from gaussiancad_core.batches.batch_run import SheetDone

@@ -13,10 +13,11 @@ from gaussiancad_core.comparison.comparison_options import (
     Protocol,
     ScaleRule,
 )
-from gaussiancad_core.errors import ExitCode, GaussianCadError, UnreadableError
+from gaussiancad_core.errors import GaussianCadError, UnreadableError
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.storage.extras import Extra, demand
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _ALL = "all"
 

@@ -4,13 +4,14 @@ import argparse
 
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode, UnreadableError
+from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.files.file_opening import head_of
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.readings.reading_files import open_corrections
 from gaussiancad_core.report.job import corrections_beside
 from gaussiancad_core.storage.extras import Extra, demand
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _REPORTS = (".csv", ".json")
 """How the names of a batch's reports end."""

@@ -8,10 +8,10 @@ import sys
 from importlib import metadata
 
 from gaussiancad_core import __version__
-from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.storage.extras import MODULES, Extra, lacking
 from gaussiancad_core.storage.versions import installed_versions
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _NEEDED = {
     "numpy": "numpy",

@@ -5,10 +5,10 @@ from functools import partial
 
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.processes.events import Listener
+from gaussiancad_protocol.exit_codes import ExitCode
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

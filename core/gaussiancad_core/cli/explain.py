@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
+from gaussiancad_core.errors import UnreadableError, UsageError
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.storage.plain_files import plain_bytes
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _SCHEMAS = (2, "gaussiancad-reading/1", "gaussiancad-construction/1")
 """Of the files that are read: the report, the reading, the construction."""

@@ -5,9 +5,9 @@ import argparse
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.streams import say
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.processes.events import Listener
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _USUAL_MEMORY, _USUAL_SECONDS = 8.0, 120.0
 """GB and s within which features are looked for, unless other limits are given."""

@@ -7,7 +7,6 @@ from typing import Any
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.streams import say
 from gaussiancad_core.errors import (
-    ExitCode,
     GaussianCadError,
     LimitError,
     NoModelError,
@@ -17,6 +16,7 @@ from gaussiancad_core.errors import (
 from gaussiancad_core.messages import event_fields, on_one_line
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 ALL_PAGES = "all"
 

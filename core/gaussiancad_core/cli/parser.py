@@ -17,7 +17,7 @@ from gaussiancad_core.cli import (
     serve,
 )
 from gaussiancad_core.cli.streams import say
-from gaussiancad_core.errors import ExitCode
+from gaussiancad_protocol.exit_codes import ExitCode
 
 
 class OneLineParser(argparse.ArgumentParser):

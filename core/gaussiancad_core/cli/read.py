@@ -12,11 +12,11 @@ from gaussiancad_core.cli.reconstruct import (
     reading_of,
 )
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.report.job import Job, corrections_beside
 from gaussiancad_core.storage.outputs import READ_FILES
+from gaussiancad_protocol.exit_codes import ExitCode
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

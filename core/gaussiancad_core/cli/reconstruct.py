@@ -10,7 +10,7 @@ from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.cli.streams import say
 from gaussiancad_core.cli.terminal import summary
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode, UsageError
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.processes.events import Listener
@@ -20,6 +20,7 @@ from gaussiancad_core.storage.extras import Extra, lacking, result_kind
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.event_lines import PROTOCOL
+from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import Device, Preset, Recipe, ResultKind, SolidWay
 
 SOLID_WAY = "--solid-way"

@@ -9,16 +9,11 @@ from queue import SimpleQueue
 from typing import Any
 
 from gaussiancad_core.cli.reconstruct import greet
-from gaussiancad_core.errors import (
-    CancelledError,
-    ExitCode,
-    GaussianCadError,
-    is_out_of_memory,
-    out_of_files,
-)
+from gaussiancad_core.errors import CancelledError, GaussianCadError, is_out_of_memory, out_of_files
 from gaussiancad_core.messages import Message, event_fields, on_one_line
 from gaussiancad_core.processes.events import Listener, stop_main_thread
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _END = ""
 

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from gaussiancad_core.errors import ExitCode, GaussianCadError, UsageError
+from gaussiancad_core.errors import GaussianCadError, UsageError
 from gaussiancad_core.processes.library_behaviour import prepare_environment
 from gaussiancad_core.storage.extras import Extra, demand
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _DESCRIPTION = """\
 Draw parts, compose sheets of them, train the labels network on them, calibrate and check it on

@@ -15,9 +15,9 @@ from typing import IO, Generic, TypeVar
 
 import psutil
 
-from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.processes.process_start import Interpreters, Starter, hang_up, starter
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _LOOKS_EVERY = 0.1
 """s between looks at the processes."""

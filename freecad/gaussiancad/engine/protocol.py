@@ -18,12 +18,14 @@ from gaussiancad_protocol.event_lines import (
     LineBuffer,
     parse_event,
 )
+from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import Preset, Recipe, ResultKind, Status
 
 __all__ = [
     "Code",
     "Event",
     "EventKind",
+    "ExitCode",
     "LineBuffer",
     "Preset",
     "Recipe",

@@ -11,12 +11,13 @@ import msgspec
 import numpy as np
 import pytest
 
-from gaussiancad_core.errors import ExitCode, LimitError, UnreadableError
+from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.messages import Message, args_of, event_fields, filled, on_one_line
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.readings.views_to_reading import refusal
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 ENGINE = Path(__file__).resolve().parents[3] / "core"
 SOURCES = [

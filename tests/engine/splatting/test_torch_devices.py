@@ -7,10 +7,11 @@ from types import SimpleNamespace
 import pytest
 import torch
 
-from gaussiancad_core.errors import EngineError, ExitCode
+from gaussiancad_core.errors import EngineError
 from gaussiancad_core.splatting import torch_devices
 from gaussiancad_core.splatting.rasterizer import Backend
 from gaussiancad_core.splatting.torch_devices import backend_for, cuda_problem
+from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import Device
 
 

@@ -12,8 +12,9 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from gaussiancad_core.errors import EngineError, ExitCode
+from gaussiancad_core.errors import EngineError
 from gaussiancad_core.storage.extras import MODULES, Extra, demand, lacking, result_kind
+from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import ResultKind
 
 ROOT = Path(__file__).resolve().parents[2]
