@@ -8,13 +8,15 @@
     [60.0, 37.5, 45.0]
 
 ``reconstruct`` reads a sheet and makes the part; ``read``, ``correct`` and ``solve`` do the same in
-steps; ``compare`` measures a part against a reference, ``draw`` draws one.  Every error is an
+steps; ``explain`` says why they are what they are; ``compare`` measures a part against a reference,
+``draw`` draws one.  Every error is an
 :class:`Error` with a ``code`` and a sentence that says what to do.
 
 The engine runs in a process of its own: importing this package loads no library beside Python's
 own, and a geometry kernel that crashes raises an error here.
 """
 
+from gaussiancad.explanations import explain
 from gaussiancad.models import Comparison, compare, draw
 from gaussiancad.part_result import Finding, Result
 from gaussiancad.sheet_reading import Problem, Reading, Stroke, View
@@ -49,6 +51,7 @@ __all__ = [
     "compare",
     "correct",
     "draw",
+    "explain",
     "read",
     "reconstruct",
     "solve",

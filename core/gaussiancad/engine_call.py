@@ -16,6 +16,7 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from queue import Empty, SimpleQueue
 from typing import IO, Any
 
 from gaussiancad_core.errors import (
@@ -46,8 +47,12 @@ _SECONDS_TO_STOP = 30.0
 _LAST_BYTES = 1 << 16
 """Of what the process printed as errors that are looked at."""
 
+_SECONDS_BETWEEN = 0.5
+"""After which progress is called again where the run says nothing new."""
+
 Progress = Callable[[str, float], None]
-"""Told the running stage and the fraction of it that is done, 0 to 1."""
+"""Called with the running stage and the fraction of it that is done, 0 to 1: at each event, and
+twice a second between events, so that an exception in it stops a run that says nothing, too."""
 
 _ERRORS: dict[int, type[GaussianCadError]] = {
     ExitCode.USAGE: UsageError,
@@ -158,7 +163,7 @@ def run_command(arguments: Sequence[str], progress: Progress | None = None) -> E
                 "the engine cannot be started ({reason}): run `gaussiancad doctor`",
                 reason=error.strerror or error,
             ) from error
-        printed, stated = _heard(process, progress, events="--events" in arguments)
+        printed, stated = _heard(process, progress, arguments[0], events="--events" in arguments)
         return EndedCommand(process.wait(), printed, _last_of(errors), stated)
 
 
@@ -170,14 +175,19 @@ def _environment() -> dict[str, str]:
 
 
 def _heard(
-    process: "subprocess.Popen[bytes]", progress: Progress | None, *, events: bool
+    process: "subprocess.Popen[bytes]", progress: Progress | None, command: str, *, events: bool
 ) -> tuple[str, Mapping[str, Any]]:
     """What a process printed, or the error that it told, once it has ended."""
     assert process.stdin is not None and process.stdout is not None
+    lines: SimpleQueue[bytes | None] = SimpleQueue()
+    # It reads on after a wish to stop: a run must not wait for a reader of what it still prints.
+    listener = threading.Thread(target=_listen, args=(process.stdout, lines), daemon=True)
+    listener.start()
     printed: list[str] = []
     stated: Mapping[str, Any] = {}
+    running = command, 0.0
     try:
-        for line in process.stdout:
+        while (line := _next_line(lines, progress, running)) is not None:
             text = line.decode("utf-8", "replace")
             if not events:
                 printed.append(text)
@@ -185,17 +195,40 @@ def _heard(
             event = _event(text)
             if event.get("event") == "error":
                 stated = event
-            elif progress is not None:
-                _tell(event, progress)
+            elif progress is not None and (found := _running(event)) is not None:
+                running = found
+                progress(*running)
         process.wait()
     except BaseException:
         _stop(process)
         raise
     finally:
-        for stream in (process.stdin, process.stdout):
-            with contextlib.suppress(OSError):
-                stream.close()
+        with contextlib.suppress(OSError):
+            process.stdin.close()
+        # A process that the run left behind may hold its end of the pipe open.
+        listener.join(1.0)
+        if not listener.is_alive():
+            process.stdout.close()
     return "".join(printed), stated
+
+
+def _next_line(
+    lines: "SimpleQueue[bytes | None]", progress: Progress | None, running: tuple[str, float]
+) -> bytes | None:
+    """The next line that a process prints; None at its end."""
+    while progress is not None:
+        try:
+            return lines.get(timeout=_SECONDS_BETWEEN)
+        except Empty:
+            progress(*running)
+    return lines.get()
+
+
+def _listen(stream: IO[bytes], lines: "SimpleQueue[bytes | None]") -> None:
+    with contextlib.suppress(OSError, ValueError):
+        for line in stream:
+            lines.put(line)
+    lines.put(None)
 
 
 def _event(line: str) -> Mapping[str, Any]:
@@ -206,33 +239,27 @@ def _event(line: str) -> Mapping[str, Any]:
     return values if isinstance(values, dict) else {}
 
 
-def _tell(event: Mapping[str, Any], progress: Progress) -> None:
+def _running(event: Mapping[str, Any]) -> tuple[str, float] | None:
+    """The stage that an event speaks of, and the fraction of it that is done."""
     if event.get("event") == "stage":
-        progress(str(event.get("name")), 0.0)
-    elif event.get("event") == "progress":
-        progress(str(event.get("stage")), float(event.get("fraction", 0.0)))
+        return str(event.get("name")), 0.0
+    if event.get("event") == "progress":
+        return str(event.get("stage")), float(event.get("fraction", 0.0))
+    return None
 
 
 def _stop(process: "subprocess.Popen[bytes]") -> None:
     """End a run: by its own wish to stop, or after a while by force."""
-    assert process.stdin is not None and process.stdout is not None
+    assert process.stdin is not None
     with contextlib.suppress(OSError):
         process.stdin.write(b"cancel\n")
         process.stdin.close()
     process.terminate()
-    # It must not wait for a reader of what it still prints.
-    threading.Thread(target=_drain, args=(process.stdout,), daemon=True).start()
     try:
         process.wait(_SECONDS_TO_STOP)
     except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
-
-
-def _drain(stream: IO[bytes]) -> None:
-    with contextlib.suppress(OSError, ValueError):
-        while stream.read(1 << 16):
-            pass
 
 
 def _last_of(file: IO[bytes]) -> str:

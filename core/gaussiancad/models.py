@@ -6,7 +6,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from gaussiancad.engine_call import run_command
+from gaussiancad.engine_call import Progress, run_command
 from gaussiancad.options import PathLike, options, path_of
 from gaussiancad.part_result import SOLID_FILE, Result
 from gaussiancad_core.errors import UnreadableError
@@ -64,6 +64,7 @@ def compare(
     seed: int = 0,
     protocol: str | None = None,
     register: str | None = None,
+    progress: Progress | None = None,
 ) -> Comparison:
     """Compare a part with a reference.
 
@@ -74,6 +75,7 @@ def compare(
         seed: of the samples.
         protocol: ``gaussiancad``, ``deepcad``, ``engineering`` or ``all``.
         register: how the two are laid over each other: ``none``, ``axes``, ``icp``, ``global``.
+        progress: called twice a second; an exception in it stops the comparison.
 
     Raises:
         UnreadableError: a file is missing, or no model; a result without a model.
@@ -82,7 +84,7 @@ def compare(
     stated_options = options(
         points=points, seed=seed, protocol=protocol, register=register, json=True
     )
-    ended = run_command(["compare", _model(result), _model(reference), *stated_options])
+    ended = run_command(["compare", _model(result), _model(reference), *stated_options], progress)
     if ended.exit_code != ExitCode.DONE:
         raise ended.error()
     return Comparison(json.loads(ended.printed))

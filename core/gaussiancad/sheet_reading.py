@@ -75,11 +75,13 @@ class Reading:
         sheet: the file.
         data: ``reading.json`` as it is, see the documentation.
         page: of the file, from 1.
+        folder: that of ``reading.json``, its pictures and ``lines.dxf``, if they were written.
     """
 
     sheet: Path
     data: Mapping[str, Any]
     page: int = 1
+    folder: Path | None = None
 
     @classmethod
     def load(cls, path: PathLike, sheet: PathLike) -> "Reading":
@@ -92,7 +94,8 @@ class Reading:
         data = json.loads(Path(path).read_bytes())
         if not isinstance(data, dict):
             raise ValueError(f"{path} is no reading.json")
-        return cls(Path(sheet), MappingProxyType(data), int(data.get("sheet", {}).get("page", 1)))
+        page = int(data.get("sheet", {}).get("page", 1))
+        return cls(Path(sheet), MappingProxyType(data), page, Path(path).parent)
 
     @property
     def views(self) -> Mapping[str, View]:

@@ -14,6 +14,7 @@ from gaussiancad.sheet_reading import Reading
 from gaussiancad_protocol.exit_codes import ExitCode
 
 _READING_FILE = "reading.json"
+_CORRECTIONS_FILE = "corrections.json"
 _CORRECTIONS_SCHEMA = "gaussiancad-corrections/1"
 _PREFIX = "gaussiancad-"
 
@@ -27,6 +28,7 @@ def read(
     length: Mapping[str, float] | None = None,
     mm_per_pixel: float | None = None,
     unit: str | None = None,
+    output: PathLike | None = None,
     progress: Progress | None = None,
 ) -> Reading:
     """Read a sheet: its views, their strokes, its dimensions and notes.
@@ -41,10 +43,13 @@ def read(
         length: the part's extents in mm by axis, such as ``{"x": 80}``.
         mm_per_pixel: the scale.
         unit: of a file that does not say its own: ``mm``, ``cm``, ``m``, ``in`` or ``ft``.
-        progress: called with the running stage and the fraction of it that is done.
+        output: folder for ``reading.json``, ``reading.png``, ``sheet.png``, ``lines.dxf`` and
+            ``lines.svg``; nothing is written where None.
+        progress: called with the running stage and the fraction of it that is done, at least
+            twice a second; an exception in it stops the run.
 
     Raises:
-        UsageError: an option has no such value.
+        UsageError: an option has no such value, or the output cannot be written.
         UnreadableError: the file is no sheet, or damaged.
         LimitError: it is too large, or memory does not suffice.
         EngineError: the engine is missing or incomplete.
@@ -57,13 +62,14 @@ def read(
         mm_per_pixel=mm_per_pixel,
         unit=unit,
     )
-    return _read(Path(sheet), page, stated_reading_options, progress)
+    return _read(Path(sheet), page, stated_reading_options, output, progress)
 
 
 def correct(
     reading: Reading,
     corrections: Sequence[Mapping[str, Any]],
     *,
+    output: PathLike | None = None,
     progress: Progress | None = None,
 ) -> Reading:
     """Apply corrections to what was read, as the canvas does.
@@ -71,7 +77,7 @@ def correct(
     Args:
         reading: of a sheet.
         corrections: operations of ``corrections.json``, one after another.
-        progress: as of :func:`read`.
+        output, progress: as of :func:`read`.
 
     Returns:
         The corrected reading, with the problems that it still has.
@@ -80,24 +86,8 @@ def correct(
         UnreadableError: ``corrections-not-read``: one has no such form; the message says which.
     """
     with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
-        folder = Path(name)
-        (folder / _READING_FILE).write_bytes(reading.as_json())
-        (folder / "corrections.json").write_text(
-            json.dumps(
-                {
-                    "schema": _CORRECTIONS_SCHEMA,
-                    "sheet_sha256": reading.data["sheet"]["sha256"],
-                    "ops": list(corrections),
-                }
-            ),
-            encoding="utf-8",
-        )
-        stated_options = options(
-            page=reading.page,
-            reading=folder / _READING_FILE,
-            corrections=folder / "corrections.json",
-        )
-        return _read(reading.sheet, reading.page, stated_options, progress)
+        stated_options = _of_reading(reading, corrections, Path(name))
+        return _read(reading.sheet, reading.page, stated_options, output, progress)
 
 
 def reconstruct(
@@ -167,28 +157,48 @@ def solve(
         GaussianCadError: as of :func:`reconstruct`.
     """
     with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
-        path = Path(name, _READING_FILE)
-        path.write_bytes(reading.as_json())
-        stated_options = options(
-            page=reading.page,
-            reading=path,
-            result=result,
-            recipe=recipe,
-            preset=preset,
-            seed=seed,
-            device=device,
+        # None on top of it: those that lie beside the sheet are in it already.
+        stated_options = _of_reading(reading, (), Path(name))
+        stated_options += options(
+            result=result, recipe=recipe, preset=preset, seed=seed, device=device
         )
         return _reconstructed(reading.sheet, stated_options, progress)
 
 
-def _read(sheet: Path, page: int, stated: list[str], progress: Progress | None) -> Reading:
+def _of_reading(
+    reading: Reading, corrections: Sequence[Mapping[str, Any]], folder: Path
+) -> list[str]:
+    """The options that name a reading and its corrections, which are written into a folder."""
+    (folder / _READING_FILE).write_bytes(reading.as_json())
+    stated = {
+        "schema": _CORRECTIONS_SCHEMA,
+        "sheet_sha256": reading.data["sheet"]["sha256"],
+        "ops": list(corrections),
+    }
+    (folder / _CORRECTIONS_FILE).write_text(json.dumps(stated), encoding="utf-8")
+    return options(
+        page=reading.page,
+        reading=folder / _READING_FILE,
+        corrections=folder / _CORRECTIONS_FILE,
+    )
+
+
+def _read(
+    sheet: Path,
+    page: int,
+    stated: list[str],
+    output: PathLike | None,
+    progress: Progress | None,
+) -> Reading:
     with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
-        arguments = ["read", path_of(sheet), f"--output={name}", *stated, "--events"]
+        folder = Path(name if output is None else path_of(output))
+        arguments = ["read", path_of(sheet), f"--output={folder}", *stated, "--events"]
         ended = run_command(arguments, progress)
         if ended.exit_code != ExitCode.DONE:
             raise ended.error()
-        data = json.loads(Path(name, _READING_FILE).read_bytes())
-    return Reading(Path(path_of(sheet)), MappingProxyType(data), page)
+        data = json.loads((folder / _READING_FILE).read_bytes())
+    kept = None if output is None else folder
+    return Reading(Path(path_of(sheet)), MappingProxyType(data), page, kept)
 
 
 def _reconstructed(sheet: Path, stated: list[str], progress: Progress | None) -> Result:

@@ -175,6 +175,8 @@ class Code(str, Enum):
     READING_TAKES_TOO_LONG = "reading-takes-too-long"
     FOREIGN_FILES = "foreign-files"
     PATH_NOT_USABLE = "path-not-usable"
+    OUTSIDE_FOLDER = "outside-folder"
+    UNKNOWN_ID = "unknown-id"
     DISK_FULL = "disk-full"
     TOO_MANY_OPEN_FILES = "too-many-open-files"
     CUDA_UNAVAILABLE = "cuda-unavailable"

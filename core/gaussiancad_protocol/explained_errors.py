@@ -321,6 +321,18 @@ LIMITS = (
         Code.PATH_NOT_USABLE,
         exit_code=2,
     ),
+    row(
+        "`gaussiancad mcp`: the server works inside one folder: name files in it, or start it with "
+        "another `--folder`",
+        Code.OUTSIDE_FOLDER,
+        exit_code=2,
+    ),
+    row(
+        "`gaussiancad mcp`: what was named is not kept, or no longer: read the sheet again, or "
+        "list its strokes",
+        Code.UNKNOWN_ID,
+        exit_code=2,
+    ),
     row("free some space", Code.DISK_FULL, exit_code=5),
     row(
         "the system lets the engine open no more files: raise that limit (`ulimit -n`), or "

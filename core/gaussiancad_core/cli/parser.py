@@ -5,6 +5,7 @@ from typing import NoReturn
 
 from gaussiancad_core import __version__
 from gaussiancad_core.cli import (
+    agent,
     batch,
     compare,
     correct,
@@ -48,6 +49,7 @@ def build_parser() -> argparse.ArgumentParser:
         draw,
         batch,
         serve,
+        agent,
         doctor,
     ):
         module.add_command(commands)

@@ -7,7 +7,7 @@ import numpy.typing as npt
 from gaussiancad_core.readings.reading_schema import SheetReading, StrokeKind, ViewRole
 from gaussiancad_core.readings.stroke_anchors import points_of
 
-_COLOURS: dict[StrokeKind, tuple[int, int, int]] = {
+KIND_COLOURS: dict[StrokeKind, tuple[int, int, int]] = {
     StrokeKind.VISIBLE: (20, 90, 200),
     StrokeKind.HIDDEN: (220, 60, 150),
     StrokeKind.CENTRE: (200, 130, 0),
@@ -21,7 +21,7 @@ _COLOURS: dict[StrokeKind, tuple[int, int, int]] = {
 }
 """RGB; other kinds are grey."""
 
-_OTHER = (150, 150, 150)
+OTHER_COLOUR = (150, 150, 150)
 
 _BOX, _UNUSED = (40, 160, 220), (190, 190, 190)
 
@@ -57,7 +57,7 @@ def reading_picture(reading: SheetReading, grey: npt.NDArray[np.uint8], reductio
         place = (x0 - 2, max(12, y0 - 8))
         cv2.putText(picture, name, place, cv2.FONT_HERSHEY_SIMPLEX, 0.5, colour, 1, cv2.LINE_AA)
     for stroke in reading.strokes:
-        colour = _COLOURS.get(stroke.kind, _OTHER)[::-1]
+        colour = KIND_COLOURS.get(stroke.kind, OTHER_COLOUR)[::-1]
         points = np.rint(16.0 * (scale * points_of(stroke) - 0.5)).astype(np.int32)
         if len(points):
             thick = 2 if stroke.view is not None else 1

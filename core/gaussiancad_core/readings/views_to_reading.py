@@ -171,6 +171,7 @@ def sheet_reading(
         notes=tuple(_note(note, turn) for note in lines.notes),
         sections=tuple(_section(section, turn) for section in lines.sections),
         problems=(*refused, *doubts),
+        corrected=_corrections(report),
     )
 
 
@@ -181,6 +182,14 @@ def refusal(code: str, message: str) -> Problem:
         # A length along an axis that no view shows is the thickness.
         offers = ("scale", *offers)
     return Problem(**event_fields(code, message), severity="refused", offers=offers)
+
+
+def _corrections(report: Report) -> int:
+    """How often a person corrected what was read."""
+    for warning in report.warnings:
+        if warning.code == Code.CORRECTED:
+            return int(args_of(warning.message).get("count", 0))
+    return 0
 
 
 def write_reading(reading: SheetReading, folder: Path) -> None:

@@ -17,6 +17,9 @@ _MOST = 6
 _NEAR_PX = 12.0
 """px within which a stroke is the one that is pointed at."""
 
+DOUBT = 0.62
+"""Confidence below which the kind of a stroke is in doubt; as of the labels network's."""
+
 _SOURCES = {
     "numbers": "from the sheet's numbers",
     "drawing": "from the drawing",
@@ -131,15 +134,8 @@ def explained_view(report: Values, reading: Values, role: str) -> list[str]:
         role: of the view.
     """
     view = report["views"][role]
-    box = _box(view["box"])
     strokes = [stroke for stroke in reading["strokes"] if stroke["view"] == role]
-    kinds = {
-        kind: sum(stroke["kind"] == kind for stroke in strokes) for kind in ("visible", "hidden")
-    }
-    lines = [
-        f"The {role} view at {box} px has {kinds['visible']} visible and {kinds['hidden']} hidden "
-        "lines."
-    ]
+    lines = [_lines_of_view(role, view["box"], strokes)]
     if "visible_recall" in view:
         lines.append(
             f"Of its visible lines the result has {percent(view['visible_recall'])}, of its "
@@ -205,6 +201,19 @@ def read_place(reading: Values, at: tuple[float, float]) -> list[str]:
     return lines
 
 
+def read_view(reading: Values, role: str) -> list[str]:
+    """What was read of the views of a role, and what is in doubt of their strokes."""
+    lines = []
+    for view in reading["views"]:
+        if view["role"] != role:
+            continue
+        strokes = [stroke for stroke in reading["strokes"] if stroke["view"] == view["id"]]
+        lines.append(_lines_of_view(role, view["box"], strokes))
+        doubtful = [stroke for stroke in strokes if stroke.get("confidence", 1.0) < DOUBT]
+        lines += _named(stroke_in_words(stroke) for stroke in doubtful)
+    return lines
+
+
 def read_sheet_in_words(reading: Values) -> list[str]:
     """What was read on a sheet, and what is in doubt."""
     lines = [
@@ -222,6 +231,13 @@ def read_sheet_in_words(reading: Values) -> list[str]:
     if scale:
         lines.append(f"Scale {scale:.4g} mm a pixel ({reading['scale']['source']}).")
     return lines + [f"{item['severity']}: {item['message']}" for item in reading["problems"]]
+
+
+def _lines_of_view(role: str, box: Sequence[float], strokes: Sequence[Values]) -> str:
+    visible, hidden = (
+        sum(stroke["kind"] == kind for stroke in strokes) for kind in ("visible", "hidden")
+    )
+    return f"The {role} view at {_box(box)} px has {visible} visible and {hidden} hidden lines."
 
 
 def _number(entry: Values) -> str:
