@@ -17,8 +17,8 @@ from typing import Any
 
 import anyio
 import anyio.abc
-from mcp import types
 from anyio import to_thread
+from mcp import types
 from mcp.server.context import ServerRequestContext
 from mcp.server.lowlevel.server import Server
 from mcp.server.stdio import stdio_server

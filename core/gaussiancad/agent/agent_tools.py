@@ -77,7 +77,7 @@ class AgentTools:
 
     def files(self, asked: FilesArguments, _progress: Progress) -> Answer:
         """List the drawings and the models of the folder."""
-        found = list(self.work.files(_SHEETS | _MODELS))
+        found = list(self.work.files(_SHEETS, _MODELS))
         shown = found[asked.offset : asked.offset + _MOST_FILES]
         values: dict[str, Any] = {
             "folder": str(self.work.root),

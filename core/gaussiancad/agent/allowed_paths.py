@@ -15,6 +15,9 @@ from gaussiancad_protocol.codes import Code
 OUTPUTS = "gaussiancad-mcp"
 """The folder in it for outputs that the agent gives no name."""
 
+_OF_RUNS = frozenset({"reading.json", "report.json"})
+"""Files by which the folder of a run is known."""
+
 _LONGEST_NAME = 40
 """Characters of a sheet's name that the folder of its outputs has."""
 
@@ -122,8 +125,12 @@ class WorkFolder:
         """By what the agent names an output: its folder, short where it is a new one."""
         return self.name_of(output).removeprefix(f"{OUTPUTS}/")
 
-    def files(self, suffixes: frozenset[str]) -> Iterator[Path]:
-        """Files of the folder by how their names end, in order; links and outputs are left out."""
+    def files(self, drawings: frozenset[str], models: frozenset[str]) -> Iterator[Path]:
+        """Drawings and models of the folder, in order; links are left out, and pictures of runs.
+
+        Args:
+            drawings, models: how their names end.
+        """
         for folder, folders, names in os.walk(self.root):
             depth = len(Path(folder).relative_to(self.root).parts)
             folders[:] = sorted(
@@ -131,6 +138,7 @@ class WorkFolder:
                 for name in folders
                 if depth < _DEEPEST and not name.startswith(".") and name != OUTPUTS
             )
+            suffixes = models if _OF_RUNS & set(names) else drawings | models
             for name in sorted(names):
                 path = Path(folder, name)
                 if path.suffix.lower() in suffixes and not path.is_symlink():

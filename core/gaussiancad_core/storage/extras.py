@@ -47,7 +47,7 @@ MODULES: Mapping[Extra, Mapping[str, tuple[str, ...]]] = {
     Extra.OCR: {"rapidocr": ("rapidocr",)},
     Extra.CUDA: {"torch": ("torch",), **_MESHES, "gsplat": ("gsplat",)},
     Extra.CLUSTER: {"distributed": ("distributed",)},
-    Extra.MCP: {"mcp": ("mcp",)},
+    Extra.MCP: {"mcp": ("mcp",), "anyio": ("anyio",)},
     Extra.LEARNING: {"torch": ("torch",), "onnx": ("onnx",)},
 }
 """Extra -> the modules that it is there for -> the distributions that bring each, any one of them.
