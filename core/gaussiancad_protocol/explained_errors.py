@@ -189,7 +189,11 @@ LIMITS = (
         Code.CORRECTIONS_OF_ANOTHER_SHEET,
         exit_code=2,
     ),
-    row("`serve` was asked something that it does not know", Code.UNKNOWN_REQUEST, exit_code=2),
+    row(
+        "`serve` or `mcp` was asked something that it does not know",
+        Code.UNKNOWN_REQUEST,
+        exit_code=2,
+    ),
     row("a reading gives two views one role", Code.ROLE_REPEATED, exit_code=2),
     row(
         "`gaussiancad explain --view`: the sheet has no view of that role",
