@@ -13,6 +13,9 @@ from typing import Any
 import psutil
 import pytest
 
+from gaussiancad_core.cli import main
+from gaussiancad_core.storage.extras import MODULES, Extra
+
 CHECKOUT = Path(__file__).resolve().parents[3]
 SAMPLES = CHECKOUT / "resources" / "samples"
 
@@ -123,6 +126,22 @@ def test_a_cancelled_call_stops_its_run(
     assert becomes(lambda: not list((tmp_path / "gaussiancad-mcp").glob("*")))
 
 
+def test_two_runs_go_on_at_a_time(wire: Wire) -> None:
+    for number in (7, 8, 9):
+        wire.call(number, "compare", result="l-bracket.step", reference="l-bracket.step")
+    assert becomes(lambda: len(wire.seen.children()) == 2)
+    first = set(wire.seen.children())
+    time.sleep(1.0)
+    assert set(wire.seen.children()) == first
+    # One that waits is cancelled as well; what needs no run does not wait.
+    wire.send("notifications/cancelled", requestId=9)
+    wire.call(10, "files")
+    wire.answer(10)
+    wire.send("notifications/cancelled", requestId=8)
+    wire.send("notifications/cancelled", requestId=7)
+    assert becomes(lambda: not wire.seen.children())
+
+
 def test_the_server_and_its_runs_end_with_the_client(wire: Wire) -> None:
     wire.call(7, "reconstruct", sheet="l-bracket.png")
     assert becomes(lambda: bool(wire.runs()))
@@ -161,6 +180,16 @@ def test_what_is_no_request_is_answered_or_left_out(wire: Wire) -> None:
     assert wire.answer(6)["isError"]
     wire.call(9, "files")
     assert not wire.answer(9).get("isError", False)
+
+
+def test_without_the_extra_it_says_what_installs_it(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(MODULES, Extra.MCP, {"no_such_module": ("nothing",)})
+    assert main(["mcp"]) == 6
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert 'pip install "gaussiancad-core[mcp]" [extra-missing]' in printed.err
 
 
 def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
