@@ -189,5 +189,5 @@ def _encoded(picture: "Image", shows: str) -> Picture:
 
 def _content(picture: "Image", kind: str) -> bytes:
     written = BytesIO()
-    picture.save(written, kind, optimize=True)
+    picture.save(written, kind)
     return written.getvalue()
