@@ -30,7 +30,6 @@ from gaussiancad.agent.tool_list import INSTRUCTIONS, TOOLS, AgentTool
 from gaussiancad_core import __version__
 from gaussiancad_core.errors import (
     CancelledError,
-    ExitCode,
     GaussianCadError,
     LimitError,
     UsageError,
@@ -39,6 +38,7 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _MOST_RUNS = 2
 """Runs of the engine at once; others wait."""

@@ -5,9 +5,9 @@ from importlib import import_module
 from pathlib import Path
 
 from gaussiancad_core.cli.values import named_path
-from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.storage.extras import Extra, demand
+from gaussiancad_protocol.exit_codes import ExitCode
 
 _SERVER = "gaussiancad.agent.agent_server"
 """It is built on the public package, which the engine must not need: so it is found by its name."""
