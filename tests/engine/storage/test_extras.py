@@ -17,7 +17,7 @@ from gaussiancad_core.storage.extras import MODULES, Extra, demand, lacking, res
 from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import ResultKind
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 SHEET = ROOT / "resources" / "samples" / "wedge-block.png"
 
 BLOCKED = (
