@@ -18,8 +18,9 @@ from gaussiancad_core.kernel.brep import moved_to_origin
 from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.readings.reading_schema import SheetReading, StrokeKind, ViewEntry
+from gaussiancad_core.readings.reading_schema import SheetReading, ViewEntry
 from gaussiancad_core.readings.stroke_anchors import points_of
+from gaussiancad_protocol.reading_kinds import StrokeKind
 
 _NEAR_PX = 2.0
 """px within which points of lines are at a line."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from gaussiancad import Reading
 from gaussiancad_core.errors import UnreadableError, UsageError
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.reading_kinds import KIND_COLOURS, OTHER_COLOUR, rgb
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -111,14 +112,13 @@ def _draw_strokes(
     import msgspec
     from PIL import ImageFont
 
-    from gaussiancad_core.readings.reading_picture import KIND_COLOURS, OTHER_COLOUR
     from gaussiancad_core.readings.reading_schema import StrokeEntry
     from gaussiancad_core.readings.stroke_anchors import points_of
 
     font = ImageFont.load_default(14)
     for number, values in enumerate(strokes):
         stroke = msgspec.convert(values, StrokeEntry)
-        colour = KIND_COLOURS.get(stroke.kind, OTHER_COLOUR)
+        colour = rgb(KIND_COLOURS.get(stroke.kind, OTHER_COLOUR))
         points = [
             (factor * (x - corner[0]), factor * (y - corner[1]))
             for x, y in points_of(stroke).tolist()

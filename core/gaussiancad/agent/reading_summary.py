@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from gaussiancad import Reading
-from gaussiancad_core.report.explanation import DOUBT
 from gaussiancad_core.report.pointing import length
+from gaussiancad_protocol.reading_kinds import DOUBT
 
 _MOST_ENTRIES = 20
 """Dimensions, notes, sections, problems or doubtful strokes that one summary lists."""

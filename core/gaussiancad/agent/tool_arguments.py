@@ -10,8 +10,9 @@ from msgspec import Meta, Struct
 
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.readings.correction_operations import Operation
-from gaussiancad_core.readings.reading_schema import Box, Point, Size, StrokeKind
+from gaussiancad_core.readings.reading_schema import Box, Point, Size
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.reading_kinds import StrokeKind
 
 MOST_STROKES = 200
 """That one answer lists."""

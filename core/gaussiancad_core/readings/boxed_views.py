@@ -5,17 +5,12 @@ from collections.abc import Callable
 from msgspec.structs import replace as changed
 
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.readings.reading_schema import (
-    DRAWN,
-    Box,
-    SheetReading,
-    StrokeEntry,
-    ViewEntry,
-)
+from gaussiancad_core.readings.reading_schema import Box, SheetReading, StrokeEntry, ViewEntry
 from gaussiancad_core.readings.reading_shapes import stored_ring
 from gaussiancad_core.readings.stroke_certainty import read_entry, view_certainty
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_protocol.reading_kinds import DRAWN
 
 Reread = Callable[[tuple[tuple[Role, Box], ...]], tuple[ReadView, ...]]
 """Reads the views in boxes that a person named, px of the sheet as stored."""

@@ -20,14 +20,9 @@ from ezdxf.layouts.blocklayout import BlockLayout
 from ezdxf.version import __version__
 
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.readings.reading_schema import (
-    DRAWN,
-    SheetReading,
-    StrokeEntry,
-    StrokeKind,
-    ViewEntry,
-)
+from gaussiancad_core.readings.reading_schema import SheetReading, StrokeEntry, ViewEntry
 from gaussiancad_core.readings.stroke_anchors import points_of
+from gaussiancad_protocol.reading_kinds import DRAWN, StrokeKind
 
 DXF_FILE = "lines.dxf"
 SVG_FILE = "lines.svg"

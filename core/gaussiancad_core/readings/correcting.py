@@ -31,7 +31,6 @@ from gaussiancad_core.readings.correction_operations import (
     ViewOperation,
 )
 from gaussiancad_core.readings.reading_schema import (
-    DRAWN,
     GIVEN,
     LINES,
     Box,
@@ -43,9 +42,9 @@ from gaussiancad_core.readings.reading_schema import (
     SheetReading,
     StrokeEntry,
     ViewEntry,
-    ViewRole,
 )
 from gaussiancad_core.readings.stroke_anchors import are_one, box_of, matching, points_of
+from gaussiancad_protocol.reading_kinds import DRAWN, ViewRole
 
 _PERSONAL = re.compile(r"p[0-9]{1,9}").fullmatch
 """Ids of strokes that a person drew."""

@@ -17,10 +17,9 @@ from gaussiancad_core.readings.reading_schema import (
     Measured,
     Point,
     Size,
-    StrokeKind,
     Text,
-    ViewRole,
 )
+from gaussiancad_protocol.reading_kinds import StrokeKind, ViewRole
 
 CORRECTIONS_SCHEMA = "gaussiancad-corrections/1"
 

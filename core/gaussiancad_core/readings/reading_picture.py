@@ -4,24 +4,9 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.readings.reading_schema import SheetReading, StrokeKind, ViewRole
+from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_core.readings.stroke_anchors import points_of
-
-KIND_COLOURS: dict[StrokeKind, tuple[int, int, int]] = {
-    StrokeKind.VISIBLE: (20, 90, 200),
-    StrokeKind.HIDDEN: (220, 60, 150),
-    StrokeKind.CENTRE: (200, 130, 0),
-    StrokeKind.TANGENT: (90, 150, 220),
-    StrokeKind.CUT: (170, 60, 0),
-    StrokeKind.HATCH: (150, 170, 60),
-    StrokeKind.DIMENSION: (60, 150, 60),
-    StrokeKind.EXTENSION: (110, 180, 110),
-    StrokeKind.LEADER: (60, 170, 140),
-    StrokeKind.THREAD: (120, 90, 200),
-}
-"""RGB; other kinds are grey."""
-
-OTHER_COLOUR = (150, 150, 150)
+from gaussiancad_protocol.reading_kinds import KIND_COLOURS, OTHER_COLOUR, ViewRole, rgb
 
 _BOX, _UNUSED = (40, 160, 220), (190, 190, 190)
 
@@ -57,7 +42,7 @@ def reading_picture(reading: SheetReading, grey: npt.NDArray[np.uint8], reductio
         place = (x0 - 2, max(12, y0 - 8))
         cv2.putText(picture, name, place, cv2.FONT_HERSHEY_SIMPLEX, 0.5, colour, 1, cv2.LINE_AA)
     for stroke in reading.strokes:
-        colour = KIND_COLOURS.get(stroke.kind, OTHER_COLOUR)[::-1]
+        colour = rgb(KIND_COLOURS.get(stroke.kind, OTHER_COLOUR))[::-1]
         points = np.rint(16.0 * (scale * points_of(stroke) - 0.5)).astype(np.int32)
         if len(points):
             thick = 2 if stroke.view is not None else 1

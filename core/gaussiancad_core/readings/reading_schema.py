@@ -4,7 +4,6 @@ Every type is one object of the file, its attributes the object's keys; what is 
 may be left out.
 """
 
-from enum import Enum
 from typing import Annotated, Any, Final, Literal
 
 import msgspec
@@ -13,6 +12,7 @@ from msgspec import Meta, Struct
 from gaussiancad_core.model.length_units import LEAST_MM, LONGEST_MM
 from gaussiancad_core.sheet.labels.ink_classes import Evidence
 from gaussiancad_core.writing.callouts import NoteKind
+from gaussiancad_protocol.reading_kinds import StrokeKind, ViewRole
 
 SCHEMA: Final = "gaussiancad-reading/1"
 
@@ -43,46 +43,6 @@ ArcShape = tuple[Number, Number, Size, Number, Sweep]
 """Centre, radius, start and sweep of an arc."""
 EllipseShape = tuple[Number, Number, Size, Size, Number, Number, Sweep]
 """Centre, semi-axes (the larger first), rotation, start and sweep of the parameter."""
-
-
-class ViewRole(Enum):
-    """What a view shows: a principal view, or something that is none."""
-
-    FRONT = "front"
-    TOP = "top"
-    RIGHT = "right"
-    LEFT = "left"
-    BOTTOM = "bottom"
-    REAR = "rear"
-    SECTION = "section"
-    DETAIL = "detail"
-    AUXILIARY = "auxiliary"
-    PICTORIAL = "pictorial"
-    IGNORE = "ignore"
-
-
-class StrokeKind(Enum):
-    """What a stroke stands for (ISO 128-2, ISO 129-1)."""
-
-    VISIBLE = "visible"
-    HIDDEN = "hidden"
-    CENTRE = "centre"
-    TANGENT = "tangent"
-    CUT = "cut"
-    HATCH = "hatch"
-    DIMENSION = "dimension"
-    EXTENSION = "extension"
-    LEADER = "leader"
-    FRAME = "frame"
-    TEXT = "text"
-    THREAD = "thread"
-    SYMBOL = "symbol"
-    PICTURE = "picture"
-    IGNORE = "ignore"
-
-
-DRAWN = (StrokeKind.VISIBLE, StrokeKind.HIDDEN)
-"""Kinds that the part is made of."""
 
 
 class ReadSheet(Struct, frozen=True, kw_only=True):

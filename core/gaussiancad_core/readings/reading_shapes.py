@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
-from gaussiancad_core.readings.reading_schema import Box, StrokeEntry, StrokeKind
+from gaussiancad_core.readings.reading_schema import Box, StrokeEntry
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.labels.ink_classes import BY_LABELS
 from gaussiancad_core.sheet.labels.label_evidence import solver_weight
+from gaussiancad_protocol.reading_kinds import StrokeKind
 
 _DIGITS = 4
 """Decimals of px: lines of files are known that well."""

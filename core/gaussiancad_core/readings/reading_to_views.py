@@ -16,16 +16,13 @@ from gaussiancad_core.model.views import Arc, Linetype, Stroke
 from gaussiancad_core.readings.boxed_views import Reread
 from gaussiancad_core.readings.correcting import is_unseen
 from gaussiancad_core.readings.reading_schema import (
-    DRAWN,
     LINES,
     DimensionEntry,
     NoteEntry,
     SectionEntry,
     SheetReading,
     StrokeEntry,
-    StrokeKind,
     ViewEntry,
-    ViewRole,
 )
 from gaussiancad_core.readings.reading_shapes import stroke_of
 from gaussiancad_core.readings.stroke_anchors import box_of
@@ -61,6 +58,7 @@ from gaussiancad_core.writing.section_titles import NamedSection, Trace
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
 from gaussiancad_core.writing.titles import Title, TitleKind
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.reading_kinds import DRAWN, StrokeKind, ViewRole
 
 _CARRIED = (
     Code.OTHER_PEN_LINES,

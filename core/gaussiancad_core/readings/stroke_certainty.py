@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from gaussiancad_core.model.views import Linetype, Segment, Stroke
-from gaussiancad_core.readings.reading_schema import GIVEN, StrokeEntry, StrokeKind, Why
+from gaussiancad_core.readings.reading_schema import GIVEN, StrokeEntry, Why
 from gaussiancad_core.readings.reading_shapes import shape_of, stroke_of
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn
@@ -14,6 +14,7 @@ from gaussiancad_core.sheet.labels.ink_classes import BY_LABELS, PART, Evidence,
 from gaussiancad_core.sheet.labels.label_evidence import LabelledLine, SheetLabels, solver_weight
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_protocol.reading_kinds import StrokeKind
 
 _KINDS = {
     InkClass.VISIBLE: StrokeKind.VISIBLE,

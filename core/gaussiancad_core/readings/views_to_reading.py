@@ -27,9 +27,7 @@ from gaussiancad_core.readings.reading_schema import (
     SectionEntry,
     SheetReading,
     StrokeEntry,
-    StrokeKind,
     ViewEntry,
-    ViewRole,
 )
 from gaussiancad_core.readings.reading_shapes import stored_box, stored_points, stored_ring
 from gaussiancad_core.readings.stroke_certainty import (
@@ -53,6 +51,7 @@ from gaussiancad_core.writing.scale_agreement import ReadDimension
 from gaussiancad_core.writing.section_titles import NamedSection, Trace
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.reading_kinds import StrokeKind, ViewRole
 
 READING_FILE = "reading.json"
 

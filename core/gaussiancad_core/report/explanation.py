@@ -10,15 +10,13 @@ from math import hypot
 from gaussiancad_core.report.pointing import Values, distance, holds
 from gaussiancad_core.report.stroke_sentences import percent, stroke_in_words
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.reading_kinds import DOUBT
 
 _MOST = 6
 """Places that one sentence names at most."""
 
 _NEAR_PX = 12.0
 """px within which a stroke is the one that is pointed at."""
-
-DOUBT = 0.62
-"""Confidence below which the kind of a stroke is in doubt; as of the labels network's."""
 
 _SOURCES = {
     "numbers": "from the sheet's numbers",

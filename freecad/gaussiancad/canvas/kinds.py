@@ -1,6 +1,7 @@
 """Kinds of strokes and roles of views: their keys, and the colours in which they are shown."""
 
 from freecad.gaussiancad import language
+from freecad.gaussiancad.engine import protocol
 from freecad.gaussiancad.engine.wording import drawing_name
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
 
@@ -17,21 +18,10 @@ KEYS = {
 ROLES = ("front", "top", "right", "left", "bottom", "rear")
 """The principal views, in the order of the keys 1 to 6."""
 
-DRAWN = ("visible", "hidden")
+DRAWN = tuple(kind.value for kind in protocol.DRAWN)
 """Kinds that the part is made of."""
 
-COLOURS = {
-    "visible": "#145ac8",
-    "hidden": "#d63c8c",
-    "centre": "#c88200",
-    "tangent": "#5a96dc",
-    "cut": "#aa3c00",
-    "hatch": "#96aa3c",
-    "dimension": "#3c963c",
-    "extension": "#6eb46e",
-    "leader": "#3caa8c",
-    "thread": "#785ac8",
-}
+COLOURS = {kind.value: colour for kind, colour in protocol.KIND_COLOURS.items()}
 """The same as in ``reading.png``."""
 
 VIEW, UNUSED = "#28a0dc", "#bebebe"
@@ -40,10 +30,10 @@ VIEW, UNUSED = "#28a0dc", "#bebebe"
 NUMBER, PLANE, MARK, CHOSEN = "#2e8b2e", "#aa3c00", "#dc1e1e", "#dc1e1e"
 """Numbers and notes; cutting planes; places of problems; what is selected."""
 
-OTHER = "#969696"
+OTHER = protocol.OTHER_COLOUR
 
-DOUBTFUL, DOUBT = "#ff8c00", 0.62
-"""Colour of strokes whose kind is less sure than this; the engine calls it a doubt from there."""
+DOUBTFUL, DOUBT = "#ff8c00", protocol.DOUBT
+"""Colour of strokes whose kind is less sure than this."""
 
 _NAMES = {
     "visible": QT_TRANSLATE_NOOP("GaussianCAD", "visible"),

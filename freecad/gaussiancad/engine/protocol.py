@@ -20,8 +20,18 @@ from gaussiancad_protocol.event_lines import (
 )
 from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import Preset, Recipe, ResultKind, Status
+from gaussiancad_protocol.reading_kinds import (
+    DOUBT,
+    DRAWN,
+    KIND_COLOURS,
+    OTHER_COLOUR,
+)
 
 __all__ = [
+    "DOUBT",
+    "DRAWN",
+    "KIND_COLOURS",
+    "OTHER_COLOUR",
     "Code",
     "Event",
     "EventKind",

@@ -19,12 +19,11 @@ from gaussiancad_core.readings.reading_schema import (
     ReadUnit,
     SheetReading,
     StrokeEntry,
-    StrokeKind,
     ViewEntry,
-    ViewRole,
 )
 from gaussiancad_core.readings.stroke_anchors import points_of
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
+from gaussiancad_protocol.reading_kinds import StrokeKind, ViewRole
 
 _MM = 0.125
 """Of a px."""

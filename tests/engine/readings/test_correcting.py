@@ -12,7 +12,8 @@ from gaussiancad_core.readings.correction_operations import (
     Corrections,
     ScaleOperation,
 )
-from gaussiancad_core.readings.reading_schema import SCHEMA, SheetReading, StrokeKind, ViewRole
+from gaussiancad_core.readings.reading_schema import SCHEMA, SheetReading
+from gaussiancad_protocol.reading_kinds import StrokeKind, ViewRole
 
 _LINE = [[10.0, 10.0], [110.0, 10.0]]
 

@@ -7,10 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
-from gaussiancad_core.readings.reading_schema import StrokeEntry, StrokeKind
+from gaussiancad_core.readings.reading_schema import StrokeEntry
 from gaussiancad_core.readings.reading_shapes import shape_of, stroke_of
 from gaussiancad_core.readings.stroke_anchors import matching, overlap, points_of
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_protocol.reading_kinds import StrokeKind
 
 _PLACE = st.floats(0.0, 3000.0)
 _POINT = st.tuples(_PLACE, _PLACE)

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from gaussiancad_core.readings.reading_schema import StrokeEntry, StrokeKind
+from gaussiancad_core.readings.reading_schema import StrokeEntry
 from gaussiancad_core.readings.stroke_anchors import are_one, overlap, points_of
+from gaussiancad_protocol.reading_kinds import StrokeKind
 
 _NEAR_PX = 3.0
 

@@ -11,7 +11,7 @@ from freecad.gaussiancad.canvas.kinds import DOUBTFUL
 from freecad.gaussiancad.canvas.rows import Line
 from freecad.gaussiancad.canvas.sheet import Sheet, sheet_of
 from freecad.gaussiancad.canvas.window import SheetWindow
-from gaussiancad_core.sheet.labels import label_evidence
+from gaussiancad_protocol.reading_kinds import DOUBT
 
 _DOUBTS = {
     "s2": (0.55, "network", "dimension"),
@@ -45,8 +45,8 @@ def colours(window: SheetWindow) -> dict[str, str]:
 
 def test_the_canvas_doubts_from_where_the_engine_does(window: SheetWindow) -> None:
     stroke = window.sheet.strokes[0]
-    assert replace(stroke, confidence=label_evidence.DOUBT - 1e-6).doubtful
-    assert not replace(stroke, confidence=label_evidence.DOUBT).doubtful
+    assert replace(stroke, confidence=DOUBT - 1e-6).doubtful
+    assert not replace(stroke, confidence=DOUBT).doubtful
     assert not replace(stroke, confidence=0.0, given=True).doubtful
 
 

@@ -18,11 +18,9 @@ from gaussiancad_core.sheet.labels.ink_classes import PART, Evidence, InkClass
 from gaussiancad_core.sheet.labels.labels_network import log_odds_factor, part_odds
 from gaussiancad_core.sheet.labels.line_decoding import LabelledRun, likeliest
 from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_protocol.reading_kinds import DOUBT
 
 Floats = npt.NDArray[np.float64]
-
-DOUBT = 0.62
-"""Confidence under which a line may be either: log-odds of half; as for the canvas."""
 
 _LONG = 5.0
 """Length of a line from which a doubt of it matters, in widths of a line."""
