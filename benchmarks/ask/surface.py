@@ -25,7 +25,7 @@ from benchmarks.parts.named_parts import Part, named_classed, named_samples
 from benchmarks.run.outcome import Figure, Outcome
 from benchmarks.sheets.clean_sheets import draw_clean
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.hull.space_carving import carved_hull
 from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.kernel.brep import moved_to_origin, tessellate
@@ -111,7 +111,7 @@ def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], float, s
     views = registered.views
     settings = training_settings(Recipe.ORTHOGRAPHIC, preset or Preset.STANDARD)
     cameras = training_cameras(Recipe.ORTHOGRAPHIC, settings, views.roles, views.size)
-    exact = find_exact(Reading(registered, Projection.THIRD), None)
+    exact = find_exact(ProjectedReading(registered, Projection.THIRD), None)
     carved = carved_hull(views, cameras, exact.result)
     surfaces = [visual_hull(views, cameras), carved.mesh]
     if preset is not None:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchmarks.judge.stroke_matching import Box, Floats, Marks, ends_of
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.evidence.projection_choice import both_readings
 from gaussiancad_core.lines.strokes import DrawnStroke, turned
 from gaussiancad_core.model.axes import Projection, Role
@@ -107,7 +107,7 @@ def found_of(lines: SheetLines, turn: Turn, reading: ReadingOptions) -> Found:
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
         both = zip(both_readings(drawn, reading), (projection, projection.other), strict=True)
-        readings = [Reading(item, angle) for item, angle in both if item is not None]
+        readings = [ProjectedReading(item, angle) for item, angle in both if item is not None]
         weighed = weigh(readings)
         chosen = readings[weighed.likelier]
         registered, projection = chosen.registered, chosen.projection

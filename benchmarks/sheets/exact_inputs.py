@@ -23,7 +23,7 @@ from gaussiancad_core.drawing.drawn_sheet import PartLines, compose_sheet, part_
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.evidence.dimension_evidence import trusted
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.evidence.projected_reading import Reading, drawn_views
+from gaussiancad_core.evidence.projected_reading import ProjectedReading, drawn_views
 from gaussiancad_core.model.axes import Axis, Projection
 from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.run.exact_stage import find_exact
@@ -114,7 +114,7 @@ class Input:
         """The solid: as of a sheet, compared with the ink, where there is one."""
         if self.registered is None or self.sheet is None:
             return find_exact(Lines(self.views), None).result
-        reading = Reading(self.registered, Projection.THIRD, self.measures)
+        reading = ProjectedReading(self.registered, Projection.THIRD, self.measures)
         result = find_exact(reading, None).result
         return compared_with_ink(result, self.registered, self.sheet)
 

@@ -17,7 +17,7 @@ from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.evidence.dimension_evidence import dimension_constraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.processes.events import Progress, Silence
 from gaussiancad_core.recognition.load_sheet import open_sheet
@@ -110,7 +110,7 @@ def _read(sheet: Path) -> LineCase:
     return LineCase(name, sheet.with_suffix(".step"), item, other, refused, codes, spent)
 
 
-def _lines(reading: Reading) -> ReadLines:
+def _lines(reading: ProjectedReading) -> ReadLines:
     registered = reading.registered
     numbers = dimension_constraints(registered, reading.measures, 0.0)
     return ReadLines(reading.projection, reading.drawn, numbers, registered.mm_per_pixel)

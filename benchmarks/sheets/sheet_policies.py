@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.evidence.drawn_views import EXACT_TOLERANCE
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.lines.strokes import DrawnStroke, mapped
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype, View, ViewSet
@@ -86,7 +86,9 @@ def as_drawn(lines: Drawing, policy: Policy) -> dict[Role, tuple[DrawnStroke, ..
     }
 
 
-def readings(drawn: Drawing, size: Size, policy: Policy) -> tuple[Reading, Reading | None]:
+def readings(
+    drawn: Drawing, size: Size, policy: Policy
+) -> tuple[ProjectedReading, ProjectedReading | None]:
     """A drawing of exact lines in third angle, as it is read; and in first angle, if not told."""
     reading = _reading(drawn, size, Projection.THIRD)
     if policy.stated:
@@ -115,7 +117,7 @@ def _least(direction: tuple[int, int, int], size: Size) -> float:
     return sum(min(0.0, way * extent) for way, extent in zip(direction, size, strict=True))
 
 
-def _reading(drawn: Drawing, size: Size, projection: Projection) -> Reading:
+def _reading(drawn: Drawing, size: Size, projection: Projection) -> ProjectedReading:
     """Exact lines as those of a vector file: known to a share of the longest extent."""
     pixel = EXACT_TOLERANCE * max(size) / tolerance_px(StrokesSource.VECTOR, 0.0)
     nothing = np.zeros((2, 2), bool)
@@ -129,7 +131,7 @@ def _reading(drawn: Drawing, size: Size, projection: Projection) -> Reading:
         ReadView(view.role, box, view.strokes, blank, StrokesSource.VECTOR) for view in views
     )
     registered = RegisteredSheet(ViewSet(views, size), {}, read, pixel, AxisExtents({}, {}), 0)
-    return Reading(registered, projection)
+    return ProjectedReading(registered, projection)
 
 
 def same_drawing(one: Drawing, other: Drawing, extent: float) -> bool:

@@ -24,7 +24,7 @@ from gaussiancad_core.coordinates.chords import find_chords
 from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
-    Reading,
+    CoordinateReading,
     Snapped,
     snapped,
     with_lone_values,
@@ -310,7 +310,10 @@ def _snap(
     readings = []
     for axis in Axis:
         # The bounding box is where the views were registered; it counts as much as it is long.
-        readings += [Reading(axis, 0.0, UNITS), Reading(axis, size[axis.value], UNITS)]
+        readings += [
+            CoordinateReading(axis, 0.0, UNITS),
+            CoordinateReading(axis, size[axis.value], UNITS),
+        ]
     circles = []
     for plane in planes.values():
         axes = tuple(Axis(index) for index in IN_PLANE[plane.normal])
@@ -318,7 +321,9 @@ def _snap(
             along = _parallel_axis(line, tolerance)
             if along is not None and line.confidence > 0.0:
                 value = (line.start[along] + line.end[along]) / 2.0
-                readings.append(Reading(axes[along], value, line.length * line.confidence))
+                readings.append(
+                    CoordinateReading(axes[along], value, line.length * line.confidence)
+                )
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
     return snapped(
         readings, circles, tolerance, apart, scale, noise=noise, stated=stated, scaled=scaled
@@ -346,7 +351,7 @@ def _slant(group: list[_Line]) -> Slant:
     return Slant(ends[0], ends[-1], sum(line.length * line.confidence for line in group))
 
 
-def _slant_ends(plane: PlaneReading, snap: Snapped) -> Iterator[Reading]:
+def _slant_ends(plane: PlaneReading, snap: Snapped) -> Iterator[CoordinateReading]:
     """Coordinates of ends of slanted lines, which nothing else may tell.
 
     Where a line touches a circle there is no corner.
@@ -359,7 +364,7 @@ def _slant_ends(plane: PlaneReading, snap: Snapped) -> Iterator[Reading]:
         for end, circle in zip(ends, touched, strict=True):
             if circle is None:
                 for axis, coordinate in zip(axes, end, strict=True):
-                    yield Reading(axis, coordinate, _END_WEIGHT, plane.normal)
+                    yield CoordinateReading(axis, coordinate, _END_WEIGHT, plane.normal)
 
 
 def _parallel_axis(line: _Line, tolerance: float) -> int | None:

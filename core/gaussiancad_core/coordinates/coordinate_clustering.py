@@ -44,7 +44,7 @@ extreme: half a tolerance."""
 
 
 @dataclass(frozen=True)
-class Reading:
+class CoordinateReading:
     """A coordinate as a view shows it.
 
     Attributes:
@@ -139,7 +139,7 @@ class Snapped:
 
 
 def snapped(
-    readings: Sequence[Reading],
+    readings: Sequence[CoordinateReading],
     circles: Sequence[CircleReading],
     tolerance: float,
     apart: float | None = None,
@@ -238,7 +238,7 @@ def _is_unread(step: NominalStep, numbers: Numbers, drawn: Numbers) -> bool:
     return any(value is not None and value != other for value, other in pairs)
 
 
-def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
+def with_lone_values(snap: Snapped, readings: Sequence[CoordinateReading]) -> Snapped:
     """The values, and those that further readings tell where there are none yet.
 
     A countersink's slanted lines end at the extremes of its circles, and a drill's at its axis.
@@ -269,7 +269,9 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
     return replace(snap, values=values, weights=weights, nominal=nominal, step=step)
 
 
-def _agreeing(snap: Snapped, axis: Axis, readings: list[Reading]) -> Iterator[list[Reading]]:
+def _agreeing(
+    snap: Snapped, axis: Axis, readings: list[CoordinateReading]
+) -> Iterator[list[CoordinateReading]]:
     """Readings of two planes that agree about a coordinate which no value is at."""
     for cluster in _clusters(readings, _AGREEING * snap.reach):
         at, _ = _mean(cluster)
@@ -280,7 +282,7 @@ def _agreeing(snap: Snapped, axis: Axis, readings: list[Reading]) -> Iterator[li
             yield cluster
 
 
-def _is_lone(snap: Snapped, reading: Reading, round_ones: Sequence[float]) -> bool:
+def _is_lone(snap: Snapped, reading: CoordinateReading, round_ones: Sequence[float]) -> bool:
     """Whether no value is near, or only one that is not the circle's which the reading is at."""
     value = snap.value(reading.axis, reading.value)
     if value is None:
@@ -319,8 +321,8 @@ class _Variables:
         return len(self.observed) - 1
 
 
-def _clusters(readings: list[Reading], tolerance: float) -> list[list[Reading]]:
-    clusters: list[list[Reading]] = []
+def _clusters(readings: list[CoordinateReading], tolerance: float) -> list[list[CoordinateReading]]:
+    clusters: list[list[CoordinateReading]] = []
     for reading in sorted(readings, key=lambda r: r.value):
         if clusters and reading.value - clusters[-1][-1].value <= tolerance:
             clusters[-1].append(reading)
@@ -329,7 +331,7 @@ def _clusters(readings: list[Reading], tolerance: float) -> list[list[Reading]]:
     return clusters
 
 
-def _mean(cluster: list[Reading]) -> tuple[float, float]:
+def _mean(cluster: list[CoordinateReading]) -> tuple[float, float]:
     total = sum(reading.weight for reading in cluster)
     if total <= 0.0:
         return cluster[0].value, 0.0

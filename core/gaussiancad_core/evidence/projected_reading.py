@@ -24,7 +24,7 @@ of a pixel, and what is one over the views has been made equal."""
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class ProjectedReading:
     """The views of a sheet under a projection.
 
     Attributes:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.kernel.solid_rays import SightLines
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
@@ -25,7 +25,9 @@ _FINE = 1e-4
 """Tolerance of sight lines as a share of the longest extent."""
 
 
-def assumed_holes(reading: Reading, shape: TopoDS_Shape, turn: Turn) -> Iterator[Assumption]:
+def assumed_holes(
+    reading: ProjectedReading, shape: TopoDS_Shape, turn: Turn
+) -> Iterator[Assumption]:
     """Circles of views without hidden lines through which one looks, those of one diameter in a
     view together.
 
@@ -86,7 +88,7 @@ def _beside(circle: Arc, share: float) -> tuple[float, float]:
     return circle.centre[0] + share * circle.radius, circle.centre[1]
 
 
-def _is_noted(circle: Arc, role: Role, reading: Reading) -> bool:
+def _is_noted(circle: Arc, role: Role, reading: ProjectedReading) -> bool:
     near = _SAME * circle.radius
     return any(
         hole.role is role and np.hypot(*np.subtract(hole.centre, circle.centre)) <= near
@@ -94,7 +96,7 @@ def _is_noted(circle: Arc, role: Role, reading: Reading) -> bool:
     )
 
 
-def _box(circle: Arc, reading: Reading, role: Role, turn: Turn) -> Box:
+def _box(circle: Arc, reading: ProjectedReading, role: Role, turn: Turn) -> Box:
     x, y = circle.centre
     ends = np.array(
         [[x - circle.radius, y - circle.radius], [x + circle.radius, y + circle.radius]]

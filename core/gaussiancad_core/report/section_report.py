@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, cast
 
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.section_planes import Cut, SectionRole
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def section_reports(
-    reading: Reading, named: Sequence[NamedSection], turn: Turn
+    reading: ProjectedReading, named: Sequence[NamedSection], turn: Turn
 ) -> tuple[SectionReport, ...]:
     """The sections that are used, in the order of :func:`cuts_in`, and then the others.
 
@@ -49,7 +49,7 @@ def section_reports(
     return tuple(found)
 
 
-def cuts_in(reading: Reading) -> Iterator[tuple[Role | SectionRole, Cut]]:
+def cuts_in(reading: ProjectedReading) -> Iterator[tuple[Role | SectionRole, Cut]]:
     """Views that are cut, and sections beside plain views."""
     yield from reading.cuts.items()
     yield from (
@@ -58,7 +58,7 @@ def cuts_in(reading: Reading) -> Iterator[tuple[Role | SectionRole, Cut]]:
 
 
 def with_agreement(
-    sections: Sequence[SectionReport], reading: Reading, verification: "Verification"
+    sections: Sequence[SectionReport], reading: ProjectedReading, verification: "Verification"
 ) -> tuple[SectionReport, ...]:
     """The same with how the lines and areas of the solid's cuts agree."""
     found = list(sections)

@@ -14,7 +14,7 @@ that has all lines is taken at once.  A sheet of one view is sketched alone.
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.labelling.cell_labelling import Effort
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sketch.projection_by_sketch import Weighed, weigh
@@ -87,7 +87,7 @@ class ExactModel:
         contradicted: whether the other reading fits clearly better than the symbol's.
     """
 
-    reading: Reading
+    reading: ProjectedReading
     result: ExactResult
     decided: bool
     sketched: Sketch | None = None
@@ -95,8 +95,8 @@ class ExactModel:
 
 
 def find_exact(
-    this_reading: Reading,
-    other: Reading | None,
+    this_reading: ProjectedReading,
+    other: ProjectedReading | None,
     limits: Limits | None = None,
     *,
     by_symbol: bool = False,
@@ -148,8 +148,8 @@ class _Readings:
         by_symbol: whether a projection symbol tells the first.
     """
 
-    assumed: Reading
-    other: Reading | None
+    assumed: ProjectedReading
+    other: ProjectedReading | None
     by_symbol: bool
 
     @cached_property
@@ -174,7 +174,7 @@ class _Readings:
         return self.weighed.is_clear and self.likelier == self.weighed.likelier
 
     @property
-    def taken(self) -> Reading:
+    def taken(self) -> ProjectedReading:
         """The one that is taken, where no solid has all lines."""
         return self.assumed if self.likelier == 0 or self.other is None else self.other
 
@@ -212,13 +212,15 @@ def _told_by_sketches(readings: _Readings) -> ExactModel | None:
 
 
 def _told_apart(
-    first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]
+    first: tuple[ProjectedReading, ExactResult], second: tuple[ProjectedReading, ExactResult]
 ) -> ExactModel:
     """Where both readings have a solid: the likelier one, and the other beside it."""
     return _beside(second, first) if _is_likelier(second, first) else _beside(first, second)
 
 
-def _beside(first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]) -> ExactModel:
+def _beside(
+    first: tuple[ProjectedReading, ExactResult], second: tuple[ProjectedReading, ExactResult]
+) -> ExactModel:
     """A solid, and that of the other reading beside it, if it is another one."""
     (reading, result), (_, contrary) = first, second
     indistinct = reading.drawn.indistinct
@@ -242,7 +244,9 @@ def _beside(first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResu
     return ExactModel(reading, result.doubted(_AMBIGUOUS), False)
 
 
-def _is_likelier(other: tuple[Reading, ExactResult], pair: tuple[Reading, ExactResult]) -> bool:
+def _is_likelier(
+    other: tuple[ProjectedReading, ExactResult], pair: tuple[ProjectedReading, ExactResult]
+) -> bool:
     """Whether the other reading of two that fit alike is to be taken: whose solid is clearly more
     usual, where hidden lines are left out; else whose sketch explains more."""
     result, contrary = pair[1], other[1]
@@ -285,7 +289,7 @@ def _not_strictly(
     return replace(sketched, result=result)
 
 
-def _costs(sketch: Sketch, reading: Reading) -> float:
+def _costs(sketch: Sketch, reading: ProjectedReading) -> float:
     """What a sketch costs as a share of the lines' length."""
     drawn = sum(stroke.length for strokes in reading.drawn.strokes.values() for stroke in strokes)
     return sketch.energy / drawn
@@ -304,7 +308,7 @@ def _wrong(verification: Verification) -> float:
     return sum(flaw.length for flaw in verification.flaws)
 
 
-def find_for_hull(reading: Reading, other: Reading | None) -> ExactModel | None:
+def find_for_hull(reading: ProjectedReading, other: ProjectedReading | None) -> ExactModel | None:
     """The exact solid as far as it is found quickly, for the depths of its surfaces alone.
 
     Returns:
@@ -326,7 +330,7 @@ def find_for_hull(reading: Reading, other: Reading | None) -> ExactModel | None:
 
 
 def _solved(
-    reading: Reading, limits: Limits, model: Modelled | None = None
+    reading: ProjectedReading, limits: Limits, model: Modelled | None = None
 ) -> tuple[ExactResult, Modelled | None]:
     """The solid of a reading as far as it is worth keeping, and the model of its drawing."""
     result, model = exact_solid_and_model(reading.drawn, limits, model)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from gaussiancad_core.evidence.dimension_evidence import contradicts, trusted
 from gaussiancad_core.evidence.hole_notes import hole_notes
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.evidence.projection_choice import both_readings, opposite
 from gaussiancad_core.evidence.section_evidence import cuts_of, sections_of
 from gaussiancad_core.messages import Message
@@ -40,14 +40,14 @@ class SheetFindings:
         contradicted: whether the lines fit the other projection better than the symbol's.
     """
 
-    assumed: Reading
-    other: Reading | None
+    assumed: ProjectedReading
+    other: ProjectedReading | None
     marks: tuple[Mark, ...]
     special: tuple[SpecialView, ...]
     symbol: Projection | None = None
     contradicted: bool = False
 
-    def changed(self, change: Callable[[Reading], Reading]) -> "SheetFindings":
+    def changed(self, change: Callable[[ProjectedReading], ProjectedReading]) -> "SheetFindings":
         """The same with each reading changed."""
         other = change(self.other) if self.other is not None else None
         return replace(self, assumed=change(self.assumed), other=other)
@@ -75,7 +75,7 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
             found = _both(lines, options, notes)
         else:
             registered = register_views(lines.drawn, options, lines.unseen)
-            reading = Reading(registered, notes.report.projection)
+            reading = ProjectedReading(registered, notes.report.projection)
             found = SheetFindings(reading, None, (), ())
         found = _with_measures(found, lines.scale, notes)
         found = _with_cuts(found, lines)
@@ -141,8 +141,8 @@ def _both(lines: SheetLines, options: ReadingOptions, notes: RunNotes) -> SheetF
     """The views as they are named, and as the other projection names them where that may be."""
     layout = lines.layout
     registered, contrary = both_readings(lines.drawn, options)
-    reading = Reading(registered, layout.projection)
-    other = Reading(contrary, layout.projection.other) if contrary else None
+    reading = ProjectedReading(registered, layout.projection)
+    other = ProjectedReading(contrary, layout.projection.other) if contrary else None
     if other is None:
         tell_projection(notes, reading.projection, inferred=True)
     return SheetFindings(reading, other, (), (), layout.symbol)
@@ -192,7 +192,7 @@ def _with_notes(
     return replace(found, assumed=replace(found.assumed, holes=stated.holes), other=other)
 
 
-def _cut(reading: Reading, lines: SheetLines) -> Reading:
+def _cut(reading: ProjectedReading, lines: SheetLines) -> ProjectedReading:
     sections = lines.sections
     if reading.projection is not lines.layout.projection:
         sections = tuple(_turned(section) for section in sections)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from gaussiancad_core.coordinates.carrier_curves import Point
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.conflict_lines import Conflict
 from gaussiancad_core.model.axes import Axis, Role
@@ -81,7 +81,7 @@ class _Sheet:
         turn: of the upright sheet.
     """
 
-    def __init__(self, reading: Reading, turn: Turn) -> None:
+    def __init__(self, reading: ProjectedReading, turn: Turn) -> None:
         self._views = reading.registered.views
         self._beside = reading.adjacent_sections
         self._turn = turn

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
-    Reading,
+    CoordinateReading,
     Snapped,
     snapped,
 )
@@ -30,7 +30,7 @@ _AT = (0.0, 12.31, 31.17, 44.93, 60.0)
 def _snapped(
     lines: list[float], *stated: Told, circles: list[CircleReading] | None = None
 ) -> Snapped:
-    readings = [Reading(Axis.X, at, 50.0) for at in lines]
+    readings = [CoordinateReading(Axis.X, at, 50.0) for at in lines]
     numbers = DimensionConstraints(stated, _REACH, 0.01)
     return snapped(readings, circles or [], _TOLERANCE, stated=numbers)
 
@@ -75,7 +75,7 @@ def test_what_was_drawn_otherwise_is_told() -> None:
 def test_numbers_that_do_not_fit_make_nothing_known() -> None:
     places = _snapped(list(_AT), LengthDimension(Axis.X, 0.0, 12.31, 13.0)).places
     assert places.values[Axis.X] == (0.0,)
-    assert snapped([Reading(Axis.X, 3.0, 1.0)], [], _TOLERANCE).places is None
+    assert snapped([CoordinateReading(Axis.X, 3.0, 1.0)], [], _TOLERANCE).places is None
 
 
 def test_places_are_the_same_in_other_units() -> None:

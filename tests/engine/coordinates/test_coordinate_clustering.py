@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
-    Reading,
+    CoordinateReading,
     snapped,
     with_lone_values,
 )
@@ -30,7 +30,9 @@ def _circle(x: float, y: float, radius: float, normal: Axis = Axis.Y) -> CircleR
 def test_readings_of_a_value_become_their_weighted_mean(
     levels: list[int], errors: list[tuple[float, float]]
 ) -> None:
-    readings = [Reading(Axis.X, level + off, weight) for level in levels for off, weight in errors]
+    readings = [
+        CoordinateReading(Axis.X, level + off, weight) for level in levels for off, weight in errors
+    ]
     snap = snapped(readings, [], _TOLERANCE)
     offs, weights = zip(*errors, strict=True)
     mean = float(np.average(offs, weights=weights))
@@ -44,8 +46,8 @@ def test_readings_of_a_value_become_their_weighted_mean(
 
 @given(_LEVELS, _LEVELS)
 def test_exact_readings_stay_what_they_are(xs: list[int], ys: list[int]) -> None:
-    readings = [Reading(Axis.X, float(x), 5.0) for x in xs]
-    readings += [Reading(Axis.Z, float(y), 5.0) for y in ys]
+    readings = [CoordinateReading(Axis.X, float(x), 5.0) for x in xs]
+    readings += [CoordinateReading(Axis.Z, float(y), 5.0) for y in ys]
     circles = [_circle(10.0, 20.0, 5.0), _circle(10.0, 20.0, 8.0), _circle(40.0, 20.0, 5.0)]
     snap = snapped(readings, circles, _TOLERANCE)
     assert snap.values[Axis.X] == tuple(map(float, sorted(xs)))
@@ -58,9 +60,9 @@ def test_a_cylinders_extremes_touch_the_values_that_other_views_show(
     x: float, z: float, radius: float, low: float, high: float
 ) -> None:
     readings = [
-        Reading(Axis.X, 20.0 + low, 30.0),
-        Reading(Axis.X, 40.0 + high, 30.0),
-        Reading(Axis.Z, 50.0, 100.0),
+        CoordinateReading(Axis.X, 20.0 + low, 30.0),
+        CoordinateReading(Axis.X, 40.0 + high, 30.0),
+        CoordinateReading(Axis.Z, 50.0, 100.0),
     ]
     snap = snapped(readings, [_circle(30.0 + x, 40.0 + z, 10.0 + radius)], _TOLERANCE)
     ((normal, circle),) = snap.circles
@@ -102,7 +104,7 @@ def test_circles_of_one_axis_in_two_planes_share_its_coordinate() -> None:
 
 
 def test_a_heavy_reading_moves_less() -> None:
-    readings = [Reading(Axis.X, 0.0, 1000.0), Reading(Axis.X, 0.08, 1.0)]
+    readings = [CoordinateReading(Axis.X, 0.0, 1000.0), CoordinateReading(Axis.X, 0.08, 1.0)]
     snap = snapped(readings, [], _TOLERANCE)
     assert snap.values[Axis.X] == (pytest.approx(0.08 / 1001.0),)
 
@@ -114,7 +116,8 @@ def test_measures_that_a_file_rounds_are_those_that_were_meant() -> None:
     meant = (8.0, 16.0, 23.5, 40.0, 71.0, 95.5, 118.0, 130.0)
     odd = 52.0 + 4.0 / 3.0
     readings = [
-        Reading(Axis.X, at * millimetre + random.uniform(-7e-6, 7e-6), 10.0) for at in (*meant, odd)
+        CoordinateReading(Axis.X, at * millimetre + random.uniform(-7e-6, 7e-6), 10.0)
+        for at in (*meant, odd)
     ]
     snap = snapped(readings, [], 0.0036, millimetre=millimetre)
     values = np.array(snap.values[Axis.X]) / millimetre
@@ -123,7 +126,7 @@ def test_measures_that_a_file_rounds_are_those_that_were_meant() -> None:
 
 
 def test_what_is_farther_than_the_tolerance_stays_apart() -> None:
-    readings = [Reading(Axis.X, value, 1.0) for value in (0.0, 0.11)]
+    readings = [CoordinateReading(Axis.X, value, 1.0) for value in (0.0, 0.11)]
     snap = snapped(readings, [], _TOLERANCE)
     assert snap.values[Axis.X] == (0.0, 0.11)
     assert snap.value(Axis.X, 0.04) == 0.0
@@ -133,7 +136,7 @@ def test_what_is_farther_than_the_tolerance_stays_apart() -> None:
 
 def test_tiny_circles_are_not_told_by_their_extremes() -> None:
     # A radius of three tolerances: its extremes may be taken for the centre's own value.
-    readings = [Reading(Axis.X, 10.32, 50.0)]
+    readings = [CoordinateReading(Axis.X, 10.32, 50.0)]
     snap = snapped(readings, [_circle(10.0, 5.0, 0.3)], _TOLERANCE)
     ((_, circle),) = snap.circles
     assert (circle.centre, circle.radius) == ((10.0, 5.0), 0.3)
@@ -141,8 +144,8 @@ def test_tiny_circles_are_not_told_by_their_extremes() -> None:
 
 @given(st.lists(st.tuples(st.floats(0, 100), st.floats(0, 100), st.floats(1, 20)), max_size=8))
 def test_nothing_moves_far(rows: list[tuple[float, float, float]]) -> None:
-    readings = [Reading(Axis.X, x, w) for x, _, w in rows]
-    readings += [Reading(Axis.Z, z, w) for _, z, w in rows]
+    readings = [CoordinateReading(Axis.X, x, w) for x, _, w in rows]
+    readings += [CoordinateReading(Axis.Z, z, w) for _, z, w in rows]
     circles = [_circle(x, z, w) for x, z, w in rows]
     snap = snapped(readings, circles, _TOLERANCE)
     far = 2.5 * _TOLERANCE + 1e-9
@@ -167,24 +170,29 @@ def test_no_readings_no_values() -> None:
 def test_ends_of_slants_alone_are_at_centres_and_extremes_of_circles() -> None:
     """A countersink from 20 to 40 about 30, and a drill's tip: no straight line is at these."""
     circles = [_circle(30.0, 50.0, 10.0, Axis.Z)]
-    snap = snapped([Reading(Axis.X, 5.0, 30.0)], circles, 0.2)
+    snap = snapped([CoordinateReading(Axis.X, 5.0, 30.0)], circles, 0.2)
     ends = [20.004, 29.997, 40.003, 33.0, 45.0]
-    known = with_lone_values(snap, [Reading(Axis.X, end, 1e-3) for end in ends])
+    known = with_lone_values(snap, [CoordinateReading(Axis.X, end, 1e-3) for end in ends])
     assert known.values[Axis.X] == pytest.approx((5.0, 20.0, 30.0, 33.0, 40.0, 45.0), abs=1e-12)
     # Along the axis the circle says nothing, and farther off it is another place.
-    assert with_lone_values(snap, [Reading(Axis.Z, 30.01, 1e-3)]).values[Axis.Z] == (30.01,)
-    assert with_lone_values(snap, [Reading(Axis.X, 20.15, 1e-3)]).values[Axis.X] == (5.0, 20.15)
+    assert with_lone_values(snap, [CoordinateReading(Axis.Z, 30.01, 1e-3)]).values[Axis.Z] == (
+        30.01,
+    )
+    assert with_lone_values(snap, [CoordinateReading(Axis.X, 20.15, 1e-3)]).values[Axis.X] == (
+        5.0,
+        20.15,
+    )
 
 
 def test_an_end_at_a_circles_extreme_is_not_at_another_value_close_by() -> None:
     circles = [_circle(10.0, 20.0, 5.0)]
     near = 15.0 + 1.8 * _TOLERANCE
-    snap = snapped([Reading(Axis.X, near, 10.0)], circles, _TOLERANCE)
-    found = with_lone_values(snap, [Reading(Axis.X, 15.01, 1e-3)])
+    snap = snapped([CoordinateReading(Axis.X, near, 10.0)], circles, _TOLERANCE)
+    found = with_lone_values(snap, [CoordinateReading(Axis.X, 15.01, 1e-3)])
     assert found.values[Axis.X] == pytest.approx((15.0, near))
     assert found.value(Axis.X, 15.01) == 15.0
     # An end that is at no circle is at the value.
-    other = with_lone_values(snap, [Reading(Axis.X, 15.0 + 0.9 * _TOLERANCE, 1e-3)])
+    other = with_lone_values(snap, [CoordinateReading(Axis.X, 15.0 + 0.9 * _TOLERANCE, 1e-3)])
     assert other.values[Axis.X] == pytest.approx((near,))
 
 
@@ -202,8 +210,8 @@ def test_an_end_at_a_circles_extreme_is_not_at_another_value_close_by() -> None:
 def test_ends_that_agree_in_two_views_are_at_no_value_close_by(
     ends: list[tuple[float, Axis]], apart: bool
 ) -> None:
-    snap = snapped([Reading(Axis.X, 20.0, 50.0)], [], _TOLERANCE)
-    readings = [Reading(Axis.X, end, 1e-3, normal) for end, normal in ends]
+    snap = snapped([CoordinateReading(Axis.X, 20.0, 50.0)], [], _TOLERANCE)
+    readings = [CoordinateReading(Axis.X, end, 1e-3, normal) for end, normal in ends]
     values = with_lone_values(snap, readings).values[Axis.X]
     assert values == (pytest.approx((20.0, 20.153), abs=1e-3) if apart else (20.0,))
 
@@ -218,10 +226,12 @@ def test_circles_between_two_multiples_of_the_step_are_known(sides: bool, known:
         return number * step / 2.0 + float(random.uniform(-0.01, 0.01))
 
     even = (0, 8, 14, 22, 36, 44, 52, 66, 74, 88, 94, 102, 110, 116, 120)
-    readings = [Reading(Axis.X, read(number), 100.0) for number in even]
-    readings += [Reading(Axis.Z, read(number + 4), 100.0) for number in even[:-1]]
+    readings = [CoordinateReading(Axis.X, read(number), 100.0) for number in even]
+    readings += [CoordinateReading(Axis.Z, read(number + 4), 100.0) for number in even[:-1]]
     if sides:
-        readings += [Reading(axis, read(at), 50.0) for axis in (Axis.X, Axis.Z) for at in (12, 30)]
+        readings += [
+            CoordinateReading(axis, read(at), 50.0) for axis in (Axis.X, Axis.Z) for at in (12, 30)
+        ]
     circle = CircleReading(Axis.Y, CircleCurve((read(21), read(21)), read(9)), 50.0)
     snap = snapped(readings, [circle], _TOLERANCE)
     assert snap.step is not None and snap.step.length == pytest.approx(step)

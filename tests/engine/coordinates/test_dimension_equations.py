@@ -8,7 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
-from gaussiancad_core.coordinates.coordinate_clustering import CircleReading, Reading, snapped
+from gaussiancad_core.coordinates.coordinate_clustering import (
+    CircleReading,
+    CoordinateReading,
+    snapped,
+)
 from gaussiancad_core.evidence.dimension_constraints import (
     DimensionConstraints,
     LengthDimension,
@@ -24,7 +28,7 @@ _STEPS = st.lists(st.floats(3.0, 17.0), min_size=2, max_size=6)
 def test_coordinates_that_numbers_tell_are_exact(steps: list[float], random) -> None:  # noqa: ANN001
     true = [0.0, *accumulate(steps)]
     read = [at + random.uniform(-0.1, 0.1) for at in true]
-    readings = [Reading(Axis.Y, at, random.uniform(1.0, 100.0)) for at in read]
+    readings = [CoordinateReading(Axis.Y, at, random.uniform(1.0, 100.0)) for at in read]
     # One dimension from the end, the others in a chain; ends of extension lines are read apart.
     pairs = [(0, len(true) - 1), *((k, k + 1) for k in range(len(true) - 2))]
     stated = DimensionConstraints(
@@ -43,7 +47,7 @@ def test_coordinates_that_numbers_tell_are_exact(steps: list[float], random) -> 
 def test_where_its_end_is_drawn_wrong_all_that_is_counted_from_there_moves() -> None:
     true = (0.0, 12.0, 31.0, 44.0, 60.0)
     read = [true[0], *(at + 0.1 for at in true[1:])]
-    readings = [Reading(Axis.X, at, 50.0) for at in read]
+    readings = [CoordinateReading(Axis.X, at, 50.0) for at in read]
     stated = tuple(LengthDimension(Axis.X, 0.0, read[k], true[k]) for k in (1, 2, 4))
     snap = snapped(readings, [], _TOLERANCE, stated=DimensionConstraints(stated, _REACH))
     values = snap.values[Axis.X]
@@ -65,7 +69,7 @@ def test_where_its_end_is_drawn_wrong_all_that_is_counted_from_there_moves() -> 
 def test_numbers_that_do_not_fit_tell_nothing(
     axis: Axis, low: float, high: float, value: float
 ) -> None:
-    readings = [Reading(Axis.X, at, 50.0) for at in (0.0, 20.0)]
+    readings = [CoordinateReading(Axis.X, at, 50.0) for at in (0.0, 20.0)]
     stated = DimensionConstraints((LengthDimension(axis, low, high, value),), _REACH)
     assert snapped(readings, [], _TOLERANCE, stated=stated).values[Axis.X] == (0.0, 20.0)
 
@@ -75,7 +79,7 @@ def test_a_radius_counts_for_all_circles_that_are_drawn_as_large() -> None:
     circles = [
         CircleReading(Axis.Y, CircleCurve((x, 20.0), radius), radius) for x, radius in read.items()
     ]
-    readings = [Reading(Axis.X, 0.0, 50.0), Reading(Axis.X, 60.0, 50.0)]
+    readings = [CoordinateReading(Axis.X, 0.0, 50.0), CoordinateReading(Axis.X, 60.0, 50.0)]
     stated = DimensionConstraints((RadiusDimension(Axis.Y, (10.1, 20.0), 4.06, 4.0),), _REACH)
     snap = snapped(readings, circles, _TOLERANCE, stated=stated)
     radii = {item.centre[0]: item.radius for _, item in snap.circles}
@@ -89,7 +93,7 @@ def test_a_radius_counts_for_all_circles_that_are_drawn_as_large() -> None:
 def test_numbers_that_do_not_add_up_undo_nothing() -> None:
     """Rounded links of a chain, and a bore whose sides other lines show."""
     circle = CircleReading(Axis.Y, CircleCurve((30.0, 20.0), 8.02), 8.0)
-    readings = [Reading(Axis.X, at, 50.0) for at in (0.02, 22.0, 37.95, 60.1)]
+    readings = [CoordinateReading(Axis.X, at, 50.0) for at in (0.02, 22.0, 37.95, 60.1)]
     pairs = [(0.0, 22.0, 22.1), (22.0, 38.0, 16.0), (38.0, 60.1, 21.9), (0.0, 60.1, 60.05)]
     stated = DimensionConstraints(tuple(LengthDimension(Axis.X, *pair) for pair in pairs), _REACH)
     snap = snapped(readings, [circle], _TOLERANCE, stated=stated)
@@ -105,7 +109,7 @@ def test_numbers_that_do_not_add_up_undo_nothing() -> None:
 def test_what_is_round_only_by_its_number_is_told(drawn: float, unread: bool) -> None:
     """The number may be 12.21, its last digits lost."""
     multiples = [0.0, 8.0, 16.0, 28.0, 36.0, 52.0, 64.0, 72.0, 80.0, 84.0, 96.0, 100.0]
-    readings = [Reading(Axis.X, at, 50.0) for at in (*multiples, drawn)]
+    readings = [CoordinateReading(Axis.X, at, 50.0) for at in (*multiples, drawn)]
     stated = DimensionConstraints((LengthDimension(Axis.X, 0.0, drawn, 12.0),), _REACH)
     snap = snapped(readings, [], 0.3, millimetre=4.0, stated=stated)
     assert snap.step is not None and 12.0 in np.round(snap.values[Axis.X], 9)
@@ -116,7 +120,7 @@ def test_what_is_round_only_by_its_number_is_told(drawn: float, unread: bool) ->
 def test_what_lies_between_the_sides_of_a_shaft_is_its_diameter() -> None:
     # No line of the axis' view is there: the number belongs to the circle.
     circle = CircleReading(Axis.Y, CircleCurve((20.0, 20.0), 8.1), 8.0)
-    readings = [Reading(Axis.X, at, 50.0) for at in (0.0, 40.0)]
+    readings = [CoordinateReading(Axis.X, at, 50.0) for at in (0.0, 40.0)]
     stated = (
         LengthDimension(Axis.X, 11.9, 28.1, 16.0),
         LengthDimension(Axis.X, 0.0, 20.0, 20.1),

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, meetings
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
-    Reading,
+    CoordinateReading,
     Snapped,
     snapped,
     with_lone_values,
@@ -27,7 +27,9 @@ _RADIUS = st.floats(5.0, 20.0)
 
 
 def _snap(readings: list[tuple[Axis, float]], circles: list[CircleReading]) -> Snapped:
-    return snapped([Reading(axis, at, 50.0) for axis, at in readings], circles, _TOLERANCE)
+    return snapped(
+        [CoordinateReading(axis, at, 50.0) for axis, at in readings], circles, _TOLERANCE
+    )
 
 
 @given(st.lists(_ERROR, min_size=8, max_size=8))
@@ -46,7 +48,7 @@ def test_the_edge_of_two_chamfers_runs_through_both(errors: list[float]) -> None
         PlaneReading(Axis.X, (neighbour,), (neighbour.start, neighbour.end)),
         PlaneReading(Axis.Z, (edge,), (edge.start, edge.end)),
     ]
-    snap = with_lone_values(_snap(readings, []), [Reading(Axis.X, edge.end[0], 1e-3)])
+    snap = with_lone_values(_snap(readings, []), [CoordinateReading(Axis.X, edge.end[0], 1e-3)])
     found = adjusted(snap, planes, _TOLERANCE)
     lines = {axis: line[0] for axis, line in found.lines.items()}
     for t in (0.0, 0.4, 1.0):
@@ -183,7 +185,7 @@ def test_the_extents_stay() -> None:
     snap = _snap(
         [(Axis.X, 0.0), (Axis.X, 50.05), (Axis.X, 100.0), (Axis.Z, 0.0), (Axis.Z, 100.0)], []
     )
-    snap = with_lone_values(snap, [Reading(Axis.Z, 50.0, 1e-3)])
+    snap = with_lone_values(snap, [CoordinateReading(Axis.Z, 50.0, 1e-3)])
     slant = Slant((0.0, 0.0), (100.0, 100.0), 141.0)
     ends = (slant.start, slant.end, (50.05, 50.0))
     found = adjusted(snap, [PlaneReading(Axis.Y, (slant,), ends)], _TOLERANCE).snap

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.coordinates.coordinate_clustering import Reading, Snapped, snapped
+from gaussiancad_core.coordinates.coordinate_clustering import CoordinateReading, Snapped, snapped
 from gaussiancad_core.coordinates.grid_fitting import Roughness, fitted_lattice, likely_numbers
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import UNITS
@@ -34,11 +34,13 @@ def _rounded(number: float, parts: float = 4.0) -> float:
     return round(number / _PIXEL * parts) / parts * _PIXEL
 
 
-def _readings(parts: float = 4.0) -> list[Reading]:
+def _readings(parts: float = 4.0) -> list[CoordinateReading]:
     readings = []
     for axis in Axis:
         items = [0.0, *_MULTIPLES[axis], *_ODD[axis], _EXTENTS[axis]]
-        readings += [Reading(axis, _rounded(number * _STEP, parts), 1.0) for number in items]
+        readings += [
+            CoordinateReading(axis, _rounded(number * _STEP, parts), 1.0) for number in items
+        ]
     return readings
 
 

@@ -8,7 +8,7 @@ from types import FunctionType, ModuleType, SimpleNamespace
 import numpy as np
 import pytest
 
-from gaussiancad_core.evidence.projected_reading import Reading, drawn_views
+from gaussiancad_core.evidence.projected_reading import ProjectedReading, drawn_views
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.part_model import PartModel
 from gaussiancad_core.model.axes import Axis, Projection, Role
@@ -35,7 +35,7 @@ def _rectangle(width: float, height: float) -> list[Segment]:
     return _chain((0, 0), (width, 0), (width, height), (0, height), (0, 0))
 
 
-def _reading(strokes: Strokes, projection: Projection) -> Reading:
+def _reading(strokes: Strokes, projection: Projection) -> ProjectedReading:
     views = tuple(
         View(
             role,
@@ -52,10 +52,10 @@ def _reading(strokes: Strokes, projection: Projection) -> Reading:
         SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=(), step=0.0) for _ in views
     )
     registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
-    return Reading(registered, projection)
+    return ProjectedReading(registered, projection)
 
 
-def _both(strokes: Strokes) -> tuple[Reading, Reading]:
+def _both(strokes: Strokes) -> tuple[ProjectedReading, ProjectedReading]:
     """The same sheet in third and in first angle: the views beside the front are the opposite ones.
 
     The depth axis runs backwards in those, from minus the depth to 0.
@@ -178,7 +178,7 @@ def test_two_readings_of_one_solid_are_not() -> None:
     assert _codes(found) == ["sketched", "assumed"] and found.result.alternatives == ()
 
 
-def _scribbled() -> Reading:
+def _scribbled() -> ProjectedReading:
     """A block with strokes in its front that bound nothing and that no other view has."""
     strokes = _block()
     for k in range(4):

@@ -9,7 +9,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.views import Arc
 from gaussiancad_core.recognition.sheet_views import sheet_views
@@ -41,7 +41,11 @@ def read(
     seen = sheet_views(opened, projection=Projection.THIRD)
     options = ReadingOptions(projection=Projection.THIRD, lengths=((Axis.X, _LENGTH),))
     registered = register_views(read_views(seen.separated.part, seen.layout), options)
-    return find_exact(Reading(registered, Projection.THIRD), None).result, registered, opened
+    return (
+        find_exact(ProjectedReading(registered, Projection.THIRD), None).result,
+        registered,
+        opened,
+    )
 
 
 def _with_radii(result: ExactResult, mm: float) -> ExactResult:

@@ -24,7 +24,7 @@ from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.errors import EngineError, LimitError, NoModelError
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.kernel.brep import moved_to_origin, read_solid, soundness, tessellate
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.meshes import TriangleMesh
@@ -411,7 +411,7 @@ def test_a_way_in_which_the_kernel_breaks_down_is_left_out(
 ) -> None:
     ways: list[SolidWay] = []
 
-    def find_exact(*readings: Reading, way: SolidWay, **more: bool) -> ExactModel:
+    def find_exact(*readings: ProjectedReading, way: SolidWay, **more: bool) -> ExactModel:
         ways.append(way)
         if way is SolidWay.ALL:
             raise Standard_NullObject("no shape")
@@ -429,7 +429,7 @@ def test_a_way_in_which_the_kernel_breaks_down_is_left_out(
 def test_where_the_kernel_breaks_down_in_all_ways_nothing_is_made(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def find_exact(*_: Reading, **__: object) -> ExactModel:
+    def find_exact(*_: ProjectedReading, **__: object) -> ExactModel:
         raise Standard_NullObject("no shape")
 
     monkeypatch.setattr(exact_stage, "find_exact", find_exact)

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gaussiancad_core.evidence.projected_reading import Reading
+from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype, Segment, View, ViewSet
 from gaussiancad_core.report.run_report import Report
@@ -29,7 +29,7 @@ def _rectangle(x: float, y: float, width: float, height: float) -> list[Segment]
     return _chain((x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y))
 
 
-def _reading(projection: Projection, strokes: dict[Role, list[Segment]]) -> Reading:
+def _reading(projection: Projection, strokes: dict[Role, list[Segment]]) -> ProjectedReading:
     mask, colour = np.zeros((2, 2), bool), np.zeros((2, 2, 3), np.uint8)
     views = tuple(
         View(role, _BOX, tuple(stroke), mask, colour, (0.0, 0.0), 1.0)
@@ -37,10 +37,10 @@ def _reading(projection: Projection, strokes: dict[Role, list[Segment]]) -> Read
     )
     drawn = tuple(SimpleNamespace(source=StrokesSource.VECTOR, step=0.0) for _ in views)
     registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
-    return Reading(registered, projection)
+    return ProjectedReading(registered, projection)
 
 
-def _step(*top: Segment) -> Reading:
+def _step(*top: Segment) -> ProjectedReading:
     profile = _chain((0, 0), (30, 0), (30, 20), (12, 20), (12, 8), (0, 8), (0, 0))
     return _reading(
         Projection.THIRD,
