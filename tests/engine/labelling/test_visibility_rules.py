@@ -55,7 +55,7 @@ def _truth(part: PartModel, solid: TopoDS_Shape) -> dict[Cell, bool]:
     labels: dict[Cell, bool] = {}
     for piece in find_pieces(part.space, part.carriers.planes, _NEAR):
         normal = role_plane(piece.role).normal
-        for way in -ASIDE:
+        for way in (-ASIDE, ASIDE):
             a, b = (p + way * q for p, q in zip(piece.point, piece.across, strict=True))
             for crossing, following in pairwise(part.space.column(normal, a, b)):
                 cell = crossing.after
