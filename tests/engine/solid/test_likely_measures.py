@@ -30,7 +30,7 @@ def likely(monkeypatch: pytest.MonkeyPatch):  # noqa: ANN201
     """Makes measures move, and tells what the solid with them is."""
 
     def arrange(other: ExactResult, moved: float = 0.1) -> None:
-        monkeypatch.setattr(exact, "find_supports", lambda views: SimpleNamespace(moved=moved))
+        monkeypatch.setattr(exact, "find_carriers", lambda views: SimpleNamespace(moved=moved))
         monkeypatch.setattr(exact, "_found", lambda views, *_: (other, None))
 
     return arrange
