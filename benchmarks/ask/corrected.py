@@ -116,13 +116,15 @@ def _iou(played: Played, truth: Path) -> float:
 def _found(data: Path | None, only: Sequence[str]) -> Iterator[tuple[str, Path, Path, list[Step]]]:
     """Name, sheet, true part and recording of the sheets that are there."""
     for name, steps in recordings(RECORDINGS).items():
-        startswith = name.startswith("tutorial/")
-        folder = ROOT / "docs" if startswith else data
+        is_of_tutorial = name.startswith("tutorial/")
+        folder = ROOT / "docs" if is_of_tutorial else data
         if folder is None or not any(text in name for text in only):
             continue
         sheet = folder / name
         truth = (
-            ROOT / "resources/samples/l-bracket.step" if startswith else sheet.with_suffix(".step")
+            ROOT / "resources/samples/l-bracket.step"
+            if is_of_tutorial
+            else sheet.with_suffix(".step")
         )
         if sheet.is_file() and truth.is_file():
             yield name, sheet, truth, steps

@@ -155,8 +155,8 @@ def _read(reading: SheetReading, view: ViewEntry) -> tuple[Floats, Floats]:
     """Points along visible and hidden strokes of a view, px with y up."""
     lines = []
     for kind in (StrokeKind.VISIBLE, StrokeKind.HIDDEN):
-        pointses = [points_of(s) for s in reading.strokes if s.view == view.id and s.kind is kind]
-        dense = [_denser(points) for points in pointses if len(points)]
+        outlines = [points_of(s) for s in reading.strokes if s.view == view.id and s.kind is kind]
+        dense = [_denser(points) for points in outlines if len(points)]
         lines.append(np.concatenate([np.empty((0, 2)), *dense]) * [1.0, -1.0])
     return lines[0], lines[1]
 

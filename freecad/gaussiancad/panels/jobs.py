@@ -142,16 +142,16 @@ class JobList(QtWidgets.QDockWidget):
 
     def clear(self) -> None:
         """Take off what is over."""
-        for this_each in [each for each in self._entries if each.is_over]:
-            self._tree.takeTopLevelItem(self._tree.indexOfTopLevelItem(this_each.item))
-            self._entries.remove(this_each)
+        for entry in [each for each in self._entries if each.is_over]:
+            self._tree.takeTopLevelItem(self._tree.indexOfTopLevelItem(entry.item))
+            self._entries.remove(entry)
 
     def _go_on(self) -> None:
         if any(entry.state is JobState.WORKING for entry in self._entries):
             return
-        this_each = next((each for each in self._entries if each.state is JobState.WAITING), None)
-        if this_each is not None:
-            self._start(this_each)
+        entry = next((each for each in self._entries if each.state is JobState.WAITING), None)
+        if entry is not None:
+            self._start(entry)
 
     def _start(self, entry: Entry) -> None:
         entry.state = JobState.WORKING
