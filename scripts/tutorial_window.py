@@ -97,7 +97,7 @@ def visible(kind: type) -> list:
     return [top for top in tops if isinstance(top, kind) and top.isVisible()]
 
 
-class Hand:
+class ScriptedUser:
     """A person at the canvas of one sheet.
 
     Args:
@@ -108,7 +108,7 @@ class Hand:
         FreeCAD.newDocument(name.split("-", 1)[1].title().replace("-", ""))
         spin(0.3)
         self.dock = correct.open_sheet(SHEETS / f"{name}.png")
-        self.board = self.dock.canvas.board
+        self.canvas_view = self.dock.canvas.canvas_view
         arrange(self.dock)
         wait_for(lambda: self.dock.canvas.sheet is not None)
         self.settle()
@@ -121,12 +121,12 @@ class Hand:
 
     def press(self, key: QtCore.Qt.Key) -> None:
         """A key on the canvas."""
-        send_key(self.board, key)
+        send_key(self.canvas_view, key)
 
     def drag(self, start: Point, end: Point) -> None:
         """Drag over the sheet; a click where start and end are the same."""
-        target = self.board.viewport()
-        first, last = self.board.mapFromScene(*start), self.board.mapFromScene(*end)
+        target = self.canvas_view.viewport()
+        first, last = self.canvas_view.mapFromScene(*start), self.canvas_view.mapFromScene(*end)
         send_mouse(target, _EVENTS.MouseButtonPress, first)
         if first != last:
             send_mouse(target, _EVENTS.MouseMove, last)
@@ -175,9 +175,9 @@ class Hand:
         views = [this_view.box for this_view in self.dock.canvas.sheet.views if this_view.shown]
         if views:
             x0, y0, x1, y1 = zip(*views, strict=True)
-            self.board.zoom_to((min(x0), min(y0), max(x1), max(y1)))
+            self.canvas_view.zoom_to((min(x0), min(y0), max(x1), max(y1)))
         else:
-            self.board.fit()
+            self.canvas_view.fit()
         view = FreeCADGui.ActiveDocument.ActiveView
         if hasattr(view, "fitAll"):
             view.viewIsometric()
@@ -228,42 +228,42 @@ def arrange(dock: QtWidgets.QDockWidget) -> None:
 
 def whole() -> None:
     """The first sheet."""
-    hand = Hand("1-whole")
-    hand.picture("1-part")
-    hand.picture("canvas")
-    hand.close()
+    user = ScriptedUser("1-whole")
+    user.picture("1-part")
+    user.picture("canvas")
+    user.close()
 
 
 def lines_missing() -> None:
     """The second sheet: two hidden lines are drawn."""
-    hand = Hand("2-lines-missing")
-    hand.picture("2-before")
-    hand.film(1)
+    user = ScriptedUser("2-lines-missing")
+    user.picture("2-before")
+    user.film(1)
     for number, (start, end) in enumerate(HOLE, start=2):
-        hand.press(_KEYS.Key_L)
-        hand.drag(start, end)
-        hand.film(number)
-        hand.press(_KEYS.Key_H)
-    hand.press(_KEYS.Key_Escape)
-    hand.settle()
-    hand.picture("2-after")
-    hand.tell_length(LENGTH, LENGTH_MM)
-    hand.film(4)
-    hand.close()
+        user.press(_KEYS.Key_L)
+        user.drag(start, end)
+        user.film(number)
+        user.press(_KEYS.Key_H)
+    user.press(_KEYS.Key_Escape)
+    user.settle()
+    user.picture("2-after")
+    user.tell_length(LENGTH, LENGTH_MM)
+    user.film(4)
+    user.close()
 
 
 def views_moved() -> None:
     """The third sheet: views are boxed, and a length is told."""
-    hand = Hand("3-views-moved")
-    hand.picture("3-before")
+    user = ScriptedUser("3-views-moved")
+    user.picture("3-before")
     for corner, key in FRAMES:
-        hand.click_frame(corner)
-        hand.press(key)
-        hand.settle()
-    hand.press(_KEYS.Key_Escape)
-    hand.tell_length(LENGTH, LENGTH_MM)
-    hand.picture("3-after")
-    hand.close()
+        user.click_frame(corner)
+        user.press(key)
+        user.settle()
+    user.press(_KEYS.Key_Escape)
+    user.tell_length(LENGTH, LENGTH_MM)
+    user.picture("3-after")
+    user.close()
 
 
 def follow() -> None:

@@ -147,8 +147,8 @@ def _opened(player: Player, name: str, way: str) -> Waited:
     def note(what: str) -> None:
         at.setdefault(what, time.monotonic() - began)
 
-    player.window.desk.read.connect(lambda: note("read"))
-    player.window.desk.solved.connect(lambda _, folder: note("solved") if folder else None)
+    player.window.session.read.connect(lambda: note("read"))
+    player.window.session.solved.connect(lambda _, folder: note("solved") if folder else None)
     began = time.monotonic()
     player.play([["open"]])
     return Waited(name, way, at.get("read"), at.get("solved"))

@@ -29,7 +29,7 @@ from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from freecad.gaussiancad.canvas.serving import Engines, Program
+from freecad.gaussiancad.canvas.engine_server import Engines, Program
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
@@ -92,7 +92,7 @@ class Player:
         self.gestures = 0
         self._limit = limit
         self._solved_at = self._began = time.monotonic()
-        self.window.desk.solved.connect(self._take)
+        self.window.session.solved.connect(self._take)
 
     def play(self, steps: Sequence[Step]) -> Played:
         """Do all steps, and wait for the part.
@@ -168,11 +168,11 @@ class Player:
         none = QtCore.Qt.KeyboardModifier.NoModifier
         for kind in (QtCore.QEvent.Type.KeyPress, QtCore.QEvent.Type.KeyRelease):
             event = QtGui.QKeyEvent(kind, key, none)
-            QtWidgets.QApplication.sendEvent(self.window.board, event)
+            QtWidgets.QApplication.sendEvent(self.window.canvas_view, event)
         self.gestures += 1
 
     def _do_role(self, role: str, *box: float) -> None:
-        asked = self._answered(self.window.board.asked_role)
+        asked = self._answered(self.window.canvas_view.asked_role)
         self._do_key("B")
         self._do_drag(*box)
         self.window.say_view(role, asked[0])
@@ -181,7 +181,7 @@ class Player:
         self._do_wait()
 
     def _do_length(self, x0: float, y0: float, x1: float, y1: float, length: float) -> None:
-        asked = self._answered(self.window.board.asked_length)
+        asked = self._answered(self.window.canvas_view.asked_length)
         self._do_key("M")
         self._do_click(x0, y0)
         self._do_click(x1, y1)
@@ -190,12 +190,12 @@ class Player:
 
     def _do_depth(self, x: float, y: float, depth: float) -> None:
         stroke = self.window.sheet.stroke_at((x, y), 4.0)
-        self.window.board.tell_hole(stroke.shape[1][:3], depth)
+        self.window.canvas_view.set_hole_depth(stroke.shape[1][:3], depth)
         self.gestures += 2
 
     def _do_plane(self, in_view: str, *line: float) -> None:
         asked: list[tuple] = []
-        signal = self.window.board.asked_section
+        signal = self.window.canvas_view.asked_section
         signal.disconnect()
         signal.connect(lambda *item: asked.append(item))
         self._do_key("X")
@@ -231,14 +231,14 @@ class Player:
     def _mouse(
         self, kind: QtCore.QEvent.Type, place: tuple[float, float], keys: Sequence[str]
     ) -> None:
-        board, qt = self.window.board, QtCore.Qt
-        at = QtCore.QPointF(board.mapFromScene(*place))
+        canvas_view, qt = self.window.canvas_view, QtCore.Qt
+        at = QtCore.QPointF(canvas_view.mapFromScene(*place))
         released = kind is QtCore.QEvent.Type.MouseButtonRelease
         held = qt.MouseButton.NoButton if released else qt.MouseButton.LeftButton
         modifiers = qt.KeyboardModifier.NoModifier
         for key in keys:
             modifiers |= getattr(qt.KeyboardModifier, key)
-        view = board.viewport()
+        view = canvas_view.viewport()
         event = QtGui.QMouseEvent(
             kind, at, view.mapToGlobal(at), qt.MouseButton.LeftButton, held, modifiers
         )

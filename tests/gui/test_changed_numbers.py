@@ -48,7 +48,7 @@ class ChangedNumbers(WindowCase):
 
     def purple(self) -> list[str]:
         """What stands on the canvas in the colour of changed numbers."""
-        items = self.dock.canvas.board.scene().items()
+        items = self.dock.canvas.canvas_view.scene().items()
         return [
             item.text()
             for item in items
@@ -74,7 +74,7 @@ class ChangedNumbers(WindowCase):
         self.wait_for(self.purple)
         self.assertEqual(self.purple(), ["80 \u2192 95"])
         self.assertIn(f"{number.path}: 80 mm on the sheet, 95 mm in the body", self.rows())
-        self.dock.canvas.board.fit()
+        self.dock.canvas.canvas_view.fit()
         spin(300)
         self.picture("changed-numbers")
         self.document.undo()

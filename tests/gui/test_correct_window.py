@@ -11,7 +11,7 @@ import FreeCADGui
 from test_real_engine import SAMPLE, engine
 from window import WindowCase, spin
 
-from freecad.gaussiancad.canvas.keeping import corrections_path, write_corrections
+from freecad.gaussiancad.canvas.corrections_storage import corrections_path, write_corrections
 from freecad.gaussiancad.canvas.kinds import DOUBTFUL
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.panels import correct
@@ -67,7 +67,9 @@ class Canvas(WindowCase):
             QtCore.QEvent.Type.KeyPress,
             QtCore.QEvent.Type.KeyRelease,
         ):
-            QtWidgets.QApplication.sendEvent(self.canvas.board, QtGui.QKeyEvent(kind, key, _KEYS))
+            QtWidgets.QApplication.sendEvent(
+                self.canvas.canvas_view, QtGui.QKeyEvent(kind, key, _KEYS)
+            )
         spin(50)
 
     def test_the_part_follows_corrections_and_undo(self) -> None:
@@ -97,20 +99,20 @@ class Canvas(WindowCase):
     def test_a_stroke_in_doubt_is_orange_until_a_person_settles_it(self) -> None:
         self.canvas.say_length(_LENGTH, 50.0)
         self.settled()
-        reading = json.loads(self.canvas.desk.reading_file.read_text(encoding="utf-8"))
+        reading = json.loads(self.canvas.session.reading_file.read_text(encoding="utf-8"))
         doubtful = next(item for item in reading["strokes"] if item["kind"] == "visible")
         why = {"by": "network", "otherwise": "dimension", "margin": 0.1}
         doubtful.update(confidence=0.52, why=why)
         path = self.folder / "doubtful.json"
         path.write_text(json.dumps(reading), encoding="utf-8")
-        self.canvas.desk._was_read({"reading": str(path)}, [])
+        self.canvas.session._was_read({"reading": str(path)}, [])
         self.settled()
         self.picture("canvas-doubt")
         (line,) = (
             this_line for this_line in self.canvas.problems.lines if "In doubt" in this_line.text
         )
         self.assertIn("Otherwise: dimension", line.text)
-        drawn = self.canvas.board._drawing._strokes[doubtful["id"]]
+        drawn = self.canvas.canvas_view._drawing._strokes[doubtful["id"]]
         self.assertEqual(drawn.pen().color().name(), DOUBTFUL)
         codes = [item["code"] for item in self.canvas._report["reasons"]]
         self.assertEqual(codes, ["labels-doubtful"])
@@ -129,7 +131,7 @@ class Canvas(WindowCase):
         report = json.loads((run / "report.json").read_text(encoding="utf-8"))
         why = {"code": "ambiguous", "message": "others fit", "args": {"case": "solids", "count": 1}}
         report.update(status="approximate", reasons=[why])
-        self.canvas.desk.solved.emit(report, str(run))
+        self.canvas.session.solved.emit(report, str(run))
         (button,) = (
             called
             for line in self.canvas.problems.lines
@@ -180,7 +182,7 @@ class Canvas(WindowCase):
         self.document.recompute()
         FreeCADGui.Selection.addSelection(box)
         stroke = self.canvas.sheet.drawn()[0]
-        self.canvas.board.select({stroke.id})
+        self.canvas.canvas_view.select({stroke.id})
         self.press(QtCore.Qt.Key.Key_Delete)
         self.assertEqual([operation["op"] for operation in self.canvas.operations], ["erase"])
         for key in (QtCore.Qt.Key.Key_V, QtCore.Qt.Key.Key_F, QtCore.Qt.Key.Key_1):

@@ -40,7 +40,7 @@ class FailedSheets(WindowCase):
         dock = open_report(self.report)
         self.addCleanup(dock.close)
         (first,) = correct.open_docks()
-        self.assertEqual(first.canvas.desk.path, self.sheets[0])
+        self.assertEqual(first.canvas.session.path, self.sheets[0])
         self.wait_for(lambda: dock.list.sheets[0].status == "verified", 120.0)
         self.picture("failed-sheets")
         dock.list.open_next()

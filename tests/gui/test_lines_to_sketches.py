@@ -80,7 +80,7 @@ class Sketches(WindowCase):
         spin(200)
         (dock,) = open_docks()
         self.addCleanup(dock.close)
-        self.assertEqual(dock.canvas.desk.path, self.sheet)
+        self.assertEqual(dock.canvas.session.path, self.sheet)
 
     def test_no_drawing_and_a_missing_one(self) -> None:
         self.asked(None)

@@ -291,7 +291,7 @@ class Panel(WindowCase):
         correct.click()
         (dock,) = open_docks()
         self.addCleanup(dock.close)
-        self.assertEqual(dock.canvas.desk.path, self.sheet)
+        self.assertEqual(dock.canvas.session.path, self.sheet)
         self.assertEqual(widget(QtWidgets.QPushButton, "followUp").text(), "Correct Sheet…")
 
     def test_of_one_view_the_panel_asks_how_thick_the_part_is(self) -> None:

@@ -50,7 +50,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
             open_corrections(path)
     demand(Extra.WINDOW, "the window")
     from freecad.gaussiancad.canvas.failed import failed_sheets
-    from freecad.gaussiancad.canvas.standing import show
+    from freecad.gaussiancad.canvas.standalone import show
 
     if not of_batch:
         return ExitCode(show(options.sheet, options.page))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from freecad.gaussiancad.canvas import saying
-from freecad.gaussiancad.canvas.board import Board
+from freecad.gaussiancad.canvas import corrections
+from freecad.gaussiancad.canvas.canvas_view import CanvasView
 from freecad.gaussiancad.canvas.kinds import KEYS, name_of
 from freecad.gaussiancad.canvas.scene import LAYERS
 from freecad.gaussiancad.canvas.sheet import Sheet
@@ -19,25 +19,28 @@ class ToolBar(QtWidgets.QToolBar):
     """What the mouse does, what strokes stand for, what the whole sheet is, and what is shown.
 
     Args:
-        board: the canvas.
-        say: takes operations.
+        canvas_view: the canvas.
+        correct: takes operations.
         parent: the window.
     """
 
     def __init__(
-        self, board: Board, say: Callable[[list[dict]], None], parent: QtWidgets.QWidget
+        self,
+        canvas_view: CanvasView,
+        correct: Callable[[list[dict]], None],
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__("GaussianCAD", parent)
         self.setObjectName("GaussianCADCanvas")
-        self._board, self._say = board, say
+        self._canvas_view, self._correct = canvas_view, correct
         draw, kinds = QtWidgets.QMenu(self), QtWidgets.QMenu(self)
         self._add_menu(translate("GaussianCAD", "Draw"), draw)
         for key, name in TOOLS.items():
             place = draw if name in DRAWING else self
             text = f"{name_of(name)} ({key})" if place is self else f"{name_of(name)}\t{key}"
-            _add(place, text, partial(board.take_tool, name))
+            _add(place, text, partial(canvas_view.take_tool, name))
         for key, kind in KEYS.items():
-            _add(kinds, f"{name_of(kind)}\t{key}", partial(board.give_kind, kind))
+            _add(kinds, f"{name_of(kind)}\t{key}", partial(canvas_view.set_kind, kind))
         self._add_menu(translate("GaussianCAD", "Kind"), kinds)
         whole = QtWidgets.QMenu(self)
         first = "first", translate("GaussianCAD", "First angle")
@@ -61,7 +64,9 @@ class ToolBar(QtWidgets.QToolBar):
         """A menu in a menu, with values of which one holds."""
         menu = place.addMenu(title)
         for value, text in values:
-            action = _add(menu, text, lambda item=value: self._say(saying.set_to(name, item)))
+            action = _add(
+                menu, text, lambda item=value: self._correct(corrections.set_option(name, item))
+            )
             action.setData(value)
             action.setCheckable(True)
         return menu
@@ -72,12 +77,12 @@ class ToolBar(QtWidgets.QToolBar):
             action = menu.addAction(name_of(name))
             action.setCheckable(True)
             action.setChecked(True)
-            action.toggled.connect(partial(self._board.set_layer, name))
+            action.toggled.connect(partial(self._canvas_view.set_layer, name))
         menu.addSeparator()
         legend = menu.addAction(translate("GaussianCAD", "Legend"))
         legend.setCheckable(True)
         legend.setChecked(True)
-        legend.toggled.connect(self._board.legend.set_wanted)
+        legend.toggled.connect(self._canvas_view.legend.set_wanted)
         self._add_menu(translate("GaussianCAD", "Show"), menu)
 
     def _add_menu(self, title: str, menu: QtWidgets.QMenu) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from itertools import pairwise
 from math import hypot
 
-from freecad.gaussiancad.canvas import saying
+from freecad.gaussiancad.canvas import corrections
 from freecad.gaussiancad.canvas.kinds import DRAWN, name_of
 from freecad.gaussiancad.canvas.rows import Line
 from freecad.gaussiancad.canvas.sheet import Box, Sheet, Stroke
@@ -55,24 +55,24 @@ def doubt_in_words(stroke: Stroke) -> str:
     return " ".join(words)
 
 
-def doubt_lines(sheet: Sheet, say: Callable[[list[dict]], None]) -> list[Line]:
+def doubt_lines(sheet: Sheet, correct: Callable[[list[dict]], None]) -> list[Line]:
     """Rows of the strokes in doubt, the most doubtful first, each with a yes and a no.
 
     Args:
         sheet: that is shown.
-        say: takes what a button says.
+        correct: takes what a button says.
     """
     doubts = doubts_of(sheet)
-    lines = [_line(doubt, say) for doubt in doubts[:MOST]]
+    lines = [_line(doubt, correct) for doubt in doubts[:MOST]]
     if len(doubts) > MOST:
         more = translate("GaussianCAD", "More lines in doubt: {0}")
         lines.append(Line(more.format(len(doubts) - MOST)))
     return lines
 
 
-def _line(stroke: Stroke, say: Callable[[list[dict]], None]) -> Line:
+def _line(stroke: Stroke, correct: Callable[[list[dict]], None]) -> Line:
     def saying_that(kind: str) -> Callable[[], None]:
-        return lambda: say(saying.of_kind([stroke], kind))
+        return lambda: correct(corrections.set_kind([stroke], kind))
 
     yes = translate("GaussianCAD", "Yes: {0}").format(name_of(stroke.kind))
     buttons = [(yes, saying_that(stroke.kind))]

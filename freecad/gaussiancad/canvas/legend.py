@@ -55,19 +55,19 @@ def entries_of(sheet: Sheet) -> list[Entry]:
 class Legend(QtWidgets.QWidget):
     """The legend; the mouse goes through it.
 
-    It lies on the pane, not on the sheet: however that is moved or zoomed, the legend stays.  Its
+    It lies on the view, not on the sheet: however that is moved or zoomed, the legend stays.  Its
     corner is the one that front, top and side view leave free: the upper right one in third angle,
     the lower right one in first.
 
     Args:
-        pane: in whose corner it is.
+        sheet_view: in whose corner it is.
     """
 
-    def __init__(self, pane: QtWidgets.QAbstractScrollArea) -> None:
-        super().__init__(pane)
+    def __init__(self, sheet_view: QtWidgets.QAbstractScrollArea) -> None:
+        super().__init__(sheet_view)
         self.setObjectName("legend")
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self._pane = pane
+        self._view = sheet_view
         self._entries: tuple[Entry, ...] = ()
         self._wanted = True
         self._low = False
@@ -91,7 +91,7 @@ class Legend(QtWidgets.QWidget):
 
     def stay(self) -> None:
         """Go to the corner, which may have moved."""
-        area = self._pane.viewport().geometry()
+        area = self._view.viewport().geometry()
         low = area.bottom() + 1 - self.height() - _GAP
         self.move(area.right() + 1 - self.width() - _GAP, low if self._low else area.top() + _GAP)
 

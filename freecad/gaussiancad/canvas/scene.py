@@ -48,7 +48,7 @@ Mark = tuple[Box, str]
 
 
 class SheetScene(QtWidgets.QGraphicsScene):
-    """The drawing; what is selected is told by :class:`.Board`."""
+    """The drawing; what is selected is told by :class:`.CanvasView`."""
 
     def __init__(self, parent: QtCore.QObject | None = None) -> None:
         super().__init__(parent)

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import hypot, pi
 
-from freecad.gaussiancad.canvas.ground import Ground
+from freecad.gaussiancad.canvas.corrections import ignore_area
 from freecad.gaussiancad.canvas.handles import box_between
-from freecad.gaussiancad.canvas.saying import ignored
+from freecad.gaussiancad.canvas.hit_test import HitTest
 from freecad.gaussiancad.canvas.sheet import Box, Point, Shape, arc_through
 
 TOOLS = {
@@ -34,7 +34,7 @@ ONCE = ("scale", "plane")
 
 
 @dataclass(frozen=True)
-class Said:
+class Operations:
     """Operations are said."""
 
     operations: list[dict]
@@ -84,7 +84,7 @@ class Cut:
     in_view: str
 
 
-Meaning = Said | Chosen | Drawn | Traced | Measured | Boxed | Cut
+Meaning = Operations | Chosen | Drawn | Traced | Measured | Boxed | Cut
 """What a gesture means."""
 
 
@@ -108,31 +108,31 @@ def _arc(places: tuple[Point, ...]) -> Meaning | None:
     return Drawn(("arc", shape), places[0]) if shape is not None else None
 
 
-def _line(ground: Ground, start: Point, end: Point) -> Meaning:
-    first = ground.snapped(start)
-    return Drawn(("line", (first, ground.snapped(end, first))), first)
+def _line(hits: HitTest, start: Point, end: Point) -> Meaning:
+    first = hits.snapped(start)
+    return Drawn(("line", (first, hits.snapped(end, first))), first)
 
 
-def _circle(ground: Ground, start: Point, end: Point) -> Meaning:
-    centre = ground.snapped(start)
+def _circle(hits: HitTest, start: Point, end: Point) -> Meaning:
+    centre = hits.snapped(start)
     radius = hypot(end[0] - centre[0], end[1] - centre[1])
     return Drawn(("arc", (*centre, radius, 0.0, round(2.0 * pi, 6))), centre)
 
 
-def _view(_ground: Ground, start: Point, end: Point) -> Meaning:
+def _view(_hits: HitTest, start: Point, end: Point) -> Meaning:
     return Boxed(box_between(start, end))
 
 
-def _plane(ground: Ground, start: Point, end: Point) -> Meaning | None:
+def _plane(hits: HitTest, start: Point, end: Point) -> Meaning | None:
     middle = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
-    view = ground.sheet.view_at(middle)
+    view = hits.sheet.view_at(middle)
     if view is None:
         return None
-    return Cut((ground.snapped(start), ground.snapped(end)), view.id)
+    return Cut((hits.snapped(start), hits.snapped(end)), view.id)
 
 
-def _area(_ground: Ground, start: Point, end: Point) -> Meaning:
-    return Said(ignored(box_between(start, end)))
+def _area(_hits: HitTest, start: Point, end: Point) -> Meaning:
+    return Operations(ignore_area(box_between(start, end)))
 
 
 CLICKS = {
@@ -142,7 +142,7 @@ CLICKS = {
 }
 """Tools that take clicks."""
 
-DRAGS: dict[str, Callable[[Ground, Point, Point], Meaning | None]] = {
+DRAGS: dict[str, Callable[[HitTest, Point, Point], Meaning | None]] = {
     "line": _line,
     "circle": _circle,
     "view": _view,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from freecad.gaussiancad.canvas.corrections import Circle
 from freecad.gaussiancad.canvas.rows import Line
-from freecad.gaussiancad.canvas.saying import Circle
 from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.sheet import Box
 from freecad.gaussiancad.engine.report import are_measures_told, is_size_known

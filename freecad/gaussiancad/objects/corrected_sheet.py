@@ -13,7 +13,7 @@ from pathlib import Path
 
 import FreeCAD
 
-from freecad.gaussiancad.canvas.keeping import (
+from freecad.gaussiancad.canvas.corrections_storage import (
     corrections_path,
     move_aside,
     operations_in,
@@ -186,7 +186,7 @@ class InDocument:
         page: of a file with pages.
     """
 
-    own_steps = False
+    has_undo = False
 
     def __init__(self, group: FreeCAD.DocumentObject, sheet: Path, page: int) -> None:
         self.document, self.group = group.Document.Name, group.Name
@@ -227,7 +227,7 @@ class InDocument:
             self.copy()
         return mine
 
-    def say(self, operations: list[dict]) -> None:
+    def add(self, operations: list[dict]) -> None:
         """Add operations as one undo step."""
         group = self.find()
         if group is None:

@@ -16,12 +16,12 @@ class BodyChanges:
     """Follows the newest body of a canvas's part; FreeCAD calls the slots by their names.
 
     Args:
-        keeper: knows the reconstruction.
+        store: knows the reconstruction.
         canvas: shows the numbers.
     """
 
-    def __init__(self, keeper: InDocument, canvas: SheetWindow) -> None:
-        self._keeper, self._canvas = keeper, canvas
+    def __init__(self, store: InDocument, canvas: SheetWindow) -> None:
+        self._store, self._canvas = store, canvas
         self._known: tuple[Change, ...] = ()
         self._open = True
         FreeCAD.addDocumentObserver(self)
@@ -56,11 +56,11 @@ class BodyChanges:
         self._ask(document)
 
     def _ask(self, document: FreeCAD.Document) -> None:
-        if document.Name == self._keeper.document:
+        if document.Name == self._store.document:
             QtCore.QTimer.singleShot(0, self.follow)
 
     def _body(self) -> FreeCAD.DocumentObject | None:
-        group = self._keeper.find()
+        group = self._store.find()
         part = None if group is None else find_part(group)
         bodies = () if part is None else bodies_of(part)
         return bodies[-1] if bodies else None

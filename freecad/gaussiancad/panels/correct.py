@@ -6,7 +6,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.canvas.serving import Engines
+from freecad.gaussiancad.canvas.engine_server import Engines
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
@@ -74,7 +74,7 @@ def open_sheet(path: Path, page: int = 1) -> "CanvasDock | None":
     main = FreeCADGui.getMainWindow()
     others = open_docks()
     for other in others:
-        if other.keeper.find() is group:
+        if other.store.find() is group:
             other.come_back()
             return other
     shared = (item.canvas.engines for item in others if item.canvas.engines.program == program)
@@ -103,7 +103,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         path: of the drawing.
         page: of a file with pages.
         engines: those of other canvases, where there are any.
-        keeper: of the corrections.
+        store: of the corrections.
         main: FreeCAD's window.
     """
 
@@ -112,7 +112,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         path: Path,
         page: int,
         engines: Engines,
-        keeper: InDocument,
+        store: InDocument,
         main: QtWidgets.QWidget,
     ) -> None:
         # The drawing's name first: of several tabs little more is seen.
@@ -120,21 +120,21 @@ class CanvasDock(QtWidgets.QDockWidget):
         super().__init__(title.format(name=path.name), main)
         self.setObjectName(DOCK_NAME)
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.keeper = keeper
-        self.canvas = SheetWindow(path, page, engines=engines, keeper=keeper, parent=self)
+        self.store = store
+        self.canvas = SheetWindow(path, page, engines=engines, store=store, parent=self)
         self.canvas.setWindowFlags(QtCore.Qt.WindowType.Widget)
         self.setWidget(self.canvas)
         self.canvas.add_action(translate("GaussianCAD", "Mesh and Gaussians"), self.make_all)
         solutions = translate("GaussianCAD", "Choose among Solutions…")
         self.canvas.add_help("ambiguous", solutions, self.choose_solution)
         self._shown_mm, self._folder = 0.0, ""
-        desk = self.canvas.desk
+        session = self.canvas.session
         self.canvas.page_asked.connect(lambda number: open_sheet(path, number))
-        desk.changed.connect(self._keep_reading)
-        desk.solved.connect(self._take)
-        self.canvas.board.installEventFilter(self)
-        self.changes = BodyChanges(keeper, self.canvas)
-        desk.read.connect(self.changes.follow)
+        session.changed.connect(self._keep_reading)
+        session.solved.connect(self._take)
+        self.canvas.canvas_view.installEventFilter(self)
+        self.changes = BodyChanges(store, self.canvas)
+        session.read.connect(self.changes.follow)
         self._observer = _Observer(self)
         FreeCAD.addDocumentObserver(self._observer)
 
@@ -154,19 +154,19 @@ class CanvasDock(QtWidgets.QDockWidget):
 
     def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
         """Undo and redo are those of the document whose canvas has the focus."""
-        if event.type() == QtCore.QEvent.Type.FocusIn and self.keeper.find() is not None:
-            FreeCAD.setActiveDocument(self.keeper.document)
+        if event.type() == QtCore.QEvent.Type.FocusIn and self.store.find() is not None:
+            FreeCAD.setActiveDocument(self.store.document)
         return super().eventFilter(watched, event)
 
     def make_all(self) -> None:
         """Have mesh and Gaussians made as well, as a job of the list."""
-        group, desk = self.keeper.find(), self.canvas.desk
-        if group is not None and desk.sheet is not None:
-            job_list().add(full_job(self.keeper, desk.path, desk.page))
+        group, session = self.store.find(), self.canvas.session
+        if group is not None and session.sheet is not None:
+            job_list().add(full_job(self.store, session.path, session.page))
 
     def choose_solution(self) -> None:
         """Show all solids that have the drawing's lines, to choose one."""
-        group = self.keeper.find()
+        group = self.store.find()
         if group is None or not self._folder:
             return
         try:
@@ -178,12 +178,12 @@ class CanvasDock(QtWidgets.QDockWidget):
 
     def leave(self) -> None:
         """Hide while the document does not have the drawing."""
-        if self.is_open and self.keeper.find() is None:
+        if self.is_open and self.store.find() is None:
             self.hide()
 
     def come_back(self) -> None:
         """Show the drawing that the document has again, with all that was said of it."""
-        if self.is_open and self.keeper.find() is not None:
+        if self.is_open and self.store.find() is not None:
             self.show()
             self.raise_()
             self.follow()
@@ -195,23 +195,23 @@ class CanvasDock(QtWidgets.QDockWidget):
 
     def follow(self) -> None:
         """Show the corrections that the document has now, and make their part."""
-        if self.keeper.find() is not None:
-            self.keeper.copy()
-            self.canvas.desk.refresh()
+        if self.store.find() is not None:
+            self.store.copy()
+            self.canvas.session.refresh()
 
     def settle_choice(self) -> None:
         """Ask no more which solid is meant where a person kept one."""
-        group = self.keeper.find()
+        group = self.store.find()
         if group is not None:
             self.canvas.settle("ambiguous", bool(getattr(group, CHOICE, "")))
 
     def _keep_reading(self) -> None:
-        group = self.keeper.find()
+        group = self.store.find()
         if group is not None and not group.Reading:
-            take_reading(group, self.canvas.desk.reading_file)
+            take_reading(group, self.canvas.session.reading_file)
 
     def _take(self, _report: object, folder: str) -> None:
-        group = self.keeper.find()
+        group = self.store.find()
         if group is None or not folder:
             return
         self._folder = folder
@@ -257,19 +257,18 @@ class _Observer:
 
     def slotActivateDocument(self, document: FreeCAD.Document) -> None:
         """Another document is in front: its canvas is, too."""
-        if document.Name == self._dock.keeper.document:
+        if document.Name == self._dock.store.document:
             QtCore.QTimer.singleShot(0, self._dock.come_forward)
 
     def slotDeletedDocument(self, document: FreeCAD.Document) -> None:
         """A document goes, and its canvas with it."""
-        if document.Name == self._dock.keeper.document:
+        if document.Name == self._dock.store.document:
             QtCore.QTimer.singleShot(0, self._dock.close)
 
     def _is_its(self, document_object: FreeCAD.DocumentObject) -> bool:
-        keeper = self._dock.keeper
+        store = self._dock.store
         return (
-            document_object.Name == keeper.group
-            and document_object.Document.Name == keeper.document
+            document_object.Name == store.group and document_object.Document.Name == store.document
         )
 
 

@@ -2,7 +2,7 @@
 
 import os
 
-from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.engine_server import Program
 from freecad.gaussiancad.engine.environment import clean_environment
 from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine

@@ -88,5 +88,5 @@ class FailedDock(QtWidgets.QDockWidget):
             self._documents[key] = FreeCAD.newDocument(sheet.name).Name
         dock = open_sheet(sheet.sheet, sheet.page)
         if dock is not None:
-            solved = dock.canvas.desk.solved
+            solved = dock.canvas.session.solved
             solved.connect(lambda report, _: self.list.take(*key, report["status"]))

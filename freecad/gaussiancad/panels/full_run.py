@@ -13,18 +13,18 @@ from freecad.gaussiancad.panels.jobs import Job
 from freecad.gaussiancad.preferences import read_preferences
 
 
-def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
+def full_job(store: InDocument, sheet: Path, page: int) -> Job:
     """The job; what was said until it starts counts.
 
     Args:
-        keeper: knows the group that is completed.
+        store: knows the group that is completed.
         sheet: path of the drawing.
         page: of a file with pages.
     """
     made: list[ReconstructJob] = []
 
     def prepare(scratch: Path) -> list[str]:
-        reading, corrections = hand_over(_known(keeper), scratch)
+        reading, corrections = hand_over(_known(store), scratch)
         stated = "" if corrections is None else str(corrections)
         job = ReconstructJob(
             str(sheet), str(scratch / "run"), page=page, reading=str(reading), corrections=stated
@@ -36,15 +36,15 @@ def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
         views = scratch / "views"
         views.mkdir()
         run = load_run(made[-1], views, read_preferences().view_planes)
-        update_reconstruction(_known(keeper), run)
+        update_reconstruction(_known(store), run)
         return verdict_text(run.report)
 
     title = translate("GaussianCAD", "Mesh and Gaussians of {0}").format(sheet.name)
     return Job(title, prepare, absorb)
 
 
-def _known(keeper: InDocument) -> object:
-    group = keeper.find()
+def _known(store: InDocument) -> object:
+    group = store.find()
     if group is None:
         text = translate("GaussianCAD", "The drawing is no longer in the document")
         raise WorkbenchError(ErrorCode.SHEET_MISSING, text)

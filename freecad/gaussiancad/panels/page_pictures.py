@@ -3,7 +3,7 @@
 import tempfile
 from collections.abc import Callable
 
-from freecad.gaussiancad.canvas.serving import Engine, Server
+from freecad.gaussiancad.canvas.engine_server import Engine, Server
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.panels.engine_program import engine_program
 from freecad.gaussiancad.qt import QtCore

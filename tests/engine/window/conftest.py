@@ -10,7 +10,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
-from freecad.gaussiancad.canvas.serving import Engines, Program
+from freecad.gaussiancad.canvas.engine_server import Engines, Program
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtGui, QtWidgets
 
@@ -64,13 +64,13 @@ def window(application: QtWidgets.QApplication, reading: dict, tmp_path: Path): 
     sheet_window = SheetWindow(sheet, engines=Engines.of(Program((str(tmp_path / "none"),))))
     sheet_window.resize(900, 900)
     sheet_window.show()
-    sheet_window.desk.live = False
-    sheet_window.desk.pictured.emit(str(sheet), (640, 480), 1)
+    sheet_window.session.live = False
+    sheet_window.session.pictured.emit(str(sheet), (640, 480), 1)
     written = tmp_path / "reading.json"
     written.write_text(json.dumps(reading), encoding="utf-8")
-    sheet_window.desk._was_read({"reading": str(written)}, [])
+    sheet_window.session._was_read({"reading": str(written)}, [])
     application.processEvents()
-    sheet_window.board.fit()
+    sheet_window.canvas_view.fit()
     yield sheet_window
     sheet_window.close()
     sheet_window.deleteLater()

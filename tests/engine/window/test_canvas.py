@@ -12,15 +12,15 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
-from freecad.gaussiancad.canvas.correcting import corrected
-from freecad.gaussiancad.canvas.keeping import (
-    Beside,
+from freecad.gaussiancad.canvas.corrections_preview import corrected
+from freecad.gaussiancad.canvas.corrections_storage import (
+    CorrectionsFile,
     corrections_path,
     read_again,
     read_corrections,
     write_corrections,
 )
-from freecad.gaussiancad.canvas.serving import Engines, Program
+from freecad.gaussiancad.canvas.engine_server import Engines, Program
 from freecad.gaussiancad.canvas.sheet import Sheet, Stroke, View, arc_through, sheet_of
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -37,10 +37,10 @@ Place = tuple[float, float]
 
 
 def _mouse(window: SheetWindow, kind: QtCore.QEvent.Type, place: Place, keys: Keys) -> None:
-    at = QtCore.QPointF(window.board.mapFromScene(*place))
+    at = QtCore.QPointF(window.canvas_view.mapFromScene(*place))
     released = kind is QtCore.QEvent.Type.MouseButtonRelease
     held = QtCore.Qt.MouseButton.NoButton if released else _LEFT
-    view = window.board.viewport()
+    view = window.canvas_view.viewport()
     event = QtGui.QMouseEvent(kind, at, view.mapToGlobal(at), _LEFT, held, keys)
     QtWidgets.QApplication.sendEvent(view, event)
 
@@ -57,7 +57,7 @@ def _click(window: SheetWindow, at: Place, keys: Keys = _NONE) -> None:
 
 def _key(window: SheetWindow, key: QtCore.Qt.Key) -> None:
     for kind in (QtCore.QEvent.Type.KeyPress, QtCore.QEvent.Type.KeyRelease):
-        QtWidgets.QApplication.sendEvent(window.board, QtGui.QKeyEvent(kind, key, _NONE))
+        QtWidgets.QApplication.sendEvent(window.canvas_view, QtGui.QKeyEvent(kind, key, _NONE))
 
 
 def test_a_click_and_a_key_give_a_kind(window: SheetWindow) -> None:
@@ -71,16 +71,16 @@ def test_a_click_and_a_key_give_a_kind(window: SheetWindow) -> None:
 
 def test_a_stroke_of_the_part_is_chosen_before_others(window: SheetWindow) -> None:
     _click(window, (200, 100))
-    assert [item.id for item in window.board.selected] == ["s1"]
+    assert [item.id for item in window.canvas_view.selected] == ["s1"]
     _click(window, (140, 180), _SHIFT)
-    assert [item.id for item in window.board.selected] == ["s1", "s6"]
+    assert [item.id for item in window.canvas_view.selected] == ["s1", "s6"]
 
 
 def test_bands_select_what_is_inside_or_touched(window: SheetWindow) -> None:
     _drag(window, (130, 150), (190, 210))
-    assert [item.id for item in window.board.selected] == ["s6"]
+    assert [item.id for item in window.canvas_view.selected] == ["s6"]
     _drag(window, (310, 140), (290, 90))
-    assert {item.id for item in window.board.selected} == {"s1", "s2"}
+    assert {item.id for item in window.canvas_view.selected} == {"s1", "s2"}
 
 
 def test_delete_erases_and_undo_brings_back(window: SheetWindow) -> None:
@@ -89,7 +89,7 @@ def test_delete_erases_and_undo_brings_back(window: SheetWindow) -> None:
     assert [operation["op"] for operation in window.operations] == ["erase"]
     window.undo()
     assert window.operations == []
-    assert not corrections_path(window.desk.path).exists()
+    assert not corrections_path(window.session.path).exists()
     window.redo()
     assert [operation["target"]["id"] for operation in window.operations] == ["s6"]
 
@@ -116,13 +116,13 @@ def test_a_circle_and_an_arc_are_drawn(window: SheetWindow) -> None:
 
 def test_a_box_becomes_a_view_and_two_points_a_scale(window: SheetWindow) -> None:
     asked: list[tuple] = []
-    window.board.asked_role.disconnect()
-    window.board.asked_role.connect(asked.append)
+    window.canvas_view.asked_role.disconnect()
+    window.canvas_view.asked_role.connect(asked.append)
     _key(window, QtCore.Qt.Key.Key_B)
     _drag(window, (400, 100), (500, 200))
     window.say_view("top", asked[0])
-    window.board.asked_length.disconnect()
-    window.board.asked_length.connect(lambda points: window.say_length(points, 50.0))
+    window.canvas_view.asked_length.disconnect()
+    window.canvas_view.asked_length.connect(lambda points: window.say_length(points, 50.0))
     _key(window, QtCore.Qt.Key.Key_M)
     _click(window, (100, 300))
     _click(window, (300, 300))
@@ -146,7 +146,7 @@ def test_what_gestures_say_is_what_the_engine_takes(window: SheetWindow) -> None
     _drag(window, (100, 150), (300, 150), _ALT)
     window.say_view("top", (400.0, 100.0, 500.0, 200.0))
     window.say_length(((100.0, 300.0), (300.0, 300.0)), 50.0)
-    content = corrections_path(window.desk.path).read_bytes()
+    content = corrections_path(window.session.path).read_bytes()
     taken = msgspec.json.decode(content, type=Corrections)
     assert len(taken.ops) == 4
 
@@ -155,7 +155,7 @@ def test_single_keys_do_not_leave_the_canvas(window: SheetWindow) -> None:
     key = QtCore.Qt.Key.Key_Delete
     event = QtGui.QKeyEvent(QtCore.QEvent.Type.ShortcutOverride, key, _NONE)
     event.ignore()
-    QtWidgets.QApplication.sendEvent(window.board, event)
+    QtWidgets.QApplication.sendEvent(window.canvas_view, event)
     assert event.isAccepted()
 
 
@@ -176,27 +176,27 @@ def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) ->
 
 def test_a_step_of_several_operations_is_undone_at_once(tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.png"
-    item = Beside(sheet)
-    item.say([{"op": "unit", "value": "in"}, {"op": "projection", "value": "first"}])
+    item = CorrectionsFile(sheet)
+    item.add([{"op": "unit", "value": "in"}, {"op": "projection", "value": "first"}])
     item.undo()
     assert item.operations == []
     item.undo()
     item.redo()
     assert len(item.operations) == 2
     item.redo()
-    assert Beside(sheet).operations == item.operations
+    assert CorrectionsFile(sheet).operations == item.operations
 
 
 def test_corrections_of_another_version_of_the_sheet_are_kept_aside(tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.png"
     before = [{"op": "unit", "value": "in"}]
     write_corrections(corrections_path(sheet), "1" * 64, before)
-    item = Beside(sheet)
+    item = CorrectionsFile(sheet)
     assert item.operations == before
     assert not item.belongs_to("2" * 64)
     assert item.operations == []
     assert read_corrections(corrections_path(sheet)) == ("1" * 64, before)
-    item.say([{"op": "projection", "value": "first"}])
+    item.add([{"op": "projection", "value": "first"}])
     assert read_corrections(corrections_path(sheet))[0] == "2" * 64
     aside = tmp_path / "sheet.png.corrections.json.old"
     assert json.loads(aside.read_text(encoding="utf-8"))["ops"] == before
@@ -265,7 +265,7 @@ def test_an_engine_that_does_not_start_is_told(
         application.processEvents(QtCore.QEventLoop.ProcessEventsFlag.AllEvents, 20)
     assert not sheet_window.busy
     assert len(sheet_window.problems.lines) == 1
-    sheet_window.desk.say([{"op": "erase", "target": {"id": "s1"}}])
+    sheet_window.session.correct([{"op": "erase", "target": {"id": "s1"}}])
     assert not sheet_window.operations
     assert not corrections_path(sheet).exists()
     sheet_window.close()
@@ -297,7 +297,7 @@ def test_a_handle_moves_an_end_in_one_step(window: SheetWindow) -> None:
 
 def test_a_frame_is_selected_named_and_made_larger(window: SheetWindow) -> None:
     _click(window, (200, 90))
-    assert window.board.selected_view.id == "front"
+    assert window.canvas_view.selected_view.id == "front"
     _key(window, QtCore.Qt.Key.Key_2)
     assert window.operations[-1] == {"op": "view", "id": "front", "role": "top"}
     _drag(window, (300, 250), (330, 280))
@@ -306,8 +306,8 @@ def test_a_frame_is_selected_named_and_made_larger(window: SheetWindow) -> None:
 
 def test_a_number_is_told_anew(window: SheetWindow) -> None:
     asked = []
-    window.board.asked_value.disconnect()
-    window.board.asked_value.connect(asked.append)
+    window.canvas_view.asked_value.disconnect()
+    window.canvas_view.asked_value.connect(asked.append)
     _mouse(window, QtCore.QEvent.Type.MouseButtonDblClick, (200, 66), _NONE)
     window.say_value(asked[0], 45.0)
     assert window.operations == [{"op": "dimension", "id": "d1", "value_mm": 45.0}]
@@ -316,16 +316,16 @@ def test_a_number_is_told_anew(window: SheetWindow) -> None:
 
 def test_a_plane_is_set_in_a_view_and_a_hole_told(window: SheetWindow) -> None:
     asked = []
-    window.board.asked_section.disconnect()
-    window.board.asked_section.connect(lambda line, view: asked.append((line, view)))
+    window.canvas_view.asked_section.disconnect()
+    window.canvas_view.asked_section.connect(lambda line, view: asked.append((line, view)))
     _key(window, QtCore.Qt.Key.Key_X)
     _drag(window, (160, 80), (164, 270))
     (line, view) = asked[0]
     assert view == "front" and line[0][0] == line[1][0] == pytest.approx(160.0, abs=0.5)
     window.say_section("right", line, view)
-    window.board.tell_hole((160.0, 180.0, 20.0), None)
-    window.board.tell_hole((160.0, 180.0, 20.0), 12.0)
-    content = corrections_path(window.desk.path).read_bytes()
+    window.canvas_view.set_hole_depth((160.0, 180.0, 20.0), None)
+    window.canvas_view.set_hole_depth((160.0, 180.0, 20.0), 12.0)
+    content = corrections_path(window.session.path).read_bytes()
     taken = msgspec.json.decode(content, type=Corrections)
     assert [item.depth_mm for item in taken.ops[1:]] == [None, 12.0]
     assert [note.text for note in window.sheet.notes] == ["\u21a712"]
@@ -333,27 +333,27 @@ def test_a_plane_is_set_in_a_view_and_a_hole_told(window: SheetWindow) -> None:
 
 def test_what_is_picked_from_the_ink_is_drawn(window: SheetWindow) -> None:
     asked = []
-    window.board.asked_trace.disconnect()
-    window.board.asked_trace.connect(asked.append)
+    window.canvas_view.asked_trace.disconnect()
+    window.canvas_view.asked_trace.connect(asked.append)
     _key(window, QtCore.Qt.Key.Key_P)
     _click(window, (250, 180))
     assert asked[0] == pytest.approx((250.0, 180.0), abs=1.5)
-    assert window.board.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
-    assert [item.kind for item in window.board.selected] == ["visible"]
-    assert not window.board.take_trace(("line", ((0.0, 0.0), (5.0, 5.0))), (5.0, 5.0))
-    assert not window.board.take_trace(None, (250.0, 180.0))
+    assert window.canvas_view.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
+    assert [item.kind for item in window.canvas_view.selected] == ["visible"]
+    assert not window.canvas_view.take_trace(("line", ((0.0, 0.0), (5.0, 5.0))), (5.0, 5.0))
+    assert not window.canvas_view.take_trace(None, (250.0, 180.0))
 
 
 def test_a_kind_told_while_ink_is_traced_is_the_strokes(window: SheetWindow) -> None:
     asked = []
-    window.board.asked_trace.disconnect()
-    window.board.asked_trace.connect(asked.append)
+    window.canvas_view.asked_trace.disconnect()
+    window.canvas_view.asked_trace.connect(asked.append)
     _key(window, QtCore.Qt.Key.Key_P)
     _click(window, (250, 180))
     _key(window, QtCore.Qt.Key.Key_H)
     assert window.operations == []
-    assert window.board.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
-    assert [item.kind for item in window.board.selected] == ["hidden"]
+    assert window.canvas_view.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
+    assert [item.kind for item in window.canvas_view.selected] == ["hidden"]
     assert len(window.operations) == 1
 
 
@@ -363,17 +363,17 @@ def test_problems_lead_to_their_place_and_to_a_tool(window: SheetWindow) -> None
     assert "0" in count.text
     ((_, act),) = problem.buttons
     act()
-    assert window.board.tool == "view"
-    before = window.board.transform().m11()
+    assert window.canvas_view.tool == "view"
+    before = window.canvas_view.transform().m11()
     _key(window, QtCore.Qt.Key.Key_Tab)
-    assert window.board.transform().m11() > before
+    assert window.canvas_view.transform().m11() > before
 
 
 def test_a_sheet_without_a_part_says_so_first(window: SheetWindow) -> None:
     (problem,) = window.sheet.problems
     refused = replace(problem, severity="refused")
-    window.desk._read = replace(window.sheet, problems=(refused,))
-    window.desk.changed.emit()
+    window.session._read = replace(window.sheet, problems=(refused,))
+    window.session.changed.emit()
     verdict, stated, _ = window.problems.lines
     assert verdict.colour and not stated.colour
     assert stated.box == problem.box
@@ -381,9 +381,9 @@ def test_a_sheet_without_a_part_says_so_first(window: SheetWindow) -> None:
 
 def test_a_group_of_lines_that_becomes_a_view_is_boxed(window: SheetWindow) -> None:
     view = View("lines-1", "ignore", (600.0, 600.0, 700.0, 700.0), used=False)
-    window.desk._read = replace(window.sheet, views=(*window.sheet.views, view))
-    window.desk.changed.emit()
-    window.board.select({"lines-1"})
+    window.session._read = replace(window.sheet, views=(*window.sheet.views, view))
+    window.session.changed.emit()
+    window.canvas_view.select({"lines-1"})
     _key(window, QtCore.Qt.Key.Key_4)
     box = [590.0, 590.0, 710.0, 710.0]
     assert window.operations == [{"op": "view", "id": "left", "role": "left", "box": box}]
@@ -420,7 +420,7 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
             },
         ],
     }
-    window.desk.solved.emit(report, "")
+    window.session.solved.emit(report, "")
     verdict, reason, assumed, _two, lacks, beyond, *_ = window.problems.lines
     assert verdict.colour and "0.02" in verdict.text
     assert "two solids" in reason.text
@@ -449,7 +449,7 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
 
 
 def test_a_digit_names_the_view_of_a_selected_line(window: SheetWindow) -> None:
-    window.board.select(set())
+    window.canvas_view.select(set())
     _key(window, QtCore.Qt.Key.Key_4)
     assert window.operations == [] and window.statusBar().currentMessage()
     _click(window, (200, 100))
@@ -476,22 +476,22 @@ def test_a_box_around_a_view_is_that_view(window: SheetWindow) -> None:
 def test_a_size_that_nobody_told_is_none(window: SheetWindow) -> None:
     measures = {"uncertainty_mm": 0.02}
     report = {"status": "verified", "measures": measures, "scale_source": "default"}
-    window.desk.solved.emit(report, "")
+    window.session.solved.emit(report, "")
     assert "0.02" not in window.problems.lines[0].text
 
 
 def test_layers_and_bare_ink(window: SheetWindow) -> None:
-    scene = window.board.scene()
+    scene = window.canvas_view.scene()
     strokes = scene._layers["strokes"]
-    window.board.set_layer("strokes", False)
+    window.canvas_view.set_layer("strokes", False)
     assert not any(stroke.isVisible() for stroke in strokes)
-    window.board.set_layer("strokes", True)
+    window.canvas_view.set_layer("strokes", True)
     key = QtCore.Qt.Key.Key_Space
     press = QtGui.QKeyEvent(QtCore.QEvent.Type.KeyPress, key, _NONE)
-    QtWidgets.QApplication.sendEvent(window.board, press)
+    QtWidgets.QApplication.sendEvent(window.canvas_view, press)
     assert not any(stroke.isVisible() for stroke in strokes)
     release = QtGui.QKeyEvent(QtCore.QEvent.Type.KeyRelease, key, _NONE)
-    QtWidgets.QApplication.sendEvent(window.board, release)
+    QtWidgets.QApplication.sendEvent(window.canvas_view, release)
     assert all(stroke.isVisible() for stroke in strokes)
 
 
@@ -519,19 +519,19 @@ def test_a_file_of_many_pages_is_listed_at_once(
 def test_a_pale_sheet_is_white_in_a_dark_window(window: SheetWindow) -> None:
     palette = QtGui.QPalette(window.palette())
     palette.setColor(QtGui.QPalette.ColorRole.Base, QtGui.QColor("black"))
-    window.board.setPalette(palette)
-    at = window.board.mapFromScene(400.0, 400.0)
-    assert window.board.grab().toImage().pixelColor(at).lightness() > 250
+    window.canvas_view.setPalette(palette)
+    at = window.canvas_view.mapFromScene(400.0, 400.0)
+    assert window.canvas_view.grab().toImage().pixelColor(at).lightness() > 250
 
 
 @pytest.mark.parametrize("place", [(120.0, 90.0), (500.0, 400.0)])
 def test_the_wheel_zooms_at_the_cursor(window: SheetWindow, place: Place) -> None:
-    board = window.board
-    at = board.mapFromScene(*place)
+    canvas_view = window.canvas_view
+    at = canvas_view.mapFromScene(*place)
     for _ in range(4):
         turned = QtGui.QWheelEvent(
             QtCore.QPointF(at),
-            QtCore.QPointF(board.viewport().mapToGlobal(at)),
+            QtCore.QPointF(canvas_view.viewport().mapToGlobal(at)),
             QtCore.QPoint(),
             QtCore.QPoint(0, 120),
             QtCore.Qt.MouseButton.NoButton,
@@ -539,6 +539,6 @@ def test_the_wheel_zooms_at_the_cursor(window: SheetWindow, place: Place) -> Non
             QtCore.Qt.ScrollPhase.NoScrollPhase,
             False,
         )
-        QtWidgets.QApplication.sendEvent(board.viewport(), turned)
-    assert board.zoom > 2.0
-    assert board.place(at) == pytest.approx(place, abs=2.0)
+        QtWidgets.QApplication.sendEvent(canvas_view.viewport(), turned)
+    assert canvas_view.zoom > 2.0
+    assert canvas_view.place(at) == pytest.approx(place, abs=2.0)

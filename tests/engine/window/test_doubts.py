@@ -39,7 +39,7 @@ def doubts(window: SheetWindow) -> list[Line]:
 
 def colours(window: SheetWindow) -> dict[str, str]:
     """The colour of each stroke, by its id."""
-    items = window.board._drawing._strokes.items()
+    items = window.canvas_view._drawing._strokes.items()
     return {name: item.pen().color().name() for name, item in items}
 
 
@@ -54,7 +54,7 @@ def test_strokes_in_doubt_are_orange_whatever_their_kind(window: SheetWindow) ->
     found = colours(window)
     assert found["s2"] == found["s5"] == DOUBTFUL
     assert DOUBTFUL not in (found["s1"], found["s6"])
-    stated = window.board._drawing._strokes["s2"].toolTip()
+    stated = window.canvas_view._drawing._strokes["s2"].toolTip()
     assert stated == doubt_in_words(window.sheet.strokes[1])
 
 
@@ -90,15 +90,15 @@ def test_yes_and_no_settle_a_doubt(window: SheetWindow, button: int, kind: str) 
 
 
 def test_a_key_says_that_a_doubtful_stroke_is_what_it_seems(window: SheetWindow) -> None:
-    window.board.select({"s1", "s2"})
-    window.board.give_kind("visible")
+    window.canvas_view.select({"s1", "s2"})
+    window.canvas_view.set_kind("visible")
     assert [operation["target"]["id"] for operation in window.operations] == ["s2"]
 
 
 def test_doubts_stay_listed_under_a_verdict(window: SheetWindow, tmp_path: Path) -> None:
     warning = {"code": "scale-assumed", "message": "of no known size"}
     report = {"status": "approximate", "reasons": [], "warnings": [warning]}
-    window.desk.solved.emit(report, str(tmp_path))
+    window.session.solved.emit(report, str(tmp_path))
     assert window.problems.lines[0].colour
     assert window.problems.lines[1:3] == doubts(window)
     assert len(window.problems.lines) == 4

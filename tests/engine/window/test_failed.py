@@ -10,9 +10,9 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
+from freecad.gaussiancad.canvas.engine_server import Program
 from freecad.gaussiancad.canvas.failed import FailedSheet, failed_sheets
-from freecad.gaussiancad.canvas.serving import Program
-from freecad.gaussiancad.canvas.standing import Standing
+from freecad.gaussiancad.canvas.standalone import StandaloneWindow
 from freecad.gaussiancad.qt import QtGui, QtWidgets
 from gaussiancad_core.batches.batch_table import BatchRow, table_bytes
 
@@ -86,20 +86,20 @@ def test_what_is_no_report_is_told(tmp_path: Path, name: str, content: str) -> N
 def test_the_next_sheet_is_one_that_is_not_verified_yet(report: Path) -> None:
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
     bad, near = failed_sheets(report)
-    standing = Standing((bad, near), Program((str(report.parent / "none"),)))
+    standalone = StandaloneWindow((bad, near), Program((str(report.parent / "none"),)))
     opened = []
-    standing.list.chosen.connect(opened.append)
-    standing.list.open_next()
-    standing.list.open_next()
+    standalone.list.chosen.connect(opened.append)
+    standalone.list.open_next()
+    standalone.list.open_next()
     assert opened == [bad, near]
-    assert standing.canvas.desk.path == near.sheet and standing.canvas.desk.page == 1
-    standing.canvas.desk.solved.emit({"status": "verified"}, "")
-    assert [row.status for row in standing.list.sheets] == ["failed", "verified"]
-    standing.list.open_next()
-    standing.list.open_next()
+    assert standalone.canvas.session.path == near.sheet and standalone.canvas.session.page == 1
+    standalone.canvas.session.solved.emit({"status": "verified"}, "")
+    assert [row.status for row in standalone.list.sheets] == ["failed", "verified"]
+    standalone.list.open_next()
+    standalone.list.open_next()
     assert opened[2:] == [bad, bad]
-    assert standing.canvas.desk.page == 3
-    standing.canvas.desk.solved.emit({"status": "verified"}, "")
-    assert not standing.list.next_button.isEnabled()
-    standing.close()
+    assert standalone.canvas.session.page == 3
+    standalone.canvas.session.solved.emit({"status": "verified"}, "")
+    assert not standalone.list.next_button.isEnabled()
+    standalone.close()
     application.processEvents()

@@ -32,16 +32,16 @@ def doubted(reading: dict) -> Sheet:
 
 def _written(window: SheetWindow) -> list[str]:
     """Texts that can be seen, but for the names of views."""
-    items = window.board.scene().items()
+    items = window.canvas_view.scene().items()
     kind = QtWidgets.QGraphicsSimpleTextItem
     texts = [item.text() for item in items if isinstance(item, kind) and item.isVisible()]
     return sorted(text for text in texts if text != "front")
 
 
 def _move(window: SheetWindow, place: tuple[float, float]) -> None:
-    at = QtCore.QPointF(window.board.mapFromScene(*place))
+    at = QtCore.QPointF(window.canvas_view.mapFromScene(*place))
     none = QtCore.Qt.MouseButton.NoButton
-    view = window.board.viewport()
+    view = window.canvas_view.viewport()
     event = QtGui.QMouseEvent(
         QtCore.QEvent.Type.MouseMove,
         at,
@@ -62,18 +62,18 @@ def test_a_quiet_number_is_written_while_the_mouse_is_at_it(window: SheetWindow)
     assert _written(window) == []
     _move(window, (200, 68))
     assert _written(window) == ["40"]
-    window.board.set_layer("numbers", False)
+    window.canvas_view.set_layer("numbers", False)
     assert _written(window) == []
-    window.board.set_layer("numbers", True)
+    window.canvas_view.set_layer("numbers", True)
     assert _written(window) == ["40"]
     _move(window, (200, 130))
     assert _written(window) == []
     _move(window, (200, 68))
-    QtWidgets.QApplication.sendEvent(window.board, QtCore.QEvent(QtCore.QEvent.Type.Leave))
+    QtWidgets.QApplication.sendEvent(window.canvas_view, QtCore.QEvent(QtCore.QEvent.Type.Leave))
     assert _written(window) == []
 
 
 def test_what_a_person_said_stays_written(window: SheetWindow) -> None:
     window.say_value(window.sheet.numbers[0], 45.0)
-    window.board.tell_hole((160.0, 180.0, 20.0), 12.0)
+    window.canvas_view.set_hole_depth((160.0, 180.0, 20.0), 12.0)
     assert _written(window) == ["45", "\u21a712"]

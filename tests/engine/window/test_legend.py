@@ -45,10 +45,10 @@ def test_it_has_the_kinds_of_the_sheet(reading: dict) -> None:
 
 
 def test_it_follows_what_is_said(window: SheetWindow) -> None:
-    legend = window.board.legend
+    legend = window.canvas_view.legend
     assert [entry.text for entry in legend.entries] == ["visible", "hidden", "centre line"]
-    window.board.select({"s5"})
-    window.board.give_kind("hidden")
+    window.canvas_view.select({"s5"})
+    window.canvas_view.set_kind("hidden")
     assert [entry.text for entry in legend.entries] == ["visible", "hidden"]
 
 
@@ -56,18 +56,18 @@ def test_it_follows_what_is_said(window: SheetWindow) -> None:
     ("projection", "corner"), [("third", "topRight"), ("first", "bottomRight")]
 )
 def test_it_stays_in_its_corner(window: SheetWindow, projection: str, corner: str) -> None:
-    legend, board = window.board.legend, window.board
-    board.show_sheet(replace(window.sheet, projection=projection))
+    legend, canvas_view = window.canvas_view.legend, window.canvas_view
+    canvas_view.show_sheet(replace(window.sheet, projection=projection))
 
     def away() -> QtCore.QPoint:
-        inner, outer = (part.geometry() for part in (legend, board.viewport()))
+        inner, outer = (part.geometry() for part in (legend, canvas_view.viewport()))
         return getattr(inner, corner)() - getattr(outer, corner)()
 
     size, before = legend.size(), away()
     assert abs(before.x()) == abs(before.y()) < 10
-    board.scale(3.0, 3.0)
-    board.horizontalScrollBar().setValue(board.horizontalScrollBar().value() + 40)
-    board.verticalScrollBar().setValue(board.verticalScrollBar().value() + 40)
+    canvas_view.scale(3.0, 3.0)
+    canvas_view.horizontalScrollBar().setValue(canvas_view.horizontalScrollBar().value() + 40)
+    canvas_view.verticalScrollBar().setValue(canvas_view.verticalScrollBar().value() + 40)
     assert away() == before
     window.resize(700, 600)
     QtWidgets.QApplication.processEvents()
@@ -81,22 +81,22 @@ def test_it_can_be_left_out(window: SheetWindow) -> None:
         action for action in window.findChildren(QtGui.QAction) if action.text() == "Legend"
     )
     action.trigger()
-    assert not window.board.legend.isVisible()
-    window.board.show_sheet(window.sheet)
-    assert not window.board.legend.isVisible()
+    assert not window.canvas_view.legend.isVisible()
+    window.canvas_view.show_sheet(window.sheet)
+    assert not window.canvas_view.legend.isVisible()
     action.trigger()
-    assert window.board.legend.isVisible()
+    assert window.canvas_view.legend.isVisible()
 
 
 def test_the_mouse_goes_through_it(window: SheetWindow) -> None:
-    at = window.board.legend.geometry().center()
-    assert window.board.childAt(at) is window.board.viewport()
+    at = window.canvas_view.legend.geometry().center()
+    assert window.canvas_view.childAt(at) is window.canvas_view.viewport()
 
 
 def test_a_dark_window_leaves_it_as_it_is(window: SheetWindow, request: object) -> None:
-    before = _pixels(window.board.legend)
+    before = _pixels(window.canvas_view.legend)
     request.getfixturevalue("dark")
-    assert _pixels(window.board.legend) == before
+    assert _pixels(window.canvas_view.legend) == before
 
 
 def test_rows_have_the_text_of_the_list(dark: SheetWindow) -> None:
@@ -112,7 +112,7 @@ def test_rows_have_the_text_of_the_list(dark: SheetWindow) -> None:
 
 def test_words_on_the_sheet_and_verdicts_can_be_read(dark: SheetWindow) -> None:
     kind = QtWidgets.QGraphicsSimpleTextItem
-    words = [word for word in dark.board.scene().items() if isinstance(word, kind)]
+    words = [word for word in dark.canvas_view.scene().items() if isinstance(word, kind)]
     assert len(words) == 2
     for word in words:
         (plate,) = word.childItems()

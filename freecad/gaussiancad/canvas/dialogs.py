@@ -4,32 +4,34 @@ from __future__ import annotations
 
 from functools import partial
 
-from freecad.gaussiancad.canvas import saying
-from freecad.gaussiancad.canvas.board import Board
-from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas import corrections
+from freecad.gaussiancad.canvas.canvas_view import CanvasView
 from freecad.gaussiancad.canvas.kinds import ROLES, name_of
+from freecad.gaussiancad.canvas.session import Session
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 
-class Asking(QtCore.QObject):
-    """Menus and boxes for numbers; the answers are said at the desk.
+class Dialogs(QtCore.QObject):
+    """Menus and boxes for numbers; the answers are corrections of the session.
 
     Args:
-        board: the canvas, whose gestures ask.
-        desk: where the sheet is.
+        canvas_view: the canvas, whose gestures ask.
+        session: where the sheet is.
         parent: the widget over which is asked, its owner.
     """
 
-    def __init__(self, board: Board, desk: Desk, parent: QtWidgets.QWidget) -> None:
+    def __init__(
+        self, canvas_view: CanvasView, session: Session, parent: QtWidgets.QWidget
+    ) -> None:
         super().__init__(parent)
-        self._desk, self._over = desk, parent
-        board.asked_role.connect(self.ask_role)
-        board.asked_section.connect(self.ask_section)
-        board.asked_length.connect(self.ask_length)
-        board.asked_value.connect(self.ask_value)
-        board.asked_depth.connect(self.ask_depth)
+        self._session, self._over = session, parent
+        canvas_view.asked_role.connect(self.ask_role)
+        canvas_view.asked_section.connect(self.ask_section)
+        canvas_view.asked_length.connect(self.ask_length)
+        canvas_view.asked_value.connect(self.ask_value)
+        canvas_view.asked_depth.connect(self.ask_depth)
 
     def ask_role(self, box: Box) -> None:
         """Which view a box is."""
@@ -43,7 +45,7 @@ class Asking(QtCore.QObject):
 
     def ask_section(self, line: tuple[Point, ...], in_view: str) -> None:
         """Which view shows the section along a line in another; not asked where one may only."""
-        found = [section for section in self._desk.sheet.sections if section.id != in_view]
+        found = [section for section in self._session.sheet.sections if section.id != in_view]
         if len(found) == 1:
             self._take_section(found[0].id, line, in_view)
             return
@@ -58,40 +60,42 @@ class Asking(QtCore.QObject):
         asked = translate("GaussianCAD", "Length between the two points in mm:")
         length = self._number(translate("GaussianCAD", "Scale"), asked, 100.0)
         if length is not None:
-            self._desk.say(saying.apart(points, length))
+            self._session.correct(corrections.set_distance(points, length))
 
     def ask_thickness(self, axis: str) -> None:
         """How thick the part is along the axis that its only view does not show."""
         asked = translate("GaussianCAD", "How thick is the part, in mm?")
         thickness = self._number(translate("GaussianCAD", "Thickness"), asked, 10.0)
         if thickness is not None:
-            self._desk.say(saying.thick(axis, thickness))
+            self._session.correct(corrections.set_thickness(axis, thickness))
 
     def ask_value(self, number: Number) -> None:
         """What a dimension gives."""
         asked = translate("GaussianCAD", "What \u201c{0}\u201d gives, in mm:").format(number.text)
         value = self._number(translate("GaussianCAD", "Dimension"), asked, number.value)
         if value is not None:
-            self._desk.say(saying.given(number, value))
+            self._session.correct(corrections.set_value(number, value))
 
-    def ask_depth(self, circle: saying.Circle) -> None:
+    def ask_depth(self, circle: corrections.Circle) -> None:
         """How deep the hole of a circle is."""
         self.ask_depths([circle])
 
-    def ask_depths(self, circles: list[saying.Circle]) -> None:
+    def ask_depths(self, circles: list[corrections.Circle]) -> None:
         """How deep the holes of circles are, all alike."""
         asked = translate("GaussianCAD", "Depth of the hole in mm:")
         depth = self._number(translate("GaussianCAD", "Hole"), asked, 10.0)
         if depth is not None:
-            self._desk.say([stated for circle in circles for stated in saying.hole(circle, depth)])
+            self._session.correct(
+                [stated for circle in circles for stated in corrections.set_hole(circle, depth)]
+            )
 
     def _take_role(self, role: str, box: Box, _checked: bool = False) -> None:
-        self._desk.say(saying.is_view(self._desk.sheet, role, box))
+        self._session.correct(corrections.add_view(self._session.sheet, role, box))
 
     def _take_section(
         self, view: str, line: tuple[Point, ...], in_view: str, _checked: bool = False
     ) -> None:
-        self._desk.say(saying.cut_along(view, line, in_view))
+        self._session.correct(corrections.set_section(view, line, in_view))
 
     def _number(self, title: str, asked: str, start: float) -> float | None:
         get = QtWidgets.QInputDialog.getDouble

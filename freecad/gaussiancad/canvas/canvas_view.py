@@ -1,19 +1,19 @@
-"""The canvas: what of a sheet is selected, and what touching it with mouse and keys says.
+"""The canvas: what of a sheet is selected, and what touching it with mouse and keys corrects.
 
-Every gesture ends in operations of ``corrections.json``, which :attr:`Board.said` sends; what is
-shown changes only when whoever keeps them calls :meth:`Board.show_sheet`.
+Every gesture ends in operations of ``corrections.json``, which :attr:`CanvasView.corrected` sends;
+what is shown changes only when the window calls :meth:`CanvasView.show_sheet`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Set
 
-from freecad.gaussiancad.canvas import saying
-from freecad.gaussiancad.canvas.ground import Ground
-from freecad.gaussiancad.canvas.hand import Hand
+from freecad.gaussiancad.canvas import corrections
+from freecad.gaussiancad.canvas.gestures import GestureController
+from freecad.gaussiancad.canvas.hit_test import HitTest
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES
-from freecad.gaussiancad.canvas.pane import Pane, around, pos_of
 from freecad.gaussiancad.canvas.sheet import Box, Point, Shape, Sheet, Stroke, View
+from freecad.gaussiancad.canvas.sheet_view import SheetView, around, pos_of
 from freecad.gaussiancad.canvas.tools import (
     TOOLS,
     Boxed,
@@ -22,7 +22,7 @@ from freecad.gaussiancad.canvas.tools import (
     Drawn,
     Meaning,
     Measured,
-    Said,
+    Operations,
     Traced,
 )
 from freecad.gaussiancad.language import translate
@@ -33,11 +33,11 @@ _KEY = QtCore.Qt.KeyboardModifier
 _EMPTY = Sheet((), (), (), "", None)
 
 
-class Board(Pane):
+class CanvasView(SheetView):
     """A sheet that can be touched.
 
     Signals:
-        said: operations that one gesture means.
+        corrected: operations that one gesture means.
         asked_more: a sentence: what is missing for what a person wants.
         asked_length: two points of the sheet whose distance a person shall tell.
         asked_role: a box of the sheet whose role a person shall tell.
@@ -52,7 +52,7 @@ class Board(Pane):
         chosen: what is selected has changed.
     """
 
-    said = QtCore.Signal(list)
+    corrected = QtCore.Signal(list)
     asked_more = QtCore.Signal(str)
     asked_length = QtCore.Signal(tuple)
     asked_role = QtCore.Signal(tuple)
@@ -68,7 +68,7 @@ class Board(Pane):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._hand = Hand()
+        self._gestures = GestureController()
         self._sheet: Sheet | None = None
         self._chosen: frozenset[str] = frozenset()
         self._awaited: str | None = None
@@ -76,17 +76,17 @@ class Board(Pane):
     @property
     def tool(self) -> str:
         """What the mouse does next, a value of :data:`.TOOLS`; empty for selecting."""
-        return self._hand.tool
+        return self._gestures.tool
 
     @property
     def selected(self) -> list[Stroke]:
         """The strokes that are selected."""
-        return self._ground.selected
+        return self._hits.selected
 
     @property
     def selected_view(self) -> View | None:
         """The view that is selected alone."""
-        return self._ground.selected_view
+        return self._hits.selected_view
 
     def show_sheet(self, sheet: Sheet) -> None:
         """Show strokes and views; what was selected stays so where it is still there."""
@@ -102,7 +102,7 @@ class Board(Pane):
 
     def take_tool(self, tool: str) -> None:
         """What the mouse does next; nothing but selecting where it is empty."""
-        self._hand.take(tool)
+        self._gestures.take(tool)
         self._drawing.drop_rubber()
         self._show_cursor()
 
@@ -120,7 +120,7 @@ class Board(Pane):
         """Select all strokes that are like those selected."""
         self.select({other.id for item in self.selected for other in self._sheet.like(item)})
 
-    def give_kind(self, kind: str) -> None:
+    def set_kind(self, kind: str) -> None:
         """Say that what is selected stands for a kind; of what is in doubt, that it does indeed.
 
         Ink that is being traced becomes a stroke of that kind.
@@ -129,36 +129,36 @@ class Board(Pane):
             self._awaited = kind
             return
         meant = [item for item in self.selected if item.kind != kind or item.doubtful]
-        self._say(saying.of_kind(meant, kind))
+        self._correct(corrections.set_kind(meant, kind))
 
-    def give_role(self, role: str) -> None:
+    def set_role(self, role: str) -> None:
         """Say what a view shows: the one that is selected, or whose strokes are."""
-        view = self._ground.view_meant
+        view = self._hits.view_meant
         if view is None:
             self.asked_more.emit(
                 translate("GaussianCAD", "Select a view first: click its frame, or a line in it")
             )
             return
-        self._give_role(view, role)
+        self._set_role(view, role)
 
     def erase(self) -> None:
         """Say that what is selected is not there."""
-        self._say(saying.erased(self.selected))
+        self._correct(corrections.erase_strokes(self.selected))
         if self.selected_view is not None:
-            self._give_role(self.selected_view, "ignore")
+            self._set_role(self.selected_view, "ignore")
 
-    def _give_role(self, view: View, role: str) -> None:
+    def _set_role(self, view: View, role: str) -> None:
         """Say what a view shows; what was no view yet is boxed, so that it is read."""
         if view.role == role:
             return
         if role in ROLES and not view.shown:
             self.asked_view.emit(role, view.frame)
         else:
-            self._say(saying.of_role(view, role))
+            self._correct(corrections.set_role(view, role))
 
-    def tell_hole(self, circle: saying.Circle, depth_mm: float | None) -> None:
+    def set_hole_depth(self, circle: corrections.Circle, depth_mm: float | None) -> None:
         """Say how deep the hole of a circle is; None for one that goes through."""
-        self._say(saying.hole(circle, depth_mm))
+        self._correct(corrections.set_hole(circle, depth_mm))
 
     def draw(self, shape: Shape, at: Point, kind: str = "visible") -> bool:
         """Say that there is a stroke, in the view around a place; whether there is such a view.
@@ -168,7 +168,7 @@ class Board(Pane):
         view = self._sheet.view_at(at) if self._sheet is not None else None
         if view is None:
             return False
-        self._say(saying.drawn(view.id, kind, shape))
+        self._correct(corrections.draw_stroke(view.id, kind, shape))
         made = [
             stroke.id for stroke in self._sheet.strokes if stroke.given and stroke.shape == shape
         ]
@@ -199,14 +199,14 @@ class Board(Pane):
         """Begin to select, to draw, to move a handle or to pan."""
         if event.button() == QtCore.Qt.MouseButton.LeftButton and self._sheet is not None:
             self.setFocus()
-            self._hand.press(self.place(pos_of(event)), self._ground)
+            self._gestures.press(self.place(pos_of(event)), self._hits)
         super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         """Pan, or show what would be made."""
-        if self._hand.began and not self.panning:
+        if self._gestures.began and not self.panning:
             at = self.place(pos_of(event))
-            path = self._hand.rubber(at, self._ground, free=_held(event, _KEY.AltModifier))
+            path = self._gestures.rubber(at, self._hits, free=_held(event, _KEY.AltModifier))
             if path is not None:
                 self._drawing.show_rubber(path)
         super().mouseMoveEvent(event)
@@ -214,44 +214,44 @@ class Board(Pane):
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         """End what was begun."""
         super().mouseReleaseEvent(event)
-        if event.button() == QtCore.Qt.MouseButton.LeftButton and self._hand.began:
+        if event.button() == QtCore.Qt.MouseButton.LeftButton and self._gestures.began:
             self._drawing.drop_rubber()
             at = self.place(pos_of(event))
             free, more = _held(event, _KEY.AltModifier), _held(event, _KEY.ShiftModifier)
-            meaning = self._hand.release(at, self._ground, free=free, more=more)
+            meaning = self._gestures.release(at, self._hits, free=free, more=more)
             self._show_cursor()
             if meaning is not None:
                 self._do(meaning)
 
     def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         """A number is told anew."""
-        found = self._ground.number_at(self.place(pos_of(event)))
+        found = self._hits.number_at(self.place(pos_of(event)))
         if found is not None:
             self.asked_value.emit(found)
         event.accept()
 
     def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         """Select what is under the mouse, and ask for a menu."""
-        at, ground = self.place(event.pos()), self._ground
-        found = ground.stroke_at(at) or ground.view_at(at)
+        at, hits = self.place(event.pos()), self._hits
+        found = hits.stroke_at(at) or hits.view_at(at)
         if found is not None and found.id not in self._chosen:
             self.select({found.id})
         self.asked_menu.emit(event.globalPos())
 
     @property
-    def _ground(self) -> Ground:
-        return Ground(self._sheet or _EMPTY, self._chosen, self.zoom)
+    def _hits(self) -> HitTest:
+        return HitTest(self._sheet or _EMPTY, self._chosen, self.zoom)
 
     def _called_by(self, key: int) -> Callable[[], None] | None:
         """What a key does; None where it does nothing here."""
         keys = QtCore.Qt.Key
         name = chr(key) if keys.Key_A <= key <= keys.Key_Z else ""
         if name in KEYS:
-            return lambda: self.give_kind(KEYS[name])
+            return lambda: self.set_kind(KEYS[name])
         if name in TOOLS:
             return lambda: self.take_tool(TOOLS[name])
         if keys.Key_1 <= key <= keys.Key_6:
-            return lambda: self.give_role(ROLES[key - keys.Key_1])
+            return lambda: self.set_role(ROLES[key - keys.Key_1])
         return {
             keys.Key_Delete: self.erase,
             keys.Key_Backspace: self.erase,
@@ -262,7 +262,7 @@ class Board(Pane):
         }.get(key)
 
     def _leave(self) -> None:
-        self._hand.drop()
+        self._gestures.drop()
         self.take_tool("")
         self.select(set())
 
@@ -270,14 +270,14 @@ class Board(Pane):
         shapes = QtCore.Qt.CursorShape
         self.viewport().setCursor(shapes.CrossCursor if self.tool else shapes.ArrowCursor)
 
-    def _say(self, operations: list[dict]) -> None:
+    def _correct(self, operations: list[dict]) -> None:
         if operations:
-            self.said.emit(operations)
+            self.corrected.emit(operations)
 
     def _do(self, meaning: Meaning) -> None:
         match meaning:
-            case Said(operations):
-                self._say(operations)
+            case Operations(operations):
+                self._correct(operations)
             case Chosen(ids):
                 self.select(ids)
             case Drawn(shape, at):

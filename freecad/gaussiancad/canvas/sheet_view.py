@@ -14,7 +14,7 @@ _ZOOM = 1.25
 _MOST_ZOOM = 40.0
 
 
-class Pane(QtWidgets.QGraphicsView):
+class SheetView(QtWidgets.QGraphicsView):
     """A sheet that can be looked at: the wheel zooms, the middle button pans.
 
     Single keys stay here: in FreeCAD they would delete objects and turn the 3D view.

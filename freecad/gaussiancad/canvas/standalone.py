@@ -6,9 +6,9 @@ import signal
 import sys
 from pathlib import Path
 
+from freecad.gaussiancad.canvas.engine_server import Engines, Program
 from freecad.gaussiancad.canvas.failed import FailedSheet
 from freecad.gaussiancad.canvas.failed_list import FailedList
-from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.translator import load_language
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtWidgets
@@ -23,7 +23,7 @@ _LISTENING_MS = 200
 """How often Python, which learns of signals between its own steps, gets to run beside Qt."""
 
 
-class Standing(QtWidgets.QMainWindow):
+class StandaloneWindow(QtWidgets.QMainWindow):
     """A frame around the window of a sheet; another sheet, or page, takes its place.
 
     Args:
@@ -61,7 +61,7 @@ class Standing(QtWidgets.QMainWindow):
         canvas.page_asked.connect(lambda number: self.open(path, number))
         if self.list is not None:
             show = self.list.take
-            canvas.desk.solved.connect(lambda report, _: show(path, page, report["status"]))
+            canvas.session.solved.connect(lambda report, _: show(path, page, report["status"]))
         self.setCentralWidget(canvas)
         self.setWindowTitle(canvas.windowTitle())
         canvas.start()
@@ -88,7 +88,7 @@ def show(path: Path, page: int = 1, failed: tuple[FailedSheet, ...] = ()) -> int
     translator = QtCore.QTranslator(application)
     if load_language(translator, QtCore.QLocale().uiLanguages()):
         application.installTranslator(translator)
-    window = Standing(failed)
+    window = StandaloneWindow(failed)
     window.show()
     window.open(path, page)
     listening = QtCore.QTimer()

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from freecad.gaussiancad.canvas import saying
-from freecad.gaussiancad.canvas.asking import Asking
-from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas import corrections
+from freecad.gaussiancad.canvas.corrections import Circle
+from freecad.gaussiancad.canvas.dialogs import Dialogs
 from freecad.gaussiancad.canvas.gaps import OPEN, closing_lines
 from freecad.gaussiancad.canvas.kinds import ROLES
-from freecad.gaussiancad.canvas.saying import Circle
+from freecad.gaussiancad.canvas.session import Session
 from freecad.gaussiancad.canvas.sheet import Row
 from freecad.gaussiancad.canvas.verdict import Buttons, Help
 from freecad.gaussiancad.language import translate
@@ -29,22 +29,22 @@ _USUAL = {
 """What helps with a warning that came up after the sheet was read."""
 
 
-class Helping:
+class RowActions:
     """What helps with what is said of a sheet.
 
     Args:
-        desk: where the sheet is, and what a button says is said.
+        session: where the sheet is, and what a button says is said.
         take_tool: gives the mouse a tool.
-        asking: asks how deep holes are, and how thick the part is.
+        dialogs: asks how deep holes are, and how thick the part is.
     """
 
     def __init__(
         self,
-        desk: Desk,
+        session: Session,
         take_tool: Callable[[str], None],
-        asking: Asking,
+        dialogs: Dialogs,
     ) -> None:
-        self._desk, self._take, self._asking = desk, take_tool, asking
+        self._session, self._take, self._dialogs = session, take_tool, dialogs
         self._more: dict[str, Buttons] = {}
 
     def add(self, code: str, text: str, called: Callable[[], None]) -> None:
@@ -56,17 +56,17 @@ class Helping:
         if not row.unseen_axis:
             return self._buttons(row.code, row.offers)
         text = translate("GaussianCAD", "How Thick Is the Part?")
-        answer = text, lambda: self._asking.ask_thickness(row.unseen_axis)
+        answer = text, lambda: self._dialogs.ask_thickness(row.unseen_axis)
         rest = tuple(offer for offer in row.offers if offer != "scale")
         return (answer, *self._buttons(row.code, rest))
 
     def with_report(self) -> Help:
         """Buttons for what a report says; its reasons may be problems of what was read."""
         offers = {code: self._buttons(code, (tool,)) for code, tool in _USUAL.items()}
-        problems = self._desk.sheet.problems if self._desk.sheet is not None else ()
+        problems = self._session.sheet.problems if self._session.sheet is not None else ()
         offers.update({problem.code: self.with_row(problem) for problem in problems})
         offers.update(self._more)
-        return Help(self._go_through, self._asking.ask_depths, offers, self._mend)
+        return Help(self._go_through, self._dialogs.ask_depths, offers, self._mend)
 
     def _buttons(self, code: str, offers: tuple[str, ...]) -> Buttons:
         """The tool of each correction that is offered."""
@@ -84,39 +84,44 @@ class Helping:
 
     def _mend(self, item: dict) -> Buttons:
         """What may be said of a line that part and sheet do not share."""
-        say, sheet = self._desk.say, self._desk.sheet
+        correct, sheet = self._session.correct, self._session.sheet
         if not item["missing"]:
             if not item.get("line"):
                 return ()
             view = next((view.id for view in sheet.views if view.role == item["view"]), "")
-            draw = saying.drawn(view, item["kind"], ("line", item["line"]))
-            return ((translate("GaussianCAD", "It Belongs There"), lambda: say(draw)),)
+            draw = corrections.draw_stroke(view, item["kind"], ("line", item["line"]))
+            return ((translate("GaussianCAD", "It Belongs There"), lambda: correct(draw)),)
         stroke = sheet.stroke_at(tuple(item["at"]), _BESIDE) if sheet is not None else None
         if stroke is None:
             return ()
-        tangent, erase = saying.of_kind([stroke], "tangent"), saying.erased([stroke])
+        tangent, erase = (
+            corrections.set_kind([stroke], "tangent"),
+            corrections.erase_strokes([stroke]),
+        )
         return (
-            (translate("GaussianCAD", "Tangent Edge"), lambda: say(tangent)),
-            (translate("GaussianCAD", "Erase It"), lambda: say(erase)),
+            (translate("GaussianCAD", "Tangent Edge"), lambda: correct(tangent)),
+            (translate("GaussianCAD", "Erase It"), lambda: correct(erase)),
         )
 
     def _closing(self) -> list[dict]:
         """What closes the outlines that are open."""
-        sheet = self._desk.sheet
+        sheet = self._session.sheet
         return [
             operation
             for view in sheet.views
             if view.shown and view.role in ROLES
             for line in closing_lines(sheet, view)
-            for operation in saying.drawn(view.id, "visible", ("line", line))
+            for operation in corrections.draw_stroke(view.id, "visible", ("line", line))
         ]
 
     def _close_gaps(self) -> None:
-        self._desk.say(self._closing())
+        self._session.correct(self._closing())
 
     def _turn_projection(self) -> None:
-        other = {"first": "third", "third": "first"}[self._desk.sheet.projection]
-        self._desk.say(saying.set_to("projection", other))
+        other = {"first": "third", "third": "first"}[self._session.sheet.projection]
+        self._session.correct(corrections.set_option("projection", other))
 
     def _go_through(self, circles: list[Circle]) -> None:
-        self._desk.say([stated for circle in circles for stated in saying.hole(circle, None)])
+        self._session.correct(
+            [stated for circle in circles for stated in corrections.set_hole(circle, None)]
+        )

@@ -18,7 +18,7 @@ _CLICK = 6.0
 
 
 @dataclass(frozen=True)
-class Ground:
+class HitTest:
     """A sheet under the mouse; places are px of the sheet.
 
     Attributes:

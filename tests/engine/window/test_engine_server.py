@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from freecad.gaussiancad.canvas.serving import Engine, Program, Server
+from freecad.gaussiancad.canvas.engine_server import Engine, Program, Server
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 _ENGINE = """\

@@ -13,9 +13,13 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from freecad.gaussiancad.canvas.correcting import corrected
-from freecad.gaussiancad.canvas.keeping import Keeper, read_again, write_corrections
-from freecad.gaussiancad.canvas.serving import Answer, Engines, Server
+from freecad.gaussiancad.canvas.corrections_preview import corrected
+from freecad.gaussiancad.canvas.corrections_storage import (
+    CorrectionsStore,
+    read_again,
+    write_corrections,
+)
+from freecad.gaussiancad.canvas.engine_server import Answer, Engines, Server
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, shape_in, sheet_of
 from freecad.gaussiancad.engine.wording import Place, worded
 from freecad.gaussiancad.qt import QtCore
@@ -30,14 +34,14 @@ def _worded(answer: Answer) -> str:
     return worded(error.get("code", ""), error.get("message", ""), error.get("args"), Place.CANVAS)
 
 
-class Desk(QtCore.QObject):
+class Session(QtCore.QObject):
     """The sheet, without anything that is seen.
 
     Args:
         path: of the sheet.
         page: of a file with pages.
         engines: that read and solve.
-        keeper: of the corrections.
+        store: of the corrections.
         parent: its owner.
 
     Signals:
@@ -45,7 +49,7 @@ class Desk(QtCore.QObject):
         read: the sheet was read, for the first time or again.
         changed: what is to be shown has changed.
         solved: report and folder of a run; the folder is empty where no part follows.
-        told: a line for the person.
+        message: a line for the person.
         working: whether an engine is at work has changed.
         stage: name of what an engine does now.
     """
@@ -54,15 +58,20 @@ class Desk(QtCore.QObject):
     read = QtCore.Signal()
     changed = QtCore.Signal()
     solved = QtCore.Signal(object, str)
-    said = QtCore.Signal(str)
+    message = QtCore.Signal(str)
     working = QtCore.Signal()
     stage = QtCore.Signal(str)
 
     def __init__(
-        self, path: Path, page: int, engines: Engines, keeper: Keeper, parent: QtCore.QObject
+        self,
+        path: Path,
+        page: int,
+        engines: Engines,
+        store: CorrectionsStore,
+        parent: QtCore.QObject,
     ) -> None:
         super().__init__(parent)
-        self.path, self.page, self.keeper = path, page, keeper
+        self.path, self.page, self.store = path, page, store
         self.live = True
         self._folder = tempfile.TemporaryDirectory(
             prefix="gaussiancad-", ignore_cleanup_errors=True
@@ -87,7 +96,7 @@ class Desk(QtCore.QObject):
         """What is to be shown; None while the sheet is read."""
         if self._read is None:
             return None
-        return corrected(self._read, self.keeper.operations[len(self._within) :])
+        return corrected(self._read, self.store.operations[len(self._within) :])
 
     @property
     def reading(self) -> bool:
@@ -111,17 +120,17 @@ class Desk(QtCore.QObject):
         self._read_sheet()
         self._solver.ask("render", lambda _: None, **self._asked(folder / "warm"))
 
-    def say(self, operations: list[dict]) -> None:
+    def correct(self, operations: list[dict]) -> None:
         """Take corrections as one step; nothing is taken before the sheet is read."""
         if self._read is not None and operations:
-            self.keeper.say(operations)
+            self.store.add(operations)
             self.refresh()
 
     def refresh(self) -> None:
-        """Follow what the keeper has, whoever changed it."""
-        if self._read is None or self.keeper.operations == self._shown:
+        """Follow what the store has, whoever changed it."""
+        if self._read is None or self.store.operations == self._shown:
             return
-        self._shown = list(self.keeper.operations)
+        self._shown = list(self.store.operations)
         self._solver_stops()
         self.changed.emit()
         if read_again(self._shown) != self._within:
@@ -159,7 +168,7 @@ class Desk(QtCore.QObject):
         nothing was said."""
         reading = folder / "reading.json"
         shutil.copyfile(self._reading, reading)
-        rest = self.keeper.operations[len(self._within) :]
+        rest = self.store.operations[len(self._within) :]
         if not rest or self._read is None:
             return reading, None
         corrections = folder / "corrections.json"
@@ -201,7 +210,7 @@ class Desk(QtCore.QObject):
 
     def _read_sheet(self) -> None:
         folder = Path(self._folder.name) / "read"
-        within = read_again(self.keeper.operations)
+        within = read_again(self.store.operations)
         if within and self._read is not None:
             path = Path(self._folder.name) / "read.corrections.json"
             write_corrections(path, self._read.sha256, within)
@@ -220,7 +229,7 @@ class Desk(QtCore.QObject):
 
     def _was_read(self, answer: Answer, within: list[dict]) -> None:
         if "reading" not in answer:
-            self.said.emit(_worded(answer))
+            self.message.emit(_worded(answer))
             return
         first = self._read is None
         self._reading = Path(answer["reading"])
@@ -228,7 +237,7 @@ class Desk(QtCore.QObject):
         self._within = within
         if first:
             self.read.emit()
-        self._shown = list(self.keeper.operations)
+        self._shown = list(self.store.operations)
         self.changed.emit()
         if read_again(self._shown) != self._within:
             self._read_sheet()
@@ -239,6 +248,6 @@ class Desk(QtCore.QObject):
         try:
             report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
         except (OSError, ValueError):
-            self.said.emit(_worded(answer))
+            self.message.emit(_worded(answer))
             return
         self.solved.emit(report, "" if "error" in answer else str(folder))

@@ -10,7 +10,7 @@ from typing import Protocol
 SCHEMA = "gaussiancad-corrections/1"
 
 
-class Keeper(Protocol):
+class CorrectionsStore(Protocol):
     """Corrections in the order in which they were said.
 
     Attributes:
@@ -19,9 +19,9 @@ class Keeper(Protocol):
     """
 
     operations: list[dict]
-    own_steps: bool
+    has_undo: bool
 
-    def say(self, operations: list[dict]) -> None:
+    def add(self, operations: list[dict]) -> None:
         """Add operations as one step."""
 
     def undo(self) -> None:
@@ -31,7 +31,7 @@ class Keeper(Protocol):
         """Say again what was taken back last."""
 
 
-class Beside:
+class CorrectionsFile:
     """Corrections in the file beside a sheet, with the steps since it was opened.
 
     Args:
@@ -42,7 +42,7 @@ class Beside:
         ValueError: the file is damaged.
     """
 
-    own_steps = True
+    has_undo = True
 
     def __init__(self, sheet: Path, page: int = 1) -> None:
         self._path = corrections_path(sheet, page)
@@ -67,7 +67,7 @@ class Beside:
         self._sha256 = sha256
         return mine
 
-    def say(self, operations: list[dict]) -> None:
+    def add(self, operations: list[dict]) -> None:
         """Add operations that are one step."""
         if operations:
             self._steps.append(list(operations))

@@ -1,4 +1,4 @@
-"""Menus, boxes and buttons of the window: what a person answers is said."""
+"""Menus, boxes and buttons of the window: what a person answers becomes a correction."""
 
 from dataclasses import replace
 
@@ -20,8 +20,8 @@ def _menu(window: SheetWindow) -> list[QtGui.QAction]:
 
 def _at(window: SheetWindow, place: Place) -> list[QtGui.QAction]:
     """Entries of the menu at a place of the sheet."""
-    at = QtCore.QPoint(window.board.mapFromScene(*place))
-    reason, view = QtGui.QContextMenuEvent.Reason.Mouse, window.board.viewport()
+    at = QtCore.QPoint(window.canvas_view.mapFromScene(*place))
+    reason, view = QtGui.QContextMenuEvent.Reason.Mouse, window.canvas_view.viewport()
     event = QtGui.QContextMenuEvent(reason, at, view.mapToGlobal(at))
     QtWidgets.QApplication.sendEvent(view, event)
     return _menu(window)
@@ -36,7 +36,7 @@ def _answer(monkeypatch: pytest.MonkeyPatch, value: float, is_given: bool = True
 
 def test_a_stroke_under_the_mouse_is_selected_and_given_a_kind(window: SheetWindow) -> None:
     entries = _at(window, (200, 130))
-    assert [item.id for item in window.board.selected] == ["s5"]
+    assert [item.id for item in window.canvas_view.selected] == ["s5"]
     next(entry for entry in entries if entry.text().endswith("\tT")).trigger()
     (element,) = window.operations
     assert (element["op"], element["target"]["id"], element["to"]) == ("kind", "s5", "tangent")
@@ -60,7 +60,7 @@ def test_a_hole_goes_through_or_is_so_deep(
 def test_strokes_alike_are_selected_and_erased_from_the_menu(window: SheetWindow) -> None:
     entries = {item.text(): item for item in _at(window, (200, 100))}
     entries["Select all like this"].trigger()
-    assert len(window.board.selected) == 4
+    assert len(window.canvas_view.selected) == 4
     entries["Erase\tDel"].trigger()
     assert [operation["op"] for operation in window.operations] == ["erase"] * 4
 
@@ -77,7 +77,7 @@ def test_nothing_selected_has_no_menu(window: SheetWindow) -> None:
 
 
 def test_a_box_is_given_a_role(window: SheetWindow) -> None:
-    window.board.asked_role.emit((1.0, 2.0, 3.0, 4.0))
+    window.canvas_view.asked_role.emit((1.0, 2.0, 3.0, 4.0))
     _menu(window)[1].trigger()
     box = [1.0, 2.0, 3.0, 4.0]
     assert window.operations == [{"op": "view", "id": "top", "role": "top", "box": box}]
@@ -87,13 +87,13 @@ def test_a_length_and_a_value_are_asked_for(
     window: SheetWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     _answer(monkeypatch, 50.0)
-    window.board.asked_length.emit(((0.0, 0.0), (9.0, 0.0)))
-    window.board.asked_value.emit(window.sheet.numbers[0])
+    window.canvas_view.asked_length.emit(((0.0, 0.0), (9.0, 0.0)))
+    window.canvas_view.asked_value.emit(window.sheet.numbers[0])
     scale, number = window.operations
     assert scale == {"op": "scale", "points": [[0.0, 0.0], [9.0, 0.0]], "length_mm": 50.0}
     assert number == {"op": "dimension", "id": "d1", "value_mm": 50.0}
     _answer(monkeypatch, 1.0, is_given=False)
-    window.board.asked_length.emit(((0.0, 0.0), (9.0, 0.0)))
+    window.canvas_view.asked_length.emit(((0.0, 0.0), (9.0, 0.0)))
     assert len(window.operations) == 2
 
 
@@ -104,8 +104,8 @@ def test_a_section_is_asked_for_where_several_may_be_meant(window: SheetWindow) 
     )
     line = ((160.0, 80.0), (160.0, 270.0))
     for views, choose in (((one,), False), ((one, other), True)):
-        window.desk._read = replace(window.desk._read, views=(*window.sheet.views, *views))
-        window.board.asked_section.emit(line, "front")
+        window.session._read = replace(window.session._read, views=(*window.sheet.views, *views))
+        window.canvas_view.asked_section.emit(line, "front")
         if choose:
             _menu(window)[-1].trigger()
     assert [(operation["id"], operation["in_view"]) for operation in window.operations] == [
@@ -121,11 +121,11 @@ def test_gaps_are_closed_with_a_button(window: SheetWindow) -> None:
         Stroke(f"t{n}", "front", "visible", ("line", (corners[n], corners[n + 1])))
         for n in range(3)
     )
-    window.desk._read = replace(window.desk._read, problems=(problem,), strokes=strokes)
-    window.desk.changed.emit()
+    window.session._read = replace(window.session._read, problems=(problem,), strokes=strokes)
+    window.session.changed.emit()
     close, draw = window.problems.lines[0].buttons
     draw[1]()
-    assert window.board.tool == "line"
+    assert window.canvas_view.tool == "line"
     close[1]()
     (item,) = window.operations
     assert (item["op"], item["view"], item["kind"]) == ("draw", "front", "visible")
@@ -138,8 +138,8 @@ def test_how_thick_a_plate_is_is_asked_for_with_a_button(
     _answer(monkeypatch, 5.0)
     offers, place = ("scale", "view"), {"axis": "y", "places": ""}
     problem = Row("refused", "one view", "one-view", None, offers, place)
-    window.desk._read = replace(window.desk._read, problems=(problem,), mm_per_px=0.5)
-    window.desk.changed.emit()
+    window.session._read = replace(window.session._read, problems=(problem,), mm_per_px=0.5)
+    window.session.changed.emit()
     verdict, row, *_ = window.problems.lines
     assert verdict.buttons == ()
     assert [text for text, _ in row.buttons] == ["How Thick Is the Part?", "Box a View"]
@@ -148,10 +148,10 @@ def test_how_thick_a_plate_is_is_asked_for_with_a_button(
     assert window.sheet.mm_per_px == 0.5
     # The run that follows may lack the scale: another question.
     why = {"code": "one-view", "message": "no scale", "args": {"axis": "y", "case": "scale"}}
-    window.desk.solved.emit({"status": "failed", "reasons": [why]}, "")
+    window.session.solved.emit({"status": "failed", "reasons": [why]}, "")
     ((_, tell),) = window.problems.lines[1].buttons
     tell()
-    assert window.board.tool == "scale"
+    assert window.canvas_view.tool == "scale"
 
 
 def test_other_help_is_offered_with_what_a_report_says(window: SheetWindow) -> None:
@@ -160,7 +160,7 @@ def test_other_help_is_offered_with_what_a_report_says(window: SheetWindow) -> N
     reasons = [{"code": "ambiguous", "message": "two solids"}]
     warnings = [{"code": "projection-assumed", "message": "third angle"}]
     report = {"status": "approximate", "reasons": reasons, "warnings": warnings}
-    window.desk.solved.emit(report, "")
+    window.session.solved.emit(report, "")
     _, reason, warning = window.problems.lines
     ((text, act),) = reason.buttons
     act()
@@ -184,11 +184,11 @@ def test_the_bars_choose_tools_kinds_and_what_holds_for_the_sheet(window: SheetW
     assert entries["First angle"].isChecked() and not entries["Third angle"].isChecked()
     assert [operation["op"] for operation in window.operations] == ["projection", "unit"]
     entries["Arc\tA"].trigger()
-    assert window.board.tool == "arc"
+    assert window.canvas_view.tool == "arc"
     steps = {action.text(): action for action in second.actions()}
     steps["Undo"].trigger()
     assert [operation["op"] for operation in window.operations] == ["projection"]
     steps["Redo"].trigger()
     assert [operation["op"] for operation in window.operations] == ["projection", "unit"]
     steps["Solve as I Go"].trigger()
-    assert not window.desk.live
+    assert not window.session.live
