@@ -15,7 +15,7 @@ class CorrectionsStore(Protocol):
 
     Attributes:
         operations: all of them.
-        own_steps: whether undo and redo are the canvas's own keys.
+        has_undo: whether undo and redo are the canvas's own keys.
     """
 
     operations: list[dict]
