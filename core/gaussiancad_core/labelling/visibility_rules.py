@@ -1,10 +1,9 @@
-"""What a piece of a line says about the labels of the cells beside it.
+"""What a piece of a line says about the labels of the cells on both sides of it.
 
-Just beside a line, on both of its sides, columns of cells are crossed.  A crossing is a surface of
-the part if the labels before and after it differ.  Crossings of both columns at one depth with
-parallel normals are the same surface; if it is there in one column only, or a crossing has no
-partner and is a surface, there is something to be drawn.  A line is visible if that comes before
-anything that both columns share, and hidden if each such place lies behind a surface.
+A ray on either side of the line crosses cells.  A crossing is a surface of the part if the labels
+before and after it differ.  Crossings of both rays at one depth with parallel normals are partners;
+how the line is drawn then follows from the labels by the rule of
+:mod:`gaussiancad_core.lines.two_rays`.
 """
 
 from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Sequence
@@ -21,6 +20,7 @@ from gaussiancad_core.cells.sight_lines import Keys, SightLines
 from gaussiancad_core.coordinates.ambiguous_linetypes import is_unsure
 from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.geometry.tolerances import ASIDE
+from gaussiancad_core.lines.two_rays import linetype_between
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import role_plane
 from gaussiancad_core.model.views import Linetype
@@ -361,13 +361,15 @@ def drawn_under(rule: Rule, labels: dict[Cell, bool]) -> Linetype | None:
     def surface(transition: Transition) -> bool:
         return solid(transition[0]) != solid(transition[1])
 
-    covered = False
-    for group in rule.groups:
-        differs = any(surface(one) != surface(other) for one, other in group.pairs)
-        if differs or any(surface(transition) for transition in group.lone):
-            return Linetype.HIDDEN if covered else Linetype.VISIBLE
-        covered |= any(surface(transition) for transition in group.all)
-    return None
+    def differs(group: Group) -> bool:
+        return any(surface(one) != surface(other) for one, other in group.pairs) or any(
+            surface(transition) for transition in group.lone
+        )
+
+    return linetype_between(
+        (differs(group), any(surface(transition) for transition in group.all))
+        for group in rule.groups
+    )
 
 
 def holds(rule: Rule, labels: dict[Cell, bool]) -> bool:

@@ -1,30 +1,19 @@
-"""What changes between two neighbouring rays: nothing, a visible line, or a hidden one.
-
-Both rays cross surfaces, in the order of depth.  Two crossings match if both rays go the same way
-through one surface: its depth differs by no more than the tangent planes at both crossings allow.
-A discrepancy is a crossing without a match (a step), or a match whose normals differ by more than a
-crease (a bend).  A line is visible if a discrepancy comes before any match, or is the first match
-itself; it is hidden if matches come before.
-"""
+"""What changes between neighbouring rays through a mesh, by the rule of :mod:`.two_rays`."""
 
 from dataclasses import dataclass
-from enum import IntEnum
 
 import numpy as np
 import numpy.typing as npt
 from numba import njit, prange
 
 from gaussiancad_core.lines.mesh_rays import AllHits, RayGrid
+from gaussiancad_core.lines.two_rays import difference
 
+_STEEPEST = 0.05
+"""Least share of a normal along the rays: a slope of 20, of which a mesh's normals know no more."""
 
-class Line(IntEnum):
-    """What is drawn between two rays."""
-
-    NONE = 0
-    VISIBLE_STEP = 1
-    VISIBLE_BEND = 2
-    HIDDEN_STEP = 3
-    HIDDEN_BEND = 4
+_NO_FACES = np.zeros(0, dtype=np.int64)
+"""Triangles are no faces: their normals alone tell what goes on."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,23 +68,34 @@ def layers_of(hits: AllHits, normals: npt.NDArray[np.float64], grid: RayGrid) ->
 
 
 def compare_rows(layers: Layers, rule: Rule) -> npt.NDArray[np.uint8]:
-    """(h, w + 1) the line between columns x - 1 and x of each row; pairs are centred there."""
-    return _compare(
-        (layers.splits, layers.depth, layers.entering, layers.normals),
-        (layers.height, layers.width),
-        0,
-        (rule.apart, rule.crease, rule.steps, rule.room),
-    )
+    """(h, w + 1) the :class:`.Difference` between columns x - 1 and x of each row; pairs are
+    centred there."""
+    return _compare(layers, 0, rule)
 
 
 def compare_columns(layers: Layers, rule: Rule) -> npt.NDArray[np.uint8]:
-    """(h + 1, w) the line between rows y - 1 and y of each column."""
-    return _compare(
-        (layers.splits, layers.depth, layers.entering, layers.normals),
+    """(h + 1, w) the same between rows y - 1 and y of each column."""
+    return _compare(layers, 1, rule)
+
+
+def _compare(layers: Layers, axis: int, rule: Rule) -> npt.NDArray[np.uint8]:
+    slopes = _slopes(layers.normals, axis) * np.float32(rule.apart)
+    crossings = (layers.depth, layers.entering, slopes, layers.normals, _NO_FACES)
+    return _compare_all(
+        crossings,
+        layers.splits,
         (layers.height, layers.width),
-        1,
-        (rule.apart, rule.crease, rule.steps, rule.room),
+        (axis, rule.apart),
+        (rule.room, rule.crease, rule.steps),
     )
+
+
+def _slopes(normals: npt.NDArray[np.float32], axis: int) -> npt.NDArray[np.float32]:
+    """(n,) growth of depth per px along an axis, on the tangent planes; at most 20."""
+    towards = normals[:, 2]
+    steep = np.abs(towards) < _STEEPEST
+    held = np.where(steep, np.where(towards > 0.0, _STEEPEST, -_STEEPEST), towards)
+    return np.divide(-normals[:, axis], held, dtype=np.float32)
 
 
 def warm_up() -> None:
@@ -113,10 +113,9 @@ def warm_up() -> None:
 
 
 @njit(parallel=True, cache=True)
-def _compare(layers, shape, axis, rule):  # noqa: ANN001, ANN202
-    splits = layers[0]
+def _compare_all(crossings, splits, shape, pair, rule):  # noqa: ANN001, ANN202
     height, width = shape
-    apart = rule[0]
+    axis, apart = pair
     down, right = (1, 0) if axis == 1 else (0, 1)
     lines = np.zeros((height + down, width + right), dtype=np.uint8)
     before, after = (apart + 1) // 2, (apart - 1) // 2
@@ -127,52 +126,7 @@ def _compare(layers, shape, axis, rule):  # noqa: ANN001, ANN202
             if y0 < 0 or x0 < 0 or y1 >= height or x1 >= width:
                 continue
             one, two = y0 * width + x0, y1 * width + x1
-            lines[y, x] = _difference(
-                layers, (splits[one], splits[one + 1]), (splits[two], splits[two + 1]), axis, rule
+            lines[y, x] = difference(
+                crossings, (splits[one], splits[one + 1]), (splits[two], splits[two + 1]), rule
             )
     return lines
-
-
-@njit(cache=True)
-def _difference(layers, first, second, axis, rule):  # noqa: ANN001, ANN202
-    """The line between two rays, given the ranges of their crossings."""
-    _, depth, entering, normals = layers
-    apart, crease, steps, room = rule
-    i, j = first[0], second[0]
-    matches = 0
-    while i < first[1] or j < second[1]:
-        if i < first[1] and j < second[1] and entering[i] == entering[j]:
-            slope_i = _slope(normals[i], axis) * apart
-            slope_j = _slope(normals[j], axis) * apart
-            step = depth[j] - depth[i]
-            if min(slope_i, slope_j) - room <= step <= max(slope_i, slope_j) + room:
-                bend = (
-                    normals[i, 0] * normals[j, 0]
-                    + normals[i, 1] * normals[j, 1]
-                    + normals[i, 2] * normals[j, 2]
-                )
-                if bend < crease:
-                    return Line.VISIBLE_BEND if matches == 0 else Line.HIDDEN_BEND
-                matches += 1
-                i += 1
-                j += 1
-                continue
-        if steps:
-            return Line.VISIBLE_STEP if matches == 0 else Line.HIDDEN_STEP
-        if matches == 0:
-            # The wide comparison looks for bends of one surface; here two different ones begin.
-            return Line.NONE
-        if j >= second[1] or (i < first[1] and depth[i] <= depth[j]):
-            i += 1
-        else:
-            j += 1
-    return Line.NONE
-
-
-@njit(cache=True)
-def _slope(normal, axis):  # noqa: ANN001, ANN202
-    """Growth of depth per px along the axis, on the tangent plane; at most 20."""
-    toward = normal[2]
-    if abs(toward) < 0.05:
-        toward = 0.05 if toward > 0.0 else -0.05
-    return -normal[axis] / toward

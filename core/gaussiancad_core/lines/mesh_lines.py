@@ -14,7 +14,6 @@ import numpy.typing as npt
 from gaussiancad_core.lines.line_points import LinePoints, Lines
 from gaussiancad_core.lines.mesh_crossings import (
     Layers,
-    Line,
     Rule,
     compare_columns,
     compare_rows,
@@ -22,10 +21,19 @@ from gaussiancad_core.lines.mesh_crossings import (
 )
 from gaussiancad_core.lines.mesh_rays import RayCaster, RayGrid
 from gaussiancad_core.lines.tessellation_quality import is_rounded, triangle_normals
+from gaussiancad_core.lines.two_rays import Difference
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.meshes import TriangleMesh
 
 Mask = npt.NDArray[np.bool_]
+
+_DRAWN = (
+    Difference.VISIBLE_STEP,
+    Difference.VISIBLE_BEND,
+    Difference.HIDDEN_STEP,
+    Difference.HIDDEN_BEND,
+)
+"""What is drawn of a mesh, which has no smooth edges."""
 
 
 @dataclass(frozen=True)
@@ -85,11 +93,11 @@ def line_masks(
         size_px = float(np.ptp(mesh.bounds, axis=0).max()) / grid.pitch
         reach = 2 * int(np.ceil(settings.rounding * size_px / 2.0)) + 1
         wide = _corner_masks(layers, Rule(reach, float(crease), False))
-        near = {kind: near[kind] | wide[kind] for kind in Line}
-    visible = _thin_lines(near[Line.VISIBLE_STEP], near[Line.VISIBLE_BEND], reach)
+        near = {kind: near[kind] | wide[kind] for kind in _DRAWN}
+    visible = _thin_lines(near[Difference.VISIBLE_STEP], near[Difference.VISIBLE_BEND], reach)
     hidden = _thin_lines(
-        near[Line.HIDDEN_STEP] & ~_grown(visible, 2 + bool(reach)),
-        near[Line.HIDDEN_BEND] & ~_grown(visible, max(2, 3 * reach // 2)),
+        near[Difference.HIDDEN_STEP] & ~_grown(visible, 2 + bool(reach)),
+        near[Difference.HIDDEN_BEND] & ~_grown(visible, max(2, 3 * reach // 2)),
         reach,
     )
     shortest = max(settings.shortest, 2 * reach)
@@ -111,11 +119,11 @@ def _grid_around(mesh: TriangleMesh, role: Role, pitch: float, most: int) -> Ray
     return RayGrid.of_view(role, area, pitch)
 
 
-def _corner_masks(layers: Layers, rule: Rule) -> dict[Line, Mask]:
+def _corner_masks(layers: Layers, rule: Rule) -> dict[Difference, Mask]:
     """The lines of each kind, marked at both corners of the pixels' common side."""
     upright, level = compare_rows(layers, rule), compare_columns(layers, rule)
     masks = {}
-    for kind in Line:
+    for kind in _DRAWN:
         mask = np.zeros((layers.height + 1, layers.width + 1), dtype=bool)
         mask[:-1] |= upright == kind
         mask[1:] |= upright == kind

@@ -1,8 +1,6 @@
-"""Whether a line of a drawing is visible, hidden, or no line at all: two sight lines decide.
+"""Whether a line of a drawing of an exact solid is visible, hidden, or no line at all.
 
-Just beside the line, on both of its sides, a line of sight meets a column of surfaces.  Where the
-columns agree at every depth there is nothing to draw.  Otherwise the first disagreement is what the
-line shows; it is hidden if both columns meet a common surface before it.
+Two rays just beside the line decide, by the rule of :mod:`.two_rays`.
 """
 
 from enum import Enum
@@ -10,8 +8,9 @@ from enum import Enum
 import numpy as np
 
 from gaussiancad_core.kernel.solid_edges import SMOOTH_ANGLE
-from gaussiancad_core.kernel.solid_rays import Column, SightLines
+from gaussiancad_core.kernel.solid_rays import SightLines
 from gaussiancad_core.kernel.surface_crossings import Array
+from gaussiancad_core.lines.two_rays import Difference, difference
 from gaussiancad_core.model.axes import ViewFrame
 
 _OFFSETS = (1.0, 2.0, 0.5, 4.0, 12.0)
@@ -20,9 +19,15 @@ _OFFSETS = (1.0, 2.0, 0.5, 4.0, 12.0)
 _FAR_OFFSETS = (40.0, 100.0)
 """Distances tried where faces overlap or gape at their borders, as in loosely sewn solids."""
 
+_CREASE = float(np.cos(SMOOTH_ANGLE))
+"""Cosine of the angle from which two faces meet in an edge."""
+
+_GRAZING = 1e-9
+"""Share of a normal along a ray below which the ray runs along the surface."""
+
 
 class Visibility(Enum):
-    """What two columns beside a point say about a line through it.
+    """What two rays beside a point say about a line through it.
 
     The smooth ones are where one face passes smoothly into another; nothing is to be seen there
     unless tangent edges are wanted.
@@ -82,7 +87,7 @@ class RayTest:
     ) -> None:
         """Replace those answers that are to be asked again by better ones.
 
-        A solid may have a fault; ``trusting`` takes what faulty columns say.
+        A solid may have a fault; ``trusting`` takes what faulty rays say.
         """
         asked = [number for number, answer in enumerate(answers) if answer in again]
         if not asked:
@@ -95,63 +100,38 @@ class RayTest:
     def _look_beside(
         self, points: Array, across: Array, trusting: bool = False
     ) -> list[Visibility]:
-        columns = self._sight.columns(np.concatenate([points + across, points - across]))
-        pairs = zip(columns[: len(points)], columns[len(points) :], strict=True)
-        return [
-            self._compare(one, other, 2.0 * way)
-            if trusting or (one.sound and other.sound)
-            else Visibility.UNCERTAIN
-            for (one, other), way in zip(pairs, across, strict=True)
-        ]
-
-    def _compare(self, one: Column, other: Column, across: Array) -> Visibility:
-        """``across`` is the (2,) way in the plane from the other column to the first."""
-        matches = self._matches(one, other, across)
-        shared_one, shared_other = set(matches), set(matches.values())
-        lone = [one.depth[i] for i in range(len(one.depth)) if i not in shared_one]
-        lone += [other.depth[i] for i in range(len(other.depth)) if i not in shared_other]
-        if not lone:
-            return _smooth(one, other, matches)
-        before = [min(one.depth[i], other.depth[j]) for i, j in matches.items()]
-        hidden = bool(before) and min(before) < min(lone)
-        return Visibility.HIDDEN if hidden else Visibility.VISIBLE
-
-    def _matches(self, one: Column, other: Column, across: Array) -> dict[int, int]:
-        """Hits of the first column that continue on the same surface in the other."""
-        way = across @ self._plane
-        slope_one, slope_other = self._slopes(one, way), self._slopes(other, way)
-        free = set(range(len(other.depth)))
-        matches: dict[int, int] = {}
-        for i in range(len(one.depth)):
-            best: tuple[float, int] | None = None
-            for j in free:
-                if not self._continues(one, i, other, j):
-                    continue
-                expected = 0.5 * (slope_one[i] + slope_other[j])
-                slack = abs(slope_one[i] - slope_other[j]) + 0.5 * float(np.hypot(*across))
-                error = abs(one.depth[i] - other.depth[j] - expected)
-                if error <= slack and (best is None or error < best[0]):
-                    best = error, j
-            if best is not None:
-                matches[i] = best[1]
-                free.discard(best[1])
-        return matches
-
-    def _slopes(self, column: Column, way: Array) -> Array:
-        """(k,) change of depth over ``way`` on each hit's tangent plane."""
-        towards = column.normal @ self._look
-        return -(column.normal @ way) / np.where(np.abs(towards) < 1e-9, np.nan, towards)
-
-    def _continues(self, one: Column, i: int, other: Column, j: int) -> bool:
-        first, second = one.normal[i], other.normal[j]
-        if (first @ self._look < 0.0) != (second @ self._look < 0.0):
-            return False
-        return bool(one.face[i] == other.face[j] or first @ second > np.cos(SMOOTH_ANGLE))
+        rays = self._sight.columns(np.concatenate([points - across, points + across]))
+        splits = np.concatenate([[0], np.cumsum([len(ray.depth) for ray in rays])])
+        normals = np.concatenate([ray.normal for ray in rays])
+        towards = normals @ self._look
+        ways = np.tile(2.0 * across, (2, 1)) @ self._plane
+        along = np.einsum("ij,ij->i", normals, np.repeat(ways, np.diff(splits), axis=0))
+        crossings = (
+            np.concatenate([ray.depth for ray in rays]),
+            towards < 0.0,
+            -along / np.where(np.abs(towards) < _GRAZING, np.nan, towards),
+            normals,
+            np.concatenate([ray.face for ray in rays]),
+        )
+        found = []
+        for number, way in enumerate(across):
+            one, other = number, number + len(across)
+            if not trusting and not (rays[one].sound and rays[other].sound):
+                found.append(Visibility.UNCERTAIN)
+                continue
+            first = int(splits[one]), int(splits[one + 1])
+            second = int(splits[other]), int(splits[other + 1])
+            rule = float(np.hypot(*way)), _CREASE, True
+            found.append(_SHOWN[Difference(difference(crossings, first, second, rule))])
+        return found
 
 
-def _smooth(one: Column, other: Column, matches: dict[int, int]) -> Visibility:
-    """What columns that agree say: the nearest change of face, if there is any."""
-    changes = [i for i, j in matches.items() if one.face[i] != other.face[j]]
-    if not changes:
-        return Visibility.BLANK
-    return Visibility.SMOOTH_VISIBLE if min(changes) == 0 else Visibility.SMOOTH_HIDDEN
+_SHOWN = {
+    Difference.NONE: Visibility.BLANK,
+    Difference.VISIBLE_STEP: Visibility.VISIBLE,
+    Difference.VISIBLE_BEND: Visibility.VISIBLE,
+    Difference.HIDDEN_STEP: Visibility.HIDDEN,
+    Difference.HIDDEN_BEND: Visibility.HIDDEN,
+    Difference.VISIBLE_SMOOTH: Visibility.SMOOTH_VISIBLE,
+    Difference.HIDDEN_SMOOTH: Visibility.SMOOTH_HIDDEN,
+}

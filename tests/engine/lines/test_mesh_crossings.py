@@ -3,12 +3,12 @@ import pytest
 
 from gaussiancad_core.lines.mesh_crossings import (
     Layers,
-    Line,
     Rule,
     compare_columns,
     compare_rows,
     warm_up,
 )
+from gaussiancad_core.lines.two_rays import Difference
 
 _FLAT = (0.0, 0.0, -1.0)
 _BACK = (0.0, 0.0, 1.0)
@@ -40,30 +40,30 @@ def _slab(*depths: float) -> Ray:
 @pytest.mark.parametrize(
     ("left", "right", "line"),
     [
-        ([], [], Line.NONE),
-        (_slab(0, 10), _slab(0, 10), Line.NONE),
-        ([], _slab(0, 10), Line.VISIBLE_STEP),
-        (_slab(0, 10), _slab(5, 10), Line.VISIBLE_STEP),
-        (_slab(0, 10), _slab(0, 5), Line.HIDDEN_STEP),
-        (_slab(0, 20), _slab(0, 5, 9, 20), Line.HIDDEN_STEP),
-        (_slab(0, 20), _slab(5, 9), Line.VISIBLE_STEP),
+        ([], [], Difference.NONE),
+        (_slab(0, 10), _slab(0, 10), Difference.NONE),
+        ([], _slab(0, 10), Difference.VISIBLE_STEP),
+        (_slab(0, 10), _slab(5, 10), Difference.VISIBLE_STEP),
+        (_slab(0, 10), _slab(0, 5), Difference.HIDDEN_STEP),
+        (_slab(0, 20), _slab(0, 5, 9, 20), Difference.HIDDEN_STEP),
+        (_slab(0, 20), _slab(5, 9), Difference.VISIBLE_STEP),
         (
             [(0, True, _FLAT), (9, False, _BACK)],
             [(0.5, True, _SLOPE), (9, False, _BACK)],
-            Line.VISIBLE_BEND,
+            Difference.VISIBLE_BEND,
         ),
         (
             [(0, True, _FLAT), (9, False, _BACK)],
             [(0, True, _FLAT), (9, False, (0.6, 0.0, 0.8))],
-            Line.HIDDEN_BEND,
+            Difference.HIDDEN_BEND,
         ),
     ],
 )
-def test_every_kind_of_line(left: Ray, right: Ray, line: Line) -> None:
+def test_every_kind_of_line(left: Ray, right: Ray, line: Difference) -> None:
     for one, two in ((left, right), (right, left)):
         assert compare_rows(_layers([one, two], 2), SHARP).tolist() == [[0, line, 0]]
         upright = compare_columns(_layers([one, two], 1), SHARP)
-        if line not in (Line.VISIBLE_BEND,):
+        if line not in (Difference.VISIBLE_BEND,):
             assert upright.tolist() == [[0], [line], [0]]
 
 
@@ -74,7 +74,7 @@ def test_a_slope_is_no_step() -> None:
     assert not compare_rows(_layers(rays, 4), SHARP).any()
     rays[2][0] = (45.0, True, steep)
     assert compare_rows(_layers(rays, 4), SHARP).tolist() == [
-        [0, 0, Line.VISIBLE_STEP, Line.VISIBLE_STEP, 0]
+        [0, 0, Difference.VISIBLE_STEP, Difference.VISIBLE_STEP, 0]
     ]
 
 
@@ -89,7 +89,7 @@ def test_a_wide_rule_finds_an_edge_that_bends_slowly() -> None:
     narrow = Rule(1, float(np.cos(np.radians(30.0))), False)
     wide = Rule(5, float(np.cos(np.radians(30.0))), False)
     assert not compare_rows(layers, narrow).any()
-    found = np.flatnonzero(compare_rows(layers, wide)[0] == Line.VISIBLE_BEND)
+    found = np.flatnonzero(compare_rows(layers, wide)[0] == Difference.VISIBLE_BEND)
     assert len(found) and found.mean() == pytest.approx(6.0, abs=1.0)
 
 
@@ -102,8 +102,8 @@ def test_warming_up_compiles_what_drawing_needs() -> None:
     from gaussiancad_core.lines import mesh_crossings
 
     warm_up()
-    before = len(mesh_crossings._compare.signatures)
+    before = len(mesh_crossings._compare_all.signatures)
     assert before
     compare_rows(_layers([_slab(0, 10), _slab(5, 10)], 2), SHARP)
     compare_columns(_layers([_slab(0, 10), _slab(5, 10)], 1), SHARP)
-    assert len(mesh_crossings._compare.signatures) == before
+    assert len(mesh_crossings._compare_all.signatures) == before
