@@ -13,7 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.run.engine import engine, solid_from
+import gaussiancad
+from benchmarks.run.engine import part_of
 from benchmarks.run.outcome import Figure, Outcome, share
 from gaussiancad_core.comparison.compare_command import compare_files
 from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
@@ -54,9 +55,8 @@ def reconstructed(truth: Path, folder: Path) -> Path | None:
     low, high = bounding_box(read_solid(truth))
     axis = int(np.argmax(high - low))
     sheet = truth.with_suffix(".png")
-    length = f"{'xyz'[axis]}={(high - low)[axis]:.9g}"
-    engine("draw", truth, sheet)
-    solid_from(sheet, folder, "--length", length)
+    gaussiancad.draw(truth, sheet)
+    part_of(sheet, folder, length={"xyz"[axis]: float((high - low)[axis])})
     solid = folder / "solid.step"
     return solid if solid.is_file() else None
 

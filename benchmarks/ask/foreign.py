@@ -25,7 +25,7 @@ import trimesh
 
 from benchmarks.judge.exact_measures import fine_mesh, mesh_iou, rotations
 from benchmarks.run.arguments import add_data, add_running, is_chosen
-from benchmarks.run.engine import JUST_ENDED_S, read_json, solid_from
+from benchmarks.run.engine import JUST_ENDED_S, part_of, read_json
 from benchmarks.run.outcome import Figure, Outcome, as_table, share
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import FIRST, Row
@@ -130,11 +130,9 @@ def resized(grey: np.ndarray, width: int) -> np.ndarray:
 
 
 def _ran(task: Task, sheet: Path, output: Path) -> Row:
-    more: list[str] = []
-    for option in task.given:
-        name, _, value = option.partition("=")
-        more += [f"--{name}", *([value] if value else [])]
-    row = solid_from(sheet, output, *more, limit_s=task.limit).row
+    known = (option.partition("=") for option in task.given)
+    given = {name.replace("-", "_"): value for name, _, value in known}
+    row = part_of(sheet, output, limit_s=task.limit, **given).row
     report = read_json(output / "report.json")
     if report:
         row["status"] = report["status"]

@@ -26,7 +26,7 @@ from OCP.BRepTools import BRepTools
 from PIL import Image
 
 from benchmarks.run.arguments import tell
-from benchmarks.run.engine import engine
+from benchmarks.run.engine import command
 from benchmarks.run.outcome import Figure, Outcome
 from benchmarks.sheets.clean_sheets import ROLES
 from gaussiancad_core.drawing.draw_command import write_image
@@ -191,11 +191,11 @@ def tried(
         path.write_bytes(mutant(source.read_bytes(), lot))
         output = ["--output", str(place / "out")]
         if source.suffix in (".step", ".brep", ".stl", ".ply", ".obj"):
-            command = ["compare", str(path), str(root / "good.step"), "--points", "200", *output]
-            command += ["--seconds", "60"]
+            arguments = ["compare", str(path), str(root / "good.step"), "--points", "200", *output]
+            arguments += ["--seconds", "60"]
         else:
-            command = ["reconstruct", str(path), "--result", "solid", *output]
-        ended = engine(*command, limit_s=_LIMIT_S)
+            arguments = ["reconstruct", str(path), "--result", "solid", *output]
+        ended = command(*arguments, limit_s=_LIMIT_S)
         # -1: it did not end in time.
         code = -1 if ended.exit_code is None else ended.exit_code
         faults: list[str] = []

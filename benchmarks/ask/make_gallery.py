@@ -17,7 +17,7 @@ import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
 from benchmarks.run.checkout import IMAGES, SAMPLES
-from benchmarks.run.engine import solid_from
+from benchmarks.run.engine import part_of
 from benchmarks.run.outcome import Outcome, share
 from benchmarks.sheets.clean_sheets import ROLES
 from benchmarks.sheets.photographed import Camera, Picture, photograph
@@ -76,7 +76,7 @@ def made(exhibit: Exhibit, folder: Path) -> tuple[Picture, Picture, str]:
         picture = photograph(grey, exhibit.camera, np.random.default_rng(exhibit.seed))
     path, results = folder / f"{exhibit.name}.png", folder / exhibit.name
     cv2.imwrite(str(path), picture)
-    solid_from(path, results)
+    part_of(path, results)
     report = json.loads((results / "report.json").read_text())
     return picture, cv2.imread(str(results / "preview.png")), report["status"]
 

@@ -22,7 +22,7 @@ from OCP.gp import gp_Pnt, gp_Trsf
 from OCP.TopoDS import TopoDS_Shape
 
 from benchmarks.judge.exact_measures import fine_mesh, mesh_iou
-from benchmarks.run.engine import solid_from
+from benchmarks.run.engine import part_of
 from benchmarks.run.outcome import Outcome, share
 from benchmarks.sheets.clean_sheets import ROLES
 from benchmarks.sheets.photographed import camera_of, photograph
@@ -99,7 +99,7 @@ def run(options: argparse.Namespace) -> Outcome:
 
 
 def _verdict(path: Path, folder: Path, truth: TopoDS_Shape) -> tuple[str, float | None]:
-    ended = solid_from(path, folder, limit_s=LIMIT_S)
+    ended = part_of(path, folder, limit_s=LIMIT_S)
     if ended.exit_code is None:
         return "too long", None
     if ended.exit_code:

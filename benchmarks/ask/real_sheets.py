@@ -28,7 +28,7 @@ from benchmarks.judge.exact_measures import (
 )
 from benchmarks.judge.real_views import fit_of
 from benchmarks.run.arguments import add_data, add_running, is_chosen
-from benchmarks.run.engine import JUST_ENDED_S, read_json, solid_from
+from benchmarks.run.engine import JUST_ENDED_S, command_for_solid, read_json
 from benchmarks.run.outcome import Figure, Outcome, as_table, share
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import FIRST, Row
@@ -114,7 +114,7 @@ def worked(task: Task) -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as scratch:
         folder = task.keep / task.sheet.parent.name if task.keep else Path(scratch)
         output = folder / task.sheet.stem
-        yield solid_from(task.sheet, output, limit_s=task.limit).row
+        yield command_for_solid(task.sheet, output, task.limit).row
         yield {**read(output), "stage": "views"}
         yield {**placed(output, task.sheet.with_suffix(".step")), "stage": "judge"}
         solid = output / "solid.step"

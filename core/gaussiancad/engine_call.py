@@ -7,12 +7,12 @@ started sets up its own environment, and what it says comes back as events.
 
 import contextlib
 import importlib.util
-import json
 import os
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -30,6 +30,7 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.messages import filled
 from gaussiancad_protocol.codes import Code
+from gaussiancad_protocol.event_lines import Event, EventKind, parse_event
 from gaussiancad_protocol.exit_codes import ExitCode
 
 PYTHON_VARIABLE = "GAUSSIANCAD_PYTHON"
@@ -53,6 +54,43 @@ _SECONDS_BETWEEN = 0.5
 Progress = Callable[[str, float], None]
 """Called with the running stage and the fraction of it that is done, 0 to 1: at each event, and
 twice a second between events, so that an exception in it stops a run that says nothing, too."""
+
+
+@dataclass(frozen=True)
+class Watch:
+    """Over a run.
+
+    Attributes:
+        progress: called with how far the run is; an exception in it stops the run.
+        limit_s: seconds after which the run is stopped.
+    """
+
+    progress: Progress | None = None
+    limit_s: float | None = None
+
+    def callback(self) -> Progress | None:
+        """What is called as :data:`Progress`, from now on; None where nobody watches.
+
+        It raises a LimitError, ``takes-too-long``, once the limit has passed.
+        """
+        if self.limit_s is None:
+            return self.progress
+        end = time.monotonic() + self.limit_s
+
+        def called(stage: str, fraction: float) -> None:
+            if time.monotonic() > end:
+                raise LimitError(
+                    Code.TAKES_TOO_LONG,
+                    "it took more than {seconds} s, in the stage {stage}: give it more with "
+                    "limit_s",
+                    seconds=f"{self.limit_s:g}",
+                    stage=stage,
+                )
+            if self.progress is not None:
+                self.progress(stage, fraction)
+
+        return called
+
 
 _ERRORS: dict[int, type[GaussianCadError]] = {
     ExitCode.USAGE: UsageError,
@@ -134,18 +172,20 @@ def engine_python() -> str:
     )
 
 
-def run_command(arguments: Sequence[str], progress: Progress | None = None) -> EndedCommand:
+def run_command(arguments: Sequence[str], watch: Watch = Watch()) -> EndedCommand:
     """Run a command of the engine that sends events, or one that prints.
 
     Args:
         arguments: of ``gaussiancad``; with ``--events`` its events are heard.
-        progress: told how far the run is; it may raise to stop it.
+        watch: over the run.
 
     Raises:
         EngineError: no engine was found, or none can be started.
+        LimitError: ``takes-too-long``.
         KeyboardInterrupt: by Ctrl-C, once the run has ended.
     """
     command = [engine_python(), "-P", "-u", "-m", "gaussiancad_core", *arguments]
+    progress = watch.callback()
     with tempfile.TemporaryFile() as errors:
         try:
             process = subprocess.Popen(
@@ -192,9 +232,11 @@ def _heard(
             if not events:
                 printed.append(text)
                 continue
-            event = _event(text)
-            if event.get("event") == "error":
-                stated = event
+            event = parse_event(text)
+            if event is None:
+                continue
+            if event.kind is EventKind.ERROR:
+                stated = event.fields
             elif progress is not None and (found := _running(event)) is not None:
                 running = found
                 progress(*running)
@@ -231,20 +273,12 @@ def _listen(stream: IO[bytes], lines: "SimpleQueue[bytes | None]") -> None:
     lines.put(None)
 
 
-def _event(line: str) -> Mapping[str, Any]:
-    try:
-        values = json.loads(line)
-    except ValueError:
-        return {}
-    return values if isinstance(values, dict) else {}
-
-
-def _running(event: Mapping[str, Any]) -> tuple[str, float] | None:
+def _running(event: Event) -> tuple[str, float] | None:
     """The stage that an event speaks of, and the fraction of it that is done."""
-    if event.get("event") == "stage":
-        return str(event.get("name")), 0.0
-    if event.get("event") == "progress":
-        return str(event.get("stage")), float(event.get("fraction", 0.0))
+    if event.kind is EventKind.STAGE:
+        return event.text("name"), 0.0
+    if event.kind is EventKind.PROGRESS:
+        return event.text("stage"), event.number("fraction") or 0.0
     return None
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from gaussiancad.engine_call import Progress, run_command
+from gaussiancad.engine_call import Progress, Watch, run_command
 from gaussiancad.options import PathLike, options, path_of
 from gaussiancad.part_result import SOLID_FILE, Result
 from gaussiancad_core.errors import UnreadableError
@@ -84,7 +84,9 @@ def compare(
     stated_options = options(
         points=points, seed=seed, protocol=protocol, register=register, json=True
     )
-    ended = run_command(["compare", _model(result), _model(reference), *stated_options], progress)
+    ended = run_command(
+        ["compare", _model(result), _model(reference), *stated_options], Watch(progress)
+    )
     if ended.exit_code != ExitCode.DONE:
         raise ended.error()
     return Comparison(json.loads(ended.printed))

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from gaussiancad.engine_call import Progress, run_command
+from gaussiancad.engine_call import Progress, Watch, run_command
 from gaussiancad.options import Box, PathLike, options, path_of, reading_options
 from gaussiancad.part_result import REPORT_FILE, Result
 from gaussiancad.sheet_reading import Reading
@@ -30,6 +30,7 @@ def read(
     unit: str | None = None,
     output: PathLike | None = None,
     progress: Progress | None = None,
+    limit_s: float | None = None,
 ) -> Reading:
     """Read a sheet: its views, their strokes, its dimensions and notes.
 
@@ -47,11 +48,12 @@ def read(
             ``lines.svg``; nothing is written where None.
         progress: called with the running stage and the fraction of it that is done, at least
             twice a second; an exception in it stops the run.
+        limit_s: seconds after which the run is stopped.
 
     Raises:
         UsageError: an option has no such value, or the output cannot be written.
         UnreadableError: the file is no sheet, or damaged.
-        LimitError: it is too large, or memory does not suffice.
+        LimitError: it is too large, memory does not suffice, or ``limit_s`` has passed.
         EngineError: the engine is missing or incomplete.
     """
     stated_reading_options = reading_options(
@@ -62,7 +64,7 @@ def read(
         mm_per_pixel=mm_per_pixel,
         unit=unit,
     )
-    return _read(Path(sheet), page, stated_reading_options, output, progress)
+    return _read(Path(sheet), page, stated_reading_options, output, Watch(progress, limit_s))
 
 
 def correct(
@@ -71,13 +73,14 @@ def correct(
     *,
     output: PathLike | None = None,
     progress: Progress | None = None,
+    limit_s: float | None = None,
 ) -> Reading:
     """Apply corrections to what was read, as the canvas does.
 
     Args:
         reading: of a sheet.
         corrections: operations of ``corrections.json``, one after another.
-        output, progress: as of :func:`read`.
+        output, progress, limit_s: as of :func:`read`.
 
     Returns:
         The corrected reading, with the problems that it still has.
@@ -87,7 +90,7 @@ def correct(
     """
     with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
         stated_options = _of_reading(reading, corrections, Path(name))
-        return _read(reading.sheet, reading.page, stated_options, output, progress)
+        return _read(reading.sheet, reading.page, stated_options, output, Watch(progress, limit_s))
 
 
 def reconstruct(
@@ -105,11 +108,13 @@ def reconstruct(
     seed: int = 0,
     device: str | None = None,
     progress: Progress | None = None,
+    limit_s: float | None = None,
 ) -> Result:
     """Make a part from a sheet; nothing is written but into a temporary folder.
 
     Args:
-        sheet, projection, views, page, length, mm_per_pixel, unit, progress: as of :func:`read`.
+        sheet, projection, views, page, length, mm_per_pixel, unit, progress, limit_s: as of
+            :func:`read`.
         result: ``solid`` for the exact solid alone, ``surface`` for the Gaussians and their
             surface alone, ``both``; what is installed where None.
         recipe: ``orthographic``, or ``paper`` for the cameras of the paper.
@@ -134,7 +139,7 @@ def reconstruct(
     stated_reading_options += options(
         result=result, recipe=recipe, preset=preset, seed=seed, device=device
     )
-    return _reconstructed(Path(sheet), stated_reading_options, progress)
+    return _reconstructed(Path(sheet), stated_reading_options, Watch(progress, limit_s))
 
 
 def solve(
@@ -146,12 +151,13 @@ def solve(
     seed: int = 0,
     device: str | None = None,
     progress: Progress | None = None,
+    limit_s: float | None = None,
 ) -> Result:
     """Make a part from what was read of a sheet, corrected or not.
 
     Args:
         reading: of the sheet, whose file must still be there.
-        result, recipe, preset, seed, device, progress: as of :func:`reconstruct`.
+        result, recipe, preset, seed, device, progress, limit_s: as of :func:`reconstruct`.
 
     Raises:
         GaussianCadError: as of :func:`reconstruct`.
@@ -162,7 +168,7 @@ def solve(
         stated_options += options(
             result=result, recipe=recipe, preset=preset, seed=seed, device=device
         )
-        return _reconstructed(reading.sheet, stated_options, progress)
+        return _reconstructed(reading.sheet, stated_options, Watch(progress, limit_s))
 
 
 def _of_reading(
@@ -188,12 +194,12 @@ def _read(
     page: int,
     stated: list[str],
     output: PathLike | None,
-    progress: Progress | None,
+    watch: Watch,
 ) -> Reading:
     with tempfile.TemporaryDirectory(prefix=_PREFIX) as name:
         folder = Path(name if output is None else path_of(output))
         arguments = ["read", path_of(sheet), f"--output={folder}", *stated, "--events"]
-        ended = run_command(arguments, progress)
+        ended = run_command(arguments, watch)
         if ended.exit_code != ExitCode.DONE:
             raise ended.error()
         data = json.loads((folder / _READING_FILE).read_bytes())
@@ -201,11 +207,11 @@ def _read(
     return Reading(Path(path_of(sheet)), MappingProxyType(data), page, kept)
 
 
-def _reconstructed(sheet: Path, stated: list[str], progress: Progress | None) -> Result:
+def _reconstructed(sheet: Path, stated: list[str], watch: Watch) -> Result:
     kept = tempfile.TemporaryDirectory(prefix=_PREFIX)
     try:
         arguments = ["reconstruct", path_of(sheet), f"--output={kept.name}", *stated, "--events"]
-        ended = run_command(arguments, progress)
+        ended = run_command(arguments, watch)
         reported = Path(kept.name, REPORT_FILE).is_file()
         if ended.exit_code == ExitCode.DONE or (ended.exit_code == ExitCode.NO_MODEL and reported):
             return Result(Path(kept.name), kept)

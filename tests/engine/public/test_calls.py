@@ -138,3 +138,9 @@ def test_an_engine_that_is_no_engine_is_told(
     assert isinstance(error, gaussiancad.EngineError)
     assert error.code == "engine-broken"
     assert "nothing here" in str(error)
+
+
+def test_a_run_that_takes_too_long_is_stopped_and_says_where() -> None:
+    with pytest.raises(gaussiancad.LimitError, match=r"more than 0\.01 s, in the stage") as raised:
+        gaussiancad.read(SHEET, limit_s=0.01)
+    assert raised.value.code == "takes-too-long"

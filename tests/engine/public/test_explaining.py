@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import gaussiancad
-from gaussiancad.engine_call import run_command
+from gaussiancad.engine_call import Watch, run_command
 
 SHEET = Path(__file__).resolve().parents[3] / "resources" / "samples" / "l-bracket.png"
 
@@ -111,6 +111,6 @@ def test_progress_is_told_while_a_run_says_nothing(
 
     began = time.monotonic()
     with pytest.raises(Enough):
-        run_command(["compare", "a", "b"], progress)
+        run_command(["compare", "a", "b"], Watch(progress))
     assert heard == [("compare", 0.0)] * 2
     assert time.monotonic() - began < 20.0
