@@ -147,7 +147,7 @@ VIEWS = (
     ),
     row(
         "by its scale the part is under a thousandth of a millimetre or over a kilometre "
-        "long: tell its size with `--length AXIS=MM`",
+        "long: pass its size with `--length AXIS=MM`",
         Code.SIZE_OUT_OF_RANGE,
         exit_code=4,
     ),
@@ -201,7 +201,8 @@ LIMITS = (
         exit_code=2,
     ),
     row(
-        "`--page all` beside `--reading` or `--corrections`: name the page that these speak of",
+        "`--page all` together with `--reading` or `--corrections`: name the page that these "
+        "speak of",
         Code.ONE_PAGE_ONLY,
         exit_code=2,
     ),
@@ -299,7 +300,7 @@ LIMITS = (
     row(
         "a sheet of a batch, or a comparison, took longer than `--seconds`, or the search for"
         " the solid more than 15 minutes of the processor in each of its ways; "
-        "`out-of-memory` is told where it takes more than `--memory`",
+        "the code is `out-of-memory` where it takes more than `--memory`",
         Code.TAKES_TOO_LONG,
         exit_code=5,
     ),

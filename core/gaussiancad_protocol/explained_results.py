@@ -23,7 +23,7 @@ REASONS = (
         Code.LINES_CONTRADICT,
     ),
     row(
-        "what fits the lines best bounds no closed solid: lines are missing or wrong",
+        "what fits the lines best does not enclose a solid: lines are missing or wrong",
         Code.NO_VALID_SOLID,
     ),
     row(
@@ -48,8 +48,8 @@ REASONS = (
         Code.LINES_UNEXPLAINED,
     ),
     row(
-        "a line of the sheet lies farther beside the solid's than it may miss where it "
-        "belongs, the ink runs beside a line of the solid (a curve was misread), or lines "
+        "a line of the sheet lies farther off the solid's than it may miss where it "
+        "belongs, the ink runs off a line of the solid (a curve was misread), or lines "
         "that miss each other were taken to meet: a small step may be missing",
         Code.LINES_APART,
     ),
@@ -61,10 +61,10 @@ REASONS = (
     ),
     row(
         "the sheet was photographed at a slant: it was straightened by its level and upright "
-        "lines, and its width by its circles or its paper; all places are told in px of the "
+        "lines, and its width by its circles or its paper; all places are given in px of the "
         "straightened picture, which `gaussiancad read` writes as `sheet.png`, and no bound "
-        "is stated for the measures. Where neither circles nor paper tell the width, it may "
-        "be some per cent off: scan the sheet, or tell a length",
+        "is stated for the measures. Where neither circles nor paper give the width, it may "
+        "be some per cent off: scan the sheet, or pass a length",
         Code.PHOTOGRAPHED_AT_A_SLANT,
     ),
     row(
@@ -79,7 +79,7 @@ REASONS = (
         Code.OTHER_PEN_LINES,
     ),
     row(
-        "no scale gives two lengths that were told between points of the sheet; the last one "
+        "no scale gives two lengths that were given between points of the sheet; the last one "
         "was taken",
         Code.TOLD_LENGTHS_DISAGREE,
     ),
@@ -114,7 +114,7 @@ REASONS = (
         Code.SYMBOL_CONTRADICTS_LINES,
     ),
     row(
-        "the dimensions agree on another scale than the one that was told: it was taken, and "
+        "the dimensions agree on another scale than the one that was given: it was taken, and "
         "their numbers were not used",
         Code.SCALE_CONTRADICTS_DIMENSIONS,
     ),
@@ -151,11 +151,11 @@ REASONS = (
     ),
     row(
         "the sheet has one view; what a second would have shown follows from diameters or a "
-        "thickness, noted or told, and was assumed",
+        "thickness, noted or given, and was assumed",
         Code.SECOND_VIEW_ASSUMED,
     ),
     row(
-        "a view is drawn without a piece of the part: its length is not as drawn; tell "
+        "a view is drawn without a piece of the part: its length is not as drawn; pass "
         "`--length` along another axis",
         Code.BROKEN_VIEW,
     ),
@@ -187,7 +187,7 @@ ASSUMPTIONS = (
 
 WARNINGS = (
     row(
-        "the lines fit first and third angle: the message says which was taken; tell "
+        "the lines fit first and third angle: the message says which was taken; pass "
         "`--projection`",
         Code.PROJECTION_ASSUMED,
     ),
@@ -204,7 +204,7 @@ WARNINGS = (
     ),
     row(
         "the trained network that tells edges from annotation is missing or damaged: the "
-        "picture was read by the widths of its lines and the sizes of its letters, which tell"
+        "picture was read by the widths of its lines and the sizes of its letters, which say"
         " much less; install the engine again",
         Code.LABELS_MISSING,
     ),
@@ -266,7 +266,7 @@ WARNINGS = (
     ),
     row(
         "the picture has another resolution across than down, as faxes have: it was "
-        "resampled, and all places are told in px of that",
+        "resampled, and all places are given in px of that",
         Code.PIXELS_MADE_SQUARE,
     ),
     row(
@@ -279,8 +279,9 @@ WARNINGS = (
     ),
     row("an isometric or other pictorial view was left out", Code.PICTORIAL_LEFT_OUT),
     row(
-        "there is a solid, but the Gaussians bound no body, or the views no hull: there is no"
-        " mesh beside it",
+        "there is a solid, but the Gaussians do not enclose a body, or the views no hull: there "
+        "is no"
+        " mesh in addition to it",
         Code.NO_SURFACE,
         Code.EMPTY_HULL,
     ),
@@ -333,7 +334,7 @@ COMPARISON = (
         "as a solid",
         Code.SURFACES_SEWN,
     ),
-    row("it holds faces beside its solids, which are not measured", Code.SURFACES_LEFT_OUT),
+    row("it holds faces outside of its solids, which are not measured", Code.SURFACES_LEFT_OUT),
     row(
         "its solids touch or overlap: they are measured as one body, without the faces "
         "between them",

@@ -73,7 +73,7 @@ def add_events_option(parser: argparse.ArgumentParser) -> None:
         "--events", action="store_true", help="JSON lines on stdout; cancel on stdin stops the run"
     )
     parser.add_argument(
-        "-v", "--verbose", action="store_true", help="tell each stage with its seconds, on stderr"
+        "-v", "--verbose", action="store_true", help="print each stage with its seconds, on stderr"
     )
 
 

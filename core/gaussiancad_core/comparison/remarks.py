@@ -124,7 +124,8 @@ def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
         found.append(
             _warned(
                 Code.SURFACES_LEFT_OUT,
-                "the {model} holds {faces} beside its solids, which are not measured: remove them, "
+                "the {model} holds {faces} outside of its solids, which are not measured: "
+                "remove them, "
                 "or make solids of them",
                 model=name,
                 faces=faces,

@@ -250,7 +250,8 @@ def _squared(
     size = (round(width * dpi / both[0]), round(height * dpi / both[1]))
     check_pixels(path, *size)
     message = Message(
-        "{name} has {across} x {down} dpi and was resampled to {dpi} both ways: places are told in "
+        "{name} has {across} x {down} dpi and was resampled to {dpi} both ways: places are "
+        "given in "
         "px of that",
         name=path.name,
         across=round(both[0]),

@@ -88,7 +88,7 @@ def notes_on(path: Path, sizing: Sizing) -> tuple[Note, ...]:
         return ()
     message = Message(
         "{name} is so large that it was looked at in {dpi} dpi: its lines are exact, but what is "
-        "thin or close may not be told apart",
+        "thin or close may not be distinguished",
         name=path.name,
         dpi=round(dpi),
     )

@@ -61,8 +61,9 @@ def _tell_lengths(pair: tuple[GivenLength, GivenLength] | None, notes: RunNotes)
     notes.doubt(
         Code.TOLD_LENGTHS_DISAGREE,
         Message(
-            "the lengths of {earlier_mm} mm and {last_mm} mm that were told contradict each other; "
-            "the last one was taken: tell one of them again",
+            "the lengths of {earlier_mm} mm and {last_mm} mm that were given contradict each "
+            "other; "
+            "the last one was taken: give one of them again",
             earlier_mm=earlier.length_mm,
             last_mm=last.length_mm,
         ),

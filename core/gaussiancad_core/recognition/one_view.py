@@ -97,7 +97,7 @@ def stated_unseen(
     raise NoModelError(
         Code.ONE_VIEW,
         "only one view was found, at {places} px, and neither diameters across an axis nor a "
-        "thickness tell the part: a model needs two orthogonal views or more, or --length "
+        "thickness give the part: a model needs two orthogonal views or more, or --length "
         "{axis}=MM for its thickness",
         boxes=[view.box],
         axis=axis.name.lower(),

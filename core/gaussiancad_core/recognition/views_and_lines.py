@@ -302,7 +302,7 @@ def tell_scale(
     if reading.mm_per_pixel is not None and stated is not None:
         raise UsageError(
             Code.WRONG_USAGE,
-            "--mm-per-pixel and --length along {axis} both tell the scale: leave one out",
+            "--mm-per-pixel and --length along {axis} both set the scale: leave one out",
             axis=stated[0].name.lower(),
         )
     if scale is None or _is_given(reading, drawn):

@@ -78,7 +78,7 @@ def _assumed(circle: Arc, role: Role, boxes: tuple[Box, ...]) -> Assumption:
             count=len(boxes),
         ),
         boxes[0],
-        "it ends inside: tell its depth in a note, or draw its hidden lines",
+        "it ends inside: state its depth in a note, or draw its hidden lines",
         boxes,
     )
 

@@ -24,7 +24,10 @@ _SOURCES = {
     "mixed": "from the sheet's numbers and the drawing",
 }
 
-_SIZE_UNKNOWN = "Size unknown: tell it with --length AXIS=MM, or between two points in the window."
+_SIZE_UNKNOWN = (
+    "Size unknown: pass it with --length AXIS=MM, or set the length between two "
+    "points in the window."
+)
 
 _MEASURES_UNKNOWN = "How exact its measures are is not known: the views fit no one scale."
 
@@ -254,7 +257,7 @@ def _read(report: Values) -> list[str]:
     for role, view in report["views"].items():
         hidden = "" if view.get("hidden_lines") != "none" else ", no hidden line in it"
         lines.append(f"- the {role} view at {_box(view['box'])} px{hidden}")
-    source = {"given": "told", "symbol": "by its symbol", "inferred": "its lines tell it"}
+    source = {"given": "as given", "symbol": "by its symbol", "inferred": "by its lines"}
     how = source.get(report["projection_source"], "assumed")
     lines.append(f"- {report['projection']} angle projection ({how})")
     scale = report.get("scale_mm_per_pixel")

@@ -4,9 +4,9 @@ from gaussiancad_core.report.pointing import Values, length
 
 _BY = {
     "network": "The labels network tells it by the look of its ink.",
-    "line": "The rest of its line tells it; by the look of its own ink it would be otherwise.",
+    "line": "The rest of its line decides; by the look of its own ink it would be another.",
     "figure": "The figure that it hangs together with tells it.",
-    "linetype": "Its dashes, or its pen, tell it.",
+    "linetype": "Its dashes, or its pen, decide.",
     "file": "The file has it as a line of its own.",
 }
 """What decided, by its name in the file."""

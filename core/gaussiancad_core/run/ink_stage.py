@@ -13,7 +13,7 @@ from gaussiancad_protocol.modes import Status
 def compared_with_ink(
     result: ExactResult, registered: RegisteredSheet, sheet: OpenedSheet
 ) -> ExactResult:
-    """The same, in doubt if the ink runs beside a line of the solid.
+    """The same, in doubt if the ink runs off a line of the solid.
 
     Views whose lines are those of a file are not asked: their ink was drawn from them.
 

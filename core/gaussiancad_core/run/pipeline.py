@@ -385,7 +385,9 @@ class _Run:
         except NoModelError as error:
             if solid is None:
                 raise
-            self.notes.warn(error.code, f"{error.message}: there is no surface beside the solid")
+            self.notes.warn(
+                error.code, f"{error.message}: there is no surface in addition to the solid"
+            )
             return None
 
     def _surface_models(
@@ -488,7 +490,7 @@ class _Run:
             self.notes.warn(
                 Code.PROJECTION_ASSUMED,
                 Message(
-                    "the lines fit first and third angle alike: {taken} angle was taken; tell "
+                    "the lines fit first and third angle alike: {taken} angle was taken; pass "
                     "--projection {other} if the sheet is drawn in {other} angle",
                     taken=taken,
                     other=taken.other,

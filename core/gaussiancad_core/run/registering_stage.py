@@ -157,7 +157,7 @@ def _with_measures(
             Code.SCALE_CONTRADICTS_DIMENSIONS,
             Message(
                 "the dimensions on the sheet agree on {sheet:.4g} mm a pixel, but {told:.4g} was "
-                "told: check --length or --mm-per-pixel; their numbers were not used",
+                "given: check --length or --mm-per-pixel; their numbers were not used",
                 sheet=scale.mm_per_pixel,
                 told=found.assumed.registered.mm_per_pixel,
             ),

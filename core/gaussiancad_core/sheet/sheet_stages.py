@@ -293,7 +293,7 @@ def _check_size(longest: float) -> None:
         raise NoModelError(
             Code.SIZE_OUT_OF_RANGE,
             "by its scale the part is {longest:.3g} mm long, and parts of {least:g} to {most:g} mm "
-            "are built: tell its true size with --length AXIS=MM",
+            "are built: pass its true size with --length AXIS=MM",
             longest=longest,
             least=SHORTEST_MM,
             most=LONGEST_MM,

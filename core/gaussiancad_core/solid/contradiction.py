@@ -31,7 +31,7 @@ def conflict_reason(conflict: Conflict) -> tuple[str, str]:
         )
     if len(conflict.lines) == 1:
         return CODE, Message(
-            "no solid with the surfaces that are supported has this line beside what is blank "
+            "no solid with the surfaces that are supported has this line next to what is blank "
             "around it: {lines}",
             lines=named,
             count=1,

@@ -112,7 +112,7 @@ def reasons_of(
 
 
 def beside_ink(offset: InkOffset, pixel: float) -> Reason:
-    """That the ink runs beside a line of the solid.
+    """That the ink runs off a line of the solid.
 
     Args:
         offset: where, and how far.
@@ -122,7 +122,7 @@ def beside_ink(offset: InkOffset, pixel: float) -> Reason:
     return (
         Code.LINES_APART,
         Message(
-            "the ink lies {distance_mm:.2g} mm beside the solid's line at ({right:.1f}, {up:.1f}) "
+            "the ink lies {distance_mm:.2g} mm off the solid's line at ({right:.1f}, {up:.1f}) "
             "mm of the {view} view: a curve may have been misread there",
             case="ink",
             distance_mm=offset.offset * pixel,
@@ -163,6 +163,6 @@ def _apart(verification: Verification) -> Reason:
             "the views reach up to {distance_mm:.2g} mm beyond the solid, or less far",
         )
     else:
-        case, where = "line", "a line of the sheet lies {distance_mm:.2g} mm beside the solid's"
+        case, where = "line", "a line of the sheet lies {distance_mm:.2g} mm off the solid's"
     template = where + ": a small step may be missing"
     return Code.LINES_APART, Message(template, case=case, distance_mm=max(misfit, spread))

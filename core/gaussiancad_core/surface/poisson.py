@@ -59,7 +59,7 @@ def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> Triangl
         A watertight mesh in mm, oriented outward; the same input gives the same mesh.
 
     Raises:
-        NoModelError: ``no-surface``, the Gaussians bound no body.
+        NoModelError: ``no-surface``, the Gaussians do not enclose a body.
     """
     discs = discs_of(gaussians, settings.sampling)
     creases = creases_of(discs, settings.sampling)
@@ -112,5 +112,6 @@ def _large_pieces(mesh: TriangleMesh, settings: PoissonSettings) -> list[Triangl
 def _no_surface() -> NoModelError:
     return NoModelError(
         Code.NO_SURFACE,
-        "the Gaussians bound no body: use a finer preset, or check that the views belong together",
+        "the Gaussians do not enclose a body: use a finer preset, or check that the views "
+        "belong together",
     )

@@ -192,7 +192,7 @@ def test_all_that_was_tried_is_told_in_order() -> None:
         "the solid does not show a line [lines-unexplained]",
         "nothing lies inside; otherwise: bores",
         "the front view at (10, 20)-(210, 120) px, no hidden line in it",
-        "third angle projection (its lines tell it)",
+        "third angle projection (by its lines)",
         "(120 rules over 30 cells): no solid: its lines contradict each other",
         "a solid whose lines differ from the sheet's; this one was taken",
         "a stretch where nothing is drawn of 4.2 mm in the front view at (50, 60) px",

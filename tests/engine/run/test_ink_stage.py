@@ -75,7 +75,7 @@ def test_an_arc_beside_its_ink_is_doubted(read: Read, more: float) -> None:
     assert doubted.status is Status.APPROXIMATE
     ((code, message),) = doubted.reasons
     assert code == "lines-apart"
-    said = float(message.split(" mm beside")[0].rsplit(" ", 1)[1])
+    said = float(message.split(" mm off")[0].rsplit(" ", 1)[1])
     assert said == pytest.approx(abs(mm), rel=0.25)
 
 

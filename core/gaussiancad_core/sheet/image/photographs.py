@@ -81,7 +81,7 @@ class Straightened:
             return Note(Code.SURROUNDINGS_LEFT_OUT, "what surrounds the paper was left out")
         template = (
             "the sheet was photographed at a slant of about {degrees} degrees and was straightened "
-            "by its lines: places are told in px of the straightened picture"
+            "by its lines: places are given in px of the straightened picture"
         )
         values: dict[str, object] = {"degrees": round(np.degrees(self.slant))}
         if not self.true_width:

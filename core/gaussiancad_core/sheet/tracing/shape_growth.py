@@ -207,7 +207,8 @@ def _all_lines(ridges: RidgePoints, rules: GrowthRules) -> list[Grown]:
     if len(found[0]) > _MOST_LINES or len(found[2]) > _MOST_MEMBERS:
         raise NoModelError(
             Code.PART_TOO_COMPLEX,
-            "the lines of the sheet are too many, or cross each other too often, to be told apart: "
+            "the lines of the sheet are too many, or cross each other too often, to be "
+            "distinguished: "
             "draw less in one sheet, or cut the views out of the picture",
             case="picture",
         )
