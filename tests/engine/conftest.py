@@ -1,6 +1,6 @@
 """The same examples in every run: a check that fails can be repeated.  Drawn sample parts."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -12,9 +12,13 @@ from hypothesis import HealthCheck, settings
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from OCP.TopoDS import TopoDS_Shape
 
     from gaussiancad_core.evidence.drawn_views import DrawnViews
+    from gaussiancad_core.files.content import FileContent
+    from gaussiancad_core.files.file_kinds import FileKind
     from gaussiancad_core.model.axes import Role
     from gaussiancad_core.model.views import ViewSet
 
@@ -25,6 +29,21 @@ settings.register_profile(
     "repeatable", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("repeatable")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _files_are_read_in_this_process() -> "Iterator[None]":
+    """Sheets are read as the child process does, without starting one for each: hundreds of tests
+    read files, and only those of the isolation and of the command need the process."""
+    from gaussiancad_core.files.file_child import answer_of
+    from gaussiancad_core.files.isolation import content_in
+
+    def read_here(kind: "FileKind", path: "Path", page: int) -> "FileContent":
+        return content_in(answer_of(kind, path.absolute(), page), kind, path)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("gaussiancad_core.sheet.image.sheet_files.read_isolated", read_here)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -29,19 +29,23 @@ def main(kind: FileKind, path: Path, page: int) -> None:
     # Libraries print to standard output; the answer is alone on it.
     answer = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
+    with answer:
+        answer.write(answer_of(kind, path, page))
+
+
+def answer_of(kind: FileKind, path: Path, page: int) -> bytes:
+    """What was read of a page of a file in this process, or why nothing was (:mod:`.answer`)."""
     try:
-        outcome = content_bytes(read_directly(kind, path, page))
+        return content_bytes(read_directly(kind, path, page))
     except GaussianCadError as error:
-        outcome = error_bytes(error)
+        return error_bytes(error)
     except MemoryError:
-        outcome = error_bytes(_NO_MEMORY)
+        return error_bytes(_NO_MEMORY)
     except Exception as error:
         # Broken values make parsers raise anything, a RecursionError too.
         reason = " ".join(f"{type(error).__name__}: {error}".split())
         message = f"{path} cannot be read ({reason}): export the drawing again, or as PNG"
-        outcome = error_bytes(UnreadableError(kind.damaged, message))
-    with answer:
-        answer.write(outcome)
+        return error_bytes(UnreadableError(kind.damaged, message))
 
 
 def read_directly(kind: FileKind, path: Path, page: int) -> FileContent:

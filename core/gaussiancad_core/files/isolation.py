@@ -70,10 +70,11 @@ def read_isolated(
             # Also when the run is cancelled meanwhile.
             if child.poll() is None:
                 child.kill()
-    return _outcome(kind, path, answer)
+    return content_in(answer, kind, path)
 
 
-def _outcome(kind: FileKind, path: Path, answer: bytes) -> FileContent:
+def content_in(answer: bytes, kind: FileKind, path: Path) -> FileContent:
+    """What a child's answer holds; errors as of :func:`read_isolated`."""
     try:
         outcome = outcome_of(answer)
     except ValueError:
