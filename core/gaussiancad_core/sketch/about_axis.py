@@ -9,16 +9,8 @@ from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR, SHORTEST_LEVEL
 from gaussiancad_core.sketch.plane_lines import PlaneLine, whole_circle
-
-_NEAR = 1.2
-"""Grid steps within which two radii are one."""
-
-_STRAIGHT = 0.4
-"""Grid steps by which a line along an axis may lean."""
-
-_SHORTEST = 2.5
-"""Grid steps that a line is long at least to be the side of a cylinder."""
 
 Point = tuple[float, float]
 
@@ -61,7 +53,7 @@ def circles_about(
     ]
     for column, across, lines in neighbours:
         radii += [abs(at - middle[column]) for at in _sides(lines, across, grid)]
-    near = _NEAR * grid
+    near = NEAR * grid
     kept = [widest]
     for radius in radii:
         if near < radius < widest and all(abs(radius - value) > near for value in kept):
@@ -72,5 +64,5 @@ def circles_about(
 def _sides(lines: Sequence[PlaneLine], across: int, grid: float) -> Iterator[float]:
     """Where lines run along the axis, the longest first."""
     for plane_line in sorted(lines, key=lambda line: -line.length):
-        if plane_line.constant(_STRAIGHT * grid) == across and plane_line.length > _SHORTEST * grid:
+        if plane_line.constant(LEAN * grid) == across and plane_line.length > SHORTEST_LEVEL * grid:
             yield float(plane_line.points[:, across].mean())

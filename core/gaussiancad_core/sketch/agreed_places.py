@@ -16,16 +16,11 @@ from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, arc_between, whole_circle
-
-_NEAR = 1.2
-"""Grid steps between a line and its place at most."""
 
 _NEAR_END = 0.8
 """The same of an end of a line that is not along an axis."""
-
-_STRAIGHT = 0.4
-"""Grid steps by which a line along an axis may lean."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,13 +51,13 @@ class Places:
             return replace(line, points=points, circle=circle)
         if not line.is_straight:
             return line
-        constant = line.constant(_STRAIGHT * self.grid)
+        constant = line.constant(LEAN * self.grid)
         points = line.points.copy()
         for column, index in enumerate(IN_PLANE[normal]):
             if column == constant:
-                points[:, column] = self._value(Axis(index), float(points[:, column].mean()), _NEAR)
+                points[:, column] = self._value(Axis(index), float(points[:, column].mean()), NEAR)
             else:
-                near = _NEAR if constant is not None else _NEAR_END
+                near = NEAR if constant is not None else _NEAR_END
                 points[:, column] = [
                     self._value(Axis(index), at, near) for at in points[:, column].tolist()
                 ]
@@ -81,7 +76,7 @@ class Places:
             return max(float(apart), abs(circle.radius - other.radius))
 
         nearest = min(self.circles.get(normal, ()), key=away, default=circle)
-        return nearest if away(nearest) <= _NEAR * self.grid else circle
+        return nearest if away(nearest) <= NEAR * self.grid else circle
 
 
 def find_places(views: DrawnViews, grid: float) -> Places:
@@ -105,7 +100,7 @@ def find_places(views: DrawnViews, grid: float) -> Places:
     }
     x_size, y_size, z_size = (
         float(values[axis][-1])
-        if len(values[axis]) and abs(values[axis][-1] - views.size[axis.value]) < _NEAR * grid
+        if len(values[axis]) and abs(values[axis][-1] - views.size[axis.value]) < NEAR * grid
         else views.size[axis.value]
         for axis in Axis
     )

@@ -19,10 +19,8 @@ from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.sketch.edge_breaks import EdgeBreak
+from gaussiancad_core.sketch.grid_tolerances import NEAR
 from gaussiancad_core.sketch.slab_plan import Plan
-
-_NEAR = 1.2
-"""Grid steps between an edge and where a view shows it at most."""
 
 
 def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[EdgeBreak, ...]]:
@@ -74,7 +72,7 @@ def _alike(breaks: Sequence[EdgeBreak], grid: float) -> Iterator[list[EdgeBreak]
 
 def _loops(shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], plan: Plan) -> Iterator[_Loop]:
     """Outlines of the faces that the breaks are of, and of their holes along bands of the plan."""
-    near = _NEAR * plan.grid
+    near = NEAR * plan.grid
     edge_break = breaks[0]
     bands = shapely.union_all([plan.regions.polygons[band].boundary for band in plan.regions.bands])
     for face in faces_of(shape):

@@ -16,13 +16,11 @@ import shapely
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve, meetings
+from gaussiancad_core.sketch.grid_tolerances import MEETING
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, whole_circle
 
 _CLOSE, _REACH = 0.45, 1.6
 """Grid steps between two ends that are one; and of an end that meets no other one."""
-
-_MEETING = 1.5
-"""Grid steps between ends and where their lines meet, at most."""
 
 _SAME_CENTRE, _SAME_RADIUS = 1.2, 0.8
 """Grid steps between the centres, and radii, of arcs that are pieces of one circle."""
@@ -121,7 +119,7 @@ def _meeting(lines: Sequence[PlaneLine], places: Floats, grid: float) -> Floats:
     for one, other in combinations(curves, 2):
         found = np.array(meetings(one, other)).reshape(-1, 2)
         away = np.hypot(*(found - middle).T)
-        if len(found) and away.min() < _MEETING * grid:
+        if len(found) and away.min() < MEETING * grid:
             return found[int(away.argmin())]
     return middle
 

@@ -28,14 +28,12 @@ from gaussiancad_core.sketch.construction import (
     Source,
     Turning,
 )
+from gaussiancad_core.sketch.grid_tolerances import NEAR
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketch.slab_plan import Plan
 from gaussiancad_core.sketch.slab_solids import Bore, Slab, cones_of, profiles_of
 from gaussiancad_core.solid.profiles import Profile, edges_of
-
-_NEAR = 1.2
-"""Grid steps between what is one place, at most."""
 
 _DIGITS = 6
 """Of coordinates, after the decimal point."""
@@ -48,7 +46,7 @@ def construction_of(sketch: Sketch, stated: DimensionConstraints | None) -> Cons
         sketch: with a part.
         stated: what the sheet's numbers say, mm.
     """
-    plan, near = sketch.choice.plan, _NEAR * sketch.choice.plan.grid
+    plan, near = sketch.choice.plan, NEAR * sketch.choice.plan.grid
     numbers = stated.lengths if stated is not None else ()
     lengths = [number for number in numbers if isinstance(number, LengthDimension)]
     radii = [number for number in numbers if isinstance(number, RadiusDimension)]

@@ -17,13 +17,8 @@ from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.sketch.closing_outlines import with_whole_circles
+from gaussiancad_core.sketch.grid_tolerances import LEAN, STEP
 from gaussiancad_core.sketch.plane_lines import PlaneLine
-
-_NEAR = 1.0
-"""Grid steps between a circle and the walls of its hole, and between centres that are one."""
-
-_STRAIGHT = 0.4
-"""Grid steps by which a line along an axis may lean."""
 
 _INSIDE = 2.0
 """Grid steps that a circle stays away from the outline of the part at least."""
@@ -150,8 +145,8 @@ def _walls(
                 line
                 for line in drawn
                 if (role in cuts or line.is_visible is not hidden)
-                and line.constant(_STRAIGHT * grid) == across
-                and abs(line.points[:, across].mean() - middle - side) <= _NEAR * grid
+                and line.constant(LEAN * grid) == across
+                and abs(line.points[:, across].mean() - middle - side) <= STEP * grid
             ]
             for side in (-circle.radius, circle.radius)
         ]
@@ -170,7 +165,7 @@ def _united(intervals: Sequence[_Interval], grid: float) -> tuple[_Interval, ...
     """Intervals, those that overlap or nearly meet as one."""
     found: list[_Interval] = []
     for low, high in sorted(intervals):
-        if found and low <= found[-1][1] + _NEAR * grid:
+        if found and low <= found[-1][1] + STEP * grid:
             found[-1] = found[-1][0], max(found[-1][1], high)
         else:
             found.append((low, high))
@@ -178,7 +173,7 @@ def _united(intervals: Sequence[_Interval], grid: float) -> tuple[_Interval, ...
 
 
 def _span(line: PlaneLine, grid: float) -> _Interval:
-    along = 1 - (line.constant(_STRAIGHT * grid) or 0)
+    along = 1 - (line.constant(LEAN * grid) or 0)
     low, high = sorted(line.points[:, along].tolist())
     return low, high
 
@@ -191,10 +186,10 @@ def _depth(
     for hole in noted:
         centre = [at * sign for at, sign in zip(hole.centre, signs, strict=True)]
         off = max(abs(a - b) for a, b in zip(centre, circle.centre, strict=True))
-        if hole.role is not role or off > _NEAR * grid:
+        if hole.role is not role or off > STEP * grid:
             continue
         for step in hole.steps:
-            if abs(step.diameter - 2.0 * circle.radius) <= 2.0 * _NEAR * grid:
+            if abs(step.diameter - 2.0 * circle.radius) <= 2.0 * STEP * grid:
                 return inf if step.depth is None else step.depth
     return None
 
@@ -203,9 +198,9 @@ def _is_around(circle: CircleCurve, lines: Sequence[PlaneLine], grid: float) -> 
     """Whether a smaller circle lies about the same centre: nothing tells then how deep it is."""
     return any(
         line.circle is not None
-        and line.circle.radius < circle.radius - _NEAR * grid
+        and line.circle.radius < circle.radius - STEP * grid
         and max(abs(a - b) for a, b in zip(line.circle.centre, circle.centre, strict=True))
-        <= _NEAR * grid
+        <= STEP * grid
         for line in lines
     )
 
@@ -230,7 +225,7 @@ def _opened(
 
 def _is_floor(line: PlaneLine, role: Role, hole: CrossHole, grid: float) -> bool:
     """Whether a line is hidden, and lies across a hole at one of its ends."""
-    near = _NEAR * grid
+    near = STEP * grid
     return not line.is_visible and any(
         _is_across(line, role, (hole.axis, hole.circle, at), grid)
         and np.ptp(line.points, axis=0).max() <= 2.0 * (hole.circle.radius + near)
@@ -247,9 +242,9 @@ def _is_across(
     axes = IN_PLANE[role_plane(role).normal]
     if normal.value not in axes:
         return False
-    along, near = axes.index(normal.value), _NEAR * grid
+    along, near = axes.index(normal.value), STEP * grid
     is_there = abs(line.points[:, along].mean() - at) <= near
-    if not is_there or line.constant(_STRAIGHT * grid) != along:
+    if not is_there or line.constant(LEAN * grid) != along:
         return False
     middle = circle.centre[IN_PLANE[normal].index(axes[1 - along])]
     first, last = np.sort(line.points[:, 1 - along]).tolist()
@@ -274,4 +269,4 @@ def _is_same(one: CrossHole, other: CrossHole, grid: float) -> bool:
     is_noted = any(hole.depth is not None and hole.depth < inf for hole in (one, other))
     if is_noted and one.plane.looks_up is not other.plane.looks_up:
         return False
-    return one.axis is other.axis and max(*apart, sizes) <= _NEAR * grid
+    return one.axis is other.axis and max(*apart, sizes) <= STEP * grid

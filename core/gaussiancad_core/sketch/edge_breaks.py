@@ -13,10 +13,8 @@ import numpy as np
 
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.grid_tolerances import LEAN, MEETING, STEP
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
-
-_LEAST = 1.0
-"""Grid steps that a break takes away along either coordinate at least."""
 
 _MOST = 0.06
 """The same at most, as a share of the part's longest extent."""
@@ -26,12 +24,6 @@ _SLOPE = 4.5
 
 _ROUND = (1.2, 1.9)
 """Radians that a rounding turns."""
-
-_MEETS = 1.6
-"""Grid steps between ends that meet."""
-
-_ALONG = 0.4
-"""Grid steps by which a line along an axis may lean."""
 
 _LONGER = 0.6
 """Of what a break takes away, how long the lines that it joins are at least."""
@@ -118,13 +110,13 @@ def _break(corner: _Corner, line: PlaneLine, across: Axis) -> EdgeBreak:
 def _corners(
     lines: Sequence[PlaneLine], columns: list[int], most: float, grid: float
 ) -> Iterator[_Corner]:
-    near = _MEETS * grid
+    near = MEETING * grid
     ends = [line.points[[0, -1]][:, columns] for line in lines]
     walls, caps = (
         [
             number
             for number, line in enumerate(lines)
-            if line.constant(_ALONG * grid) == columns[kind] and line.length > near
+            if line.constant(LEAN * grid) == columns[kind] and line.length > near
         ]
         for kind in (0, 1)
     )
@@ -161,7 +153,7 @@ def _corners(
 
 def _is_break(line: PlaneLine, size: Floats, most: float, grid: float) -> bool:
     least, longest = sorted(size.tolist())
-    if least < _LEAST * grid or longest > most or longest > _SLOPE * least:
+    if least < STEP * grid or longest > most or longest > _SLOPE * least:
         return False
     if line.circle is None:
         return line.is_straight
@@ -182,7 +174,7 @@ def _sharpened(
             for number in numbers:
                 ends = lines[number].points[[0, -1]][:, columns]
                 away = np.hypot(*(ends - place).T)
-                if away.min() <= _MEETS * grid:
+                if away.min() <= MEETING * grid:
                     end = 0 if away.argmin() == 0 else -1
                     found[number][end, columns[kept]] = corner.sharp[kept]
                     moved.add(number)

@@ -8,9 +8,7 @@ import shapely
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import role_plane
-
-_NEAR = 1.0
-"""Grid steps within which a level is a hole's floor, and a region within its circle."""
+from gaussiancad_core.sketch.grid_tolerances import STEP
 
 _MOST = 6
 """Floors at most that no line draws."""
@@ -50,7 +48,7 @@ def floors(
         for face in levels if looks_up else reversed(levels):
             at = face + depth if looks_up else face - depth
             known = min(abs(at - level) for level in (*levels, *found))
-            if levels[0] < at < levels[-1] and known > _NEAR * grid and len(found) < _MOST:
+            if levels[0] < at < levels[-1] and known > STEP * grid and len(found) < _MOST:
                 found.append(at)
     return found
 
@@ -75,10 +73,10 @@ def noted_steps(
         )
         within: set[int] = set()
         for step in hole.steps:
-            disc = centre.buffer(step.diameter / 2.0 + _NEAR * grid)
+            disc = centre.buffer(step.diameter / 2.0 + STEP * grid)
             inside = {k for k, polygon in enumerate(polygons) if disc.covers(polygon)}
             items = tuple(sorted(inside - within))
-            least = step.diameter / 2.0 - 2.0 * _NEAR * grid
+            least = step.diameter / 2.0 - 2.0 * STEP * grid
             rim = tuple(k for k in items if polygons[k].hausdorff_distance(centre) >= least)
             if items:
                 yield NotedStep(items, rim, step.depth, plane.looks_up)

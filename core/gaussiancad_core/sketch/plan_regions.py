@@ -9,6 +9,7 @@ import shapely
 
 from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.sketch.closing_outlines import tidied
+from gaussiancad_core.sketch.grid_tolerances import MEETING, STEP
 from gaussiancad_core.sketch.plane_lines import PlaneLine
 
 OUTSIDE = -1
@@ -21,9 +22,6 @@ on a coarser grid."""
 _SLIVER = 0.7
 """Grid steps that a region is wide at least, on the average; a narrower one belongs to that beside
 it."""
-
-_BAND = 1.0
-"""Grid steps by which a band's mean width may differ from that of the edge break."""
 
 _MITRE = 2.0
 """Length of the line in which two edge breaks meet at most, in their width."""
@@ -39,9 +37,6 @@ _DRAWN = 0.8
 
 _ARC = 4
 """Chords of a quarter of a circle around the end of a line: within 2 % of the reach."""
-
-_SHORTEST = 1.5
-"""Grid steps that a border is long at least."""
 
 _ROUND = 0.97
 """Share of the area of a circle as long around that a round region has at least."""
@@ -194,7 +189,7 @@ def _bands(
             mean = 2.0 * polygon.area / polygon.length
             # The outline of a strip has its ends, too; that of a ring has none.
             strip = polygon.area * width / (polygon.area + width**2)
-            fits = strip - _BAND * grid <= mean <= width + _BAND * grid
+            fits = strip - STEP * grid <= mean <= width + STEP * grid
             if fits and polygon.length > _ELONGATED * width:
                 yield number
                 break
@@ -229,7 +224,7 @@ def _borders(
         ]
         shared.append((OUTSIDE, polygon.boundary.intersection(outline)))
         for other, line in shared:
-            if line.length < _SHORTEST * grid:
+            if line.length < MEETING * grid:
                 continue
             withins = (_within(line, band) for band in drawn)
             found.append(Border(one, other, float(line.length), *withins))

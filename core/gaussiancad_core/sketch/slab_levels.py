@@ -2,13 +2,8 @@
 
 from collections.abc import Iterable
 
+from gaussiancad_core.sketch.grid_tolerances import LEAN, SHORTEST_LEVEL
 from gaussiancad_core.sketch.plane_lines import PlaneLine
-
-STRAIGHT = 0.4
-"""Grid steps by which a line that runs along an axis may lean."""
-
-_SHORTEST = 2.5
-"""Grid steps that a line is long at least to tell a level."""
 
 MOST = 20
 """Levels at most: those with the longest lines."""
@@ -33,7 +28,7 @@ def find_levels(
         stated += [
             (float(line.points[:, along].mean()), line.length)
             for line in lines
-            if line.constant(STRAIGHT * grid) == along and line.length > _SHORTEST * grid
+            if line.constant(LEAN * grid) == along and line.length > SHORTEST_LEVEL * grid
         ]
     stated.sort()
     groups = [[stated[0]]]

@@ -15,8 +15,8 @@ import shapely
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.model.section_planes import Cut
+from gaussiancad_core.sketch.grid_tolerances import LEAN, STEP
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
-from gaussiancad_core.sketch.slab_levels import STRAIGHT
 from gaussiancad_core.sketch.wall_steps import DEEPER, Sight, goes_on
 
 Mask = npt.NDArray[np.bool_]
@@ -26,12 +26,6 @@ _SAMPLES, _MOST_BETWEEN = 160, 12
 
 _APART = 0.8
 """Grid steps between two such places at least."""
-
-_SHORTEST = 1.0
-"""Grid steps that a line is long at least to be asked for."""
-
-_AT_LEVEL = 1.0
-"""Grid steps between a line and the level that it draws at most."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,15 +218,15 @@ def _drawn(
     at_level: tuple[Mask, Mask] = np.zeros(level_shape, bool), np.zeros(level_shape, bool)
     upright: tuple[Mask, Mask] = np.zeros(upright_shape, bool), np.zeros(upright_shape, bool)
     for line in lines:
-        if not line.is_straight or line.length <= _SHORTEST * grid:
+        if not line.is_straight or line.length <= STEP * grid:
             continue
         kind = 0 if line.is_visible else 1
         (low, high), (first, last) = (np.sort(line.points[:, k]) for k in (along, across))
-        runs = line.constant(STRAIGHT * grid)
+        runs = line.constant(LEAN * grid)
         within = (middles > low) & (middles < high)
         if runs == along:
             level = int(np.abs(heights - line.points[:, along].mean()).argmin())
-            if abs(heights[level] - line.points[:, along].mean()) <= _AT_LEVEL * grid:
+            if abs(heights[level] - line.points[:, along].mean()) <= STEP * grid:
                 chosen = (places > first - 0.3 * grid) & (places < last + 0.3 * grid)
                 at_level[kind][chosen, level] = True
         elif runs == across:

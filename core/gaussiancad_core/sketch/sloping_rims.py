@@ -12,13 +12,11 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
+from gaussiancad_core.sketch.grid_tolerances import NEAR
 from gaussiancad_core.sketch.line_costs import HIDDEN
 from gaussiancad_core.sketch.plan_regions import OUTSIDE, is_disc
 from gaussiancad_core.sketch.slab_plan import Plan
 from gaussiancad_core.sketch.slab_terms import Literal, Terms
-
-_CONCENTRIC = 1.2
-"""Grid steps between the centres of a ring's circles at most."""
 
 _COST = 0.05
 """What a sunk rim costs, in the root of the ring's area; and a grid step."""
@@ -66,7 +64,7 @@ def rings_of(plan: Plan) -> tuple[Ring, ...]:
             continue
         hole = shapely.Polygon(polygon.interiors[0])
         around, middle = polygon.exterior.centroid, hole.centroid
-        if not is_disc(hole) or around.distance(middle) > _CONCENTRIC * plan.grid:
+        if not is_disc(hole) or around.distance(middle) > NEAR * plan.grid:
             continue
         neighbours = {
             border.other if border.one == number else border.one
@@ -91,7 +89,7 @@ def _circle_of(ring: shapely.LinearRing, plan: Plan) -> CircleCurve | None:
 
     circles = [line.circle for line in plan.regions.lines if line.circle is not None]
     nearest = min(circles, key=away, default=None)
-    return nearest if nearest is not None and away(nearest) <= _CONCENTRIC * plan.grid else None
+    return nearest if nearest is not None and away(nearest) <= NEAR * plan.grid else None
 
 
 def add_rims(terms: Terms, rings: Sequence[Ring]) -> dict[SunkRim, Literal]:

@@ -13,10 +13,9 @@ import shapely
 
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import role_plane
+from gaussiancad_core.sketch.grid_tolerances import LEAN, MEETING
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.turned_views import (
-    NEAR,
-    STRAIGHT,
     Lines,
     Seen,
     Slope,
@@ -68,14 +67,14 @@ def _slopes(
 ) -> Iterator[Slope]:
     """What slopes in a view from beside on both sides of the axis, and is the outline of what all
     views from beside show together, each once."""
-    near = NEAR * grid
+    near = MEETING * grid
     sides = [(seen, side) for seen in seens for side in (1.0, -1.0)]
     shown = [list(_sloping(seen, side, grid)) for seen, side in sides]
     walls = [
         seen.away(line.points[[0, -1]], side)
         for seen, side in sides
         for line in seen.lines
-        if line.is_visible and line.constant(STRAIGHT * grid) == 1 - seen.along
+        if line.is_visible and line.constant(LEAN * grid) == 1 - seen.along
     ]
 
     def ends_wall(place: Floats) -> bool:
@@ -113,16 +112,16 @@ def _sloping(seen: Seen, side: float, grid: float) -> Iterator[PlaneLine]:
     for line in seen.lines:
         if not line.is_visible or not is_sloping(line, grid):
             continue
-        if border.distance(shapely.Point(line.points[len(line.points) // 2])) > NEAR * grid:
+        if border.distance(shapely.Point(line.points[len(line.points) // 2])) > MEETING * grid:
             continue
         moved = moved_to(line, seen, side)
-        if (points := beyond_axis(moved, NEAR * grid)) is not None:
-            yield from one_way(replace(moved, points=points), NEAR * grid)
+        if (points := beyond_axis(moved, MEETING * grid)) is not None:
+            yield from one_way(replace(moved, points=points), MEETING * grid)
 
 
 def _stepped(seen: Seen, slopes: Sequence[Slope], grid: float) -> list[PlaneLine]:
     """Lines of a view with two in place of each that slopes."""
-    near = NEAR * grid
+    near = MEETING * grid
     left = list(seen.lines)
     steps: list[PlaneLine] = []
     for side in (1.0, -1.0):
@@ -164,7 +163,7 @@ def _is_foot(
     """Whether a circle of the plan, or an arc, is the smaller end of a slope only."""
     if line.circle is None:
         return False
-    near = NEAR * grid
+    near = MEETING * grid
     if max(abs(a - b) for a, b in zip(line.circle.centre, centre, strict=True)) > near:
         return False
     return any(

@@ -13,10 +13,9 @@ import shapely
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import role_plane
 from gaussiancad_core.model.section_planes import Cut
+from gaussiancad_core.sketch.grid_tolerances import LEAN, MEETING
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.turned_views import (
-    NEAR,
-    STRAIGHT,
     Lines,
     Seen,
     Slope,
@@ -55,7 +54,7 @@ def without_bore_slopes(
         cuts: views that are sections.
     """
     found = {role: list(plane_lines) for role, plane_lines in lines.items()}
-    near = NEAR * grid
+    near = MEETING * grid
     sides = [
         (this_seen, side)
         for this_seen in views_beside(lines, axis, centre, grid)
@@ -92,7 +91,7 @@ def _sloping(view: _Side, cut: Cut | None, grid: float) -> Iterator[PlaneLine]:
     """Lines on one side of the axis along no axis that are walls of a bore; places are along the
     axis, and away from it."""
     seen, side = view
-    near, border = NEAR * grid, seen.outline.boundary
+    near, border = MEETING * grid, seen.outline.boundary
     for plane_line in seen.lines:
         if plane_line.curve is None or not is_sloping(plane_line, grid):
             continue
@@ -146,7 +145,7 @@ def _middle(line: PlaneLine) -> shapely.Point:
 def _stepped(lines: Sequence[PlaneLine], view: _Side, slope: Slope, grid: float) -> list[PlaneLine]:
     """Lines of a view with two in place of a slope on one side of the axis, where it is drawn."""
     seen, side = view
-    near = NEAR * grid
+    near = MEETING * grid
     along = seen.back(slope.line.points, side)
     drawn = [line for line in lines if holds(line, along, near)]
     if not drawn:
@@ -169,5 +168,5 @@ def _stepped(lines: Sequence[PlaneLine], view: _Side, slope: Slope, grid: float)
 
 def _ends_wall(line: PlaneLine, place: Floats, seen: Seen, grid: float) -> bool:
     """Whether a line along the axis ends at a place."""
-    runs = line.constant(STRAIGHT * grid) == 1 - seen.along
-    return runs and np.hypot(*(line.points[[0, -1]] - place).T).min() <= NEAR * grid
+    runs = line.constant(LEAN * grid) == 1 - seen.along
+    return runs and np.hypot(*(line.points[[0, -1]] - place).T).min() <= MEETING * grid

@@ -12,18 +12,10 @@ import shapely
 
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.grid_tolerances import LEAN, MEETING, STEP
 from gaussiancad_core.sketch.plan_regions import find_regions
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, profile_along
 from gaussiancad_core.solid.profiles import Profile
-
-NEAR = 1.5
-"""Grid steps within which places are one."""
-
-STRAIGHT = 0.4
-"""Grid steps by which a line along an axis may lean."""
-
-_LEAST = 1.0
-"""Grid steps that a line slopes by at least, along either coordinate."""
 
 _MOST = 0.5
 """Share of a slope that another view shows of it at least."""
@@ -112,7 +104,7 @@ def turning_centre(
 ) -> tuple[float, float] | None:
     """Where a circle as wide as the part is drawn."""
     first, second = (size[k] for k in IN_PLANE[axis])
-    if abs(first - second) > NEAR * grid:
+    if abs(first - second) > MEETING * grid:
         return None
     for role, plane_lines in lines.items():
         if role_plane(role).normal is not axis:
@@ -121,7 +113,7 @@ def turning_centre(
             if not each.is_closed or each.circle is None:
                 continue
             off = max(abs(each.circle.centre[k] - first / 2.0) for k in (0, 1))
-            if max(off, abs(each.circle.radius - first / 2.0)) <= NEAR * grid:
+            if max(off, abs(each.circle.radius - first / 2.0)) <= MEETING * grid:
                 return each.circle.centre
     return None
 
@@ -159,7 +151,7 @@ def _outline(lines: Sequence[PlaneLine], grid: float) -> shapely.Polygon | None:
 
 def is_sloping(line: PlaneLine, grid: float) -> bool:
     """Whether a line is along no axis, and not closed."""
-    return not line.is_closed and bool(np.ptp(line.points, axis=0).min() > _LEAST * grid)
+    return not line.is_closed and bool(np.ptp(line.points, axis=0).min() > STEP * grid)
 
 
 def one_way(line: PlaneLine, near: float) -> Iterator[PlaneLine]:
@@ -220,13 +212,13 @@ def _length(points: Floats) -> float:
 
 def is_edge_at(line: PlaneLine, place: Floats, seen: Seen, grid: float) -> bool:
     """Whether a line across the axis ends at a place."""
-    across = line.constant(STRAIGHT * grid) == seen.along
-    return across and np.hypot(*(line.points[[0, -1]] - place).T).min() <= NEAR * grid
+    across = line.constant(LEAN * grid) == seen.along
+    return across and np.hypot(*(line.points[[0, -1]] - place).T).min() <= MEETING * grid
 
 
 def step_of(one: Floats, other: Floats, grid: float) -> list[PlaneLine]:
     """The line between two places of a view, if they are apart."""
-    is_long = float(np.hypot(*(other - one))) > STRAIGHT * grid
+    is_long = float(np.hypot(*(other - one))) > LEAN * grid
     return [PlaneLine(np.array([one, other]), True)] if is_long else []
 
 

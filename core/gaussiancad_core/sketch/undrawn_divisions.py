@@ -10,16 +10,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from gaussiancad_core.coordinates.carrier_curves import CircleCurve
+from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR, SHORTEST_LEVEL
 from gaussiancad_core.sketch.plane_lines import PlaneLine, whole_circle
-
-_NEAR = 1.2
-"""Grid steps within which two places are one."""
-
-_STRAIGHT = 0.4
-"""Grid steps by which a line along an axis may lean."""
-
-_SHORTEST = 2.5
-"""Grid steps that an upright line is long at least."""
 
 _MOST = 8
 """Places along a coordinate at most: with more no division is told."""
@@ -40,7 +32,7 @@ def undrawn_divisions(
         size: (2,) mm of the plan.
         grid: mm of a step of the sheet's coordinates.
     """
-    near = _NEAR * grid
+    near = NEAR * grid
     untold: list[list[float]] = [[], []]
     for column, across, lines in neighbours:
         untold[column] += _uprights(lines, across, grid)
@@ -69,8 +61,8 @@ def undrawn_divisions(
 
 def _uprights(lines: Sequence[PlaneLine], across: int, grid: float) -> Iterator[float]:
     for line in lines:
-        upright = line.is_visible and line.constant(_STRAIGHT * grid) == across
-        if upright and line.length > _SHORTEST * grid:
+        upright = line.is_visible and line.constant(LEAN * grid) == across
+        if upright and line.length > SHORTEST_LEVEL * grid:
             yield float(line.points[:, across].mean())
 
 
