@@ -145,10 +145,10 @@ class WorkFolder:
                     yield path
 
 
-def _not_usable(path: str, reason: object) -> UsageError:
+def _not_usable(path: str, reason: OSError | ValueError | str) -> UsageError:
     return UsageError(
         Code.PATH_NOT_USABLE,
         "{path} cannot be used ({reason}): choose another name or folder",
         path=path,
-        reason=reason,
+        reason=getattr(reason, "strerror", None) or reason,
     )
