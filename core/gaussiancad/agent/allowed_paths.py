@@ -145,7 +145,7 @@ class WorkFolder:
                     yield path
 
 
-def _not_usable(path: str, reason: OSError | ValueError | str) -> UsageError:
+def _not_usable(path: str, reason: Exception | str) -> UsageError:
     return UsageError(
         Code.PATH_NOT_USABLE,
         "{path} cannot be used ({reason}): choose another name or folder",
