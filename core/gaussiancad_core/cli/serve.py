@@ -47,9 +47,9 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
 
     import msgspec
 
-    from gaussiancad_core.run.serving import Desk, Request
+    from gaussiancad_core.run.serving import RequestHandler, Request
 
-    desk = Desk()
+    handler = RequestHandler()
     listener.send("ready")
     while (line := lines.get()) != _END:
         try:
@@ -62,7 +62,7 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
         numbered = _Numbered(listener, request.id)
         busy.set()
         try:
-            answer = desk.answer(request, numbered)
+            answer = handler.answer(request, numbered)
         except CancelledError:
             raise
         except GaussianCadError as error:

@@ -81,7 +81,7 @@ class _Kept:
     read: Callable[[], SheetReading]
 
 
-class Desk:
+class RequestHandler:
     """Answers requests; the sheets that were asked for last stay open while their files stay."""
 
     def __init__(self) -> None:
@@ -206,11 +206,11 @@ class Desk:
         return str((folder / name).resolve())
 
 
-_REQUESTS: Mapping[str, Callable[[Desk, Request], dict[str, Any]]] = {
-    "render": Desk._render,
-    "thumbnail": Desk._thumbnail,
-    "read": Desk._do_read,
-    "reread": Desk._reread,
-    "trace": Desk._trace,
-    "solve": Desk._solve,
+_REQUESTS: Mapping[str, Callable[[RequestHandler, Request], dict[str, Any]]] = {
+    "render": RequestHandler._render,
+    "thumbnail": RequestHandler._thumbnail,
+    "read": RequestHandler._do_read,
+    "reread": RequestHandler._reread,
+    "trace": RequestHandler._trace,
+    "solve": RequestHandler._solve,
 }

@@ -151,14 +151,14 @@ def test_sheets_stay_open_side_by_side(tmp_path: Path, monkeypatch: pytest.Monke
         return load_sheet.open_sheet(job, notes)
 
     monkeypatch.setattr(serving, "open_sheet", open_sheet)
-    desk = serving.Desk()
+    handler = serving.RequestHandler()
 
     def render(name: str) -> None:
         sheet = tmp_path / f"{name}.png"
         if not sheet.exists():
             shutil.copy(SAMPLES / "l-bracket.png", sheet)
         request = serving.Request(id=1, do="render", sheet=str(sheet), output=str(tmp_path))
-        desk.answer(request, Silence())
+        handler.answer(request, Silence())
 
     for name in "abab":
         render(name)

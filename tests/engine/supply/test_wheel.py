@@ -29,11 +29,11 @@ build_meta.build_wheel("made")
 WINDOW = """
 import sys
 from pathlib import Path
-from freecad.gaussiancad.canvas import failed, standing, translator
+from freecad.gaussiancad.canvas import failed, standalone, translator
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 application = QtWidgets.QApplication([])
 assert translator.load_language(QtCore.QTranslator(), ["de"])
-window = standing.Standing()
+window = standalone.StandaloneWindow()
 for name, module in sys.modules.items():
     if name.startswith("freecad.") and getattr(module, "__file__", None):
         assert Path(module.__file__).is_relative_to(sys.argv[1]), name
