@@ -47,7 +47,7 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
 
     import msgspec
 
-    from gaussiancad_core.run.serving import RequestHandler, Request
+    from gaussiancad_core.run.serving import Request, RequestHandler
 
     handler = RequestHandler()
     listener.send("ready")
