@@ -19,7 +19,7 @@ from gaussiancad_core.comparison.engineering import (
 from gaussiancad_core.comparison.engineering import PROTOCOL as ENGINEERING
 from gaussiancad_core.comparison.findings import Histogram, WorstPoint
 from gaussiancad_core.comparison.normalise import scale_of
-from gaussiancad_core.report.run_report import Remark
+from gaussiancad_core.report.report_entries import Remark
 
 SCHEMA = 1
 

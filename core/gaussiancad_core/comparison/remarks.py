@@ -4,7 +4,7 @@ from gaussiancad_core.comparison.distances import encloses_volume
 from gaussiancad_core.comparison.model_files import Content, ExactFacts, Model
 from gaussiancad_core.comparison.topology import Topology
 from gaussiancad_core.messages import Message
-from gaussiancad_core.report.run_report import Remark
+from gaussiancad_core.report.report_entries import Remark
 from gaussiancad_protocol.codes import Code
 
 

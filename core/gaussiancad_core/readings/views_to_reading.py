@@ -39,7 +39,8 @@ from gaussiancad_core.readings.stroke_certainty import (
 )
 from gaussiancad_core.recognition.one_view import shown_extents
 from gaussiancad_core.recognition.views_and_lines import SheetLines
-from gaussiancad_core.report.run_report import Remark, Report
+from gaussiancad_core.report.report_entries import Remark
+from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.sheet_stages import ReadView

@@ -15,8 +15,8 @@ from gaussiancad_core.recognition.label_doubts import tell_doubtful_labels, weig
 from gaussiancad_core.recognition.one_view import shown_extents, stated_unseen
 from gaussiancad_core.recognition.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.report.job import Job
+from gaussiancad_core.report.report_entries import NoteReport, Unused, ViewReport
 from gaussiancad_core.report.run_notes import RunNotes
-from gaussiancad_core.report.run_report import NoteReport, Unused, ViewReport
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.image.deskew import Turn

@@ -10,7 +10,7 @@ from gaussiancad_core.kernel.solid_rays import SightLines
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype
-from gaussiancad_core.report.run_report import Assumption
+from gaussiancad_core.report.report_entries import Assumption
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_protocol.codes import Code

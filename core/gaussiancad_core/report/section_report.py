@@ -8,7 +8,7 @@ from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.section_planes import Cut, SectionRole
-from gaussiancad_core.report.run_report import Assumption, PlaneReport, SectionReport
+from gaussiancad_core.report.report_entries import Assumption, PlaneReport, SectionReport
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.special_views.adjacent_sections import overlap
 from gaussiancad_core.writing.section_titles import NamedSection

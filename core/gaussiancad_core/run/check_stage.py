@@ -15,7 +15,7 @@ from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.pictures.overlay import ViewOverlay, draw_overlay
 from gaussiancad_core.pictures.preview import png_bytes, render_preview
-from gaussiancad_core.report.run_report import SolidReport
+from gaussiancad_core.report.report_entries import SolidReport
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet

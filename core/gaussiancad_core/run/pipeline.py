@@ -19,8 +19,9 @@ from gaussiancad_core.processes.events import Listener, Progress, cancellation_b
 from gaussiancad_core.recognition.load_sheet import open_image, tell_image
 from gaussiancad_core.recognition.page_choice import naming_pages, page_instead, tell_page
 from gaussiancad_core.report.job import Job
+from gaussiancad_core.report.report_entries import ViewReport
 from gaussiancad_core.report.run_notes import RunNotes
-from gaussiancad_core.report.run_report import Report, ViewReport
+from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage

@@ -12,8 +12,8 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, mutually_orthogonal
 from gaussiancad_core.recognition.views_and_lines import SheetLines
 from gaussiancad_core.report.job import Job
+from gaussiancad_core.report.report_entries import ViewReport
 from gaussiancad_core.report.run_notes import RunNotes
-from gaussiancad_core.report.run_report import ViewReport
 from gaussiancad_core.report.section_report import section_reports
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn

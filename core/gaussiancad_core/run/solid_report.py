@@ -15,14 +15,14 @@ from gaussiancad_core.model.section_planes import SectionRole
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.pictures.overlay import view_to_sheet
 from gaussiancad_core.report.assumed_holes import assumed_holes
-from gaussiancad_core.report.run_report import (
+from gaussiancad_core.report.report_entries import (
     AlternativeReport,
     Assumption,
     ConflictReport,
     Disagreement,
     MeasuresReport,
-    Report,
 )
+from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.report.section_report import assumed_planes, with_agreement
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.run.run_models import alternative_file

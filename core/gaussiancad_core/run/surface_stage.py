@@ -9,7 +9,7 @@ from gaussiancad_core.model.cameras import Camera
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.report.job import Job
-from gaussiancad_core.report.run_report import GaussiansReport, HullReport, SurfaceReport
+from gaussiancad_core.report.report_entries import GaussiansReport, HullReport, SurfaceReport
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet

@@ -8,8 +8,9 @@ import pytest
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.processes.events import Progress
+from gaussiancad_core.report.report_entries import Assumption
 from gaussiancad_core.report.run_notes import RunNotes
-from gaussiancad_core.report.run_report import Assumption, Report
+from gaussiancad_core.report.run_report import Report
 
 
 class Heard:

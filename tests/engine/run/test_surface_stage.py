@@ -10,7 +10,7 @@ from gaussiancad_core.evidence.drawn_views import views_as_read
 from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.report.job import Job
-from gaussiancad_core.report.run_report import HullReport
+from gaussiancad_core.report.report_entries import HullReport
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.run.pipeline import STAGES, stages_of
 from gaussiancad_core.run.surface_stage import hull_report, make_hull
