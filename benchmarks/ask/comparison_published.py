@@ -20,7 +20,8 @@ from gaussiancad_core.comparison.compare_command import compare_files
 from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
 from gaussiancad_core.comparison.comparison_report import Comparison
 from gaussiancad_core.comparison.deepcad import summarise_deepcad
-from gaussiancad_core.kernel.brep import bounding_box, read_solid, write_step
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.kernel.brep_files import read_solid, write_step
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.samples import SAMPLES
 

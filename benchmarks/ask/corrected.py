@@ -22,7 +22,7 @@ from benchmarks.run.arguments import existing_folder
 from benchmarks.run.checkout import ROOT
 from benchmarks.run.outcome import Figure, Outcome, share
 from benchmarks.tasks.canvas_player import Played, Player, Step, recordings
-from gaussiancad_core.kernel.brep import read_shape, read_solid
+from gaussiancad_core.kernel.brep_files import read_shape, read_solid
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 
 MINUTES = 3

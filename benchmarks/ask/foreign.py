@@ -30,7 +30,8 @@ from benchmarks.run.outcome import Figure, Outcome, as_table, share
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import FIRST, Row
 from benchmarks.sheets.published import SAME_IOU, sheets_of
-from gaussiancad_core.kernel.brep import bounding_box, read_shape, read_solid
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.kernel.brep_files import read_shape, read_solid
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 

@@ -20,7 +20,8 @@ from benchmarks.run.outcome import Figure, Outcome, share
 from benchmarks.sheets.line_cases import LineCase, kept_cases
 from benchmarks.sheets.published import SAME_IOU
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.kernel.brep import read_solid, soundness
+from gaussiancad_core.kernel.brep import soundness
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.sketch.sketching import sketch
 

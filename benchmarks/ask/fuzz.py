@@ -32,7 +32,8 @@ from benchmarks.sheets.clean_sheets import ROLES
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import compose_sheet, part_lines
 from gaussiancad_core.drawing.sheet_style import parse_style
-from gaussiancad_core.kernel.brep import tessellate, write_step
+from gaussiancad_core.kernel.brep import tessellate
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.meshes import make_mesh
 from gaussiancad_core.model.views import Segment

@@ -23,7 +23,8 @@ from benchmarks.sheets.clean_sheets import ROLES
 from benchmarks.sheets.photographed import Camera, Picture, photograph
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
-from gaussiancad_core.kernel.brep import faces_of, read_solid
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples.classed import PartClass, classed_part
 

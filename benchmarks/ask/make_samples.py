@@ -13,7 +13,7 @@ from benchmarks.sheets.clean_sheets import ROLES
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples import sample
 

@@ -36,7 +36,8 @@ from benchmarks.run.workers import FIRST, SOLVE, Row
 from benchmarks.sheets.practice_sheets import Practice, write_sheet
 from benchmarks.tasks.exact_work import counted, falsely_verified, in_words, solved
 from benchmarks.tasks.sheet_runs import projection_of, solved_sheet
-from gaussiancad_core.kernel.brep import faces_of, read_solid
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.sheet.reading_options import ReadingOptions

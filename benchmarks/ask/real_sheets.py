@@ -34,7 +34,7 @@ from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import FIRST, Row
 from benchmarks.sheets.published import SAME_IOU, sheets_of
 from benchmarks.tasks.real_page import write_page
-from gaussiancad_core.kernel.brep import read_shape, read_solid
+from gaussiancad_core.kernel.brep_files import read_shape, read_solid
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.readings.reading_files import open_reading
 from gaussiancad_protocol.modes import Status

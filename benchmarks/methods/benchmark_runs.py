@@ -24,7 +24,8 @@ from gaussiancad_core.comparison.comparison_report import comparison_dict
 from gaussiancad_core.comparison.deviation import Deviation
 from gaussiancad_core.comparison.model_files import Model, read_model
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.kernel.brep import bounding_box, read_solid, write_step
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.kernel.brep_files import read_solid, write_step
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.pictures.preview import PreviewSize, render_preview
 from gaussiancad_core.processes.events import Silence

@@ -8,7 +8,8 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.kernel.brep import moved_to_origin, read_solid, subshapes
+from gaussiancad_core.kernel.brep import moved_to_origin, subshapes
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.samples.classed import LEVEL_FACES, PartClass, classed_part
 
 USUAL_LEVELS = 7

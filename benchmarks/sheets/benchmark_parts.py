@@ -15,7 +15,7 @@ from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import PartLines, compose_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.evidence.drawn_views import exact_views
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples import sample
 from gaussiancad_core.samples.classed import PartClass

@@ -24,7 +24,8 @@ from gaussiancad_core.drawing.degrade import finished
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import PartLines
 from gaussiancad_core.drawing.sheet_style import PRESETS
-from gaussiancad_core.kernel.brep import faces_of, read_solid
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Axis, Projection
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.sheet.reading_options import ReadingOptions

@@ -27,7 +27,7 @@ from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import PartLines
 from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.kernel.brep import read_solid
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job

@@ -95,7 +95,7 @@ class Result:
         if not path.is_file():
             return None
         try:
-            from gaussiancad_core.kernel.brep import read_solid
+            from gaussiancad_core.kernel.brep_files import read_solid
         except ImportError as error:
             raise EngineError(
                 Code.ENGINE_MISSING,

@@ -21,12 +21,11 @@ from gaussiancad_core.kernel.brep import (
     bounding_box,
     compound_of,
     faces_of,
-    read_shape,
-    readable,
     soundness,
     subshapes,
     tessellate,
 )
+from gaussiancad_core.kernel.brep_files import read_shape, readable
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_protocol.codes import Code
 
@@ -72,7 +71,8 @@ def read_exact(path: Path) -> tuple[TriangleMesh, ExactFacts]:
     solids, surfaces are sewn; what is closed then counts as a solid.
 
     Raises:
-        UnreadableError: see :func:`gaussiancad_core.kernel.brep.read_shape`; ``not-a-solid`` where
+        UnreadableError: see :func:`gaussiancad_core.kernel.brep_files.read_shape`; ``not-a-solid``
+            where
             there are no surfaces either; ``file-damaged`` where they cannot be measured.
     """
     with readable(path):

@@ -10,7 +10,7 @@ from gaussiancad_core.drawing.drawn_sheet import Sheet, draw_sheet
 from gaussiancad_core.drawing.sheet_style import SheetStyle
 from gaussiancad_core.drawing.view_placing import check_roles
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.kernel.brep import read_solid
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Projection, Role, mutually_orthogonal
 from gaussiancad_core.storage.single_file import write_whole
 from gaussiancad_protocol.codes import Code
@@ -48,7 +48,7 @@ def draw_file(
     Raises:
         UsageError: ``views-count``, ``views-repeat``, ``views-not-orthogonal``,
             ``sheet-suffix-unknown``, ``sheet-too-small``, ``output-not-writable``.
-        UnreadableError: see :func:`gaussiancad_core.kernel.brep.read_solid`.
+        UnreadableError: see :func:`gaussiancad_core.kernel.brep_files.read_solid`.
         LimitError: ``disk-full``.
     """
     check_roles(roles)

@@ -11,13 +11,7 @@ from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.kernel.booleans import common, fused, unified, without
-from gaussiancad_core.kernel.brep import (
-    bounding_box,
-    exact_volume,
-    faces_of,
-    is_valid,
-    subshapes,
-)
+from gaussiancad_core.kernel.brep import bounding_box, exact_volume, faces_of, is_valid, subshapes
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 
 Points = npt.NDArray[np.float64]

@@ -14,7 +14,8 @@ from gaussiancad_core.features.constraints import Numbers
 from gaussiancad_core.features.feature_model import FeatureList
 from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.features.thread_notes import ThreadNote
-from gaussiancad_core.kernel.brep import read_solid, subshapes, write_step
+from gaussiancad_core.kernel.brep import subshapes
+from gaussiancad_core.kernel.brep_files import read_solid, write_step
 from gaussiancad_core.storage.outputs import REPORT_FILE, OutputFolder
 from gaussiancad_core.writing.callouts import NoteKind, thread_name
 

@@ -56,7 +56,8 @@ def write_solids(result: "ExactResult", folder: Path) -> None:
         EngineError: the STEP writer refuses.
         UsageError, LimitError: the folder cannot be written, or the disk is full.
     """
-    from gaussiancad_core.kernel.brep import moved_to_origin, write_step
+    from gaussiancad_core.kernel.brep import moved_to_origin
+    from gaussiancad_core.kernel.brep_files import write_step
 
     write_step(moved_to_origin(result.shape), folder / SOLID_FILE)
     if result.alternatives:

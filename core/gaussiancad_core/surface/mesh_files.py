@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.storage.single_file import write_whole
 from gaussiancad_core.surface.decimate import FACETED_LIMIT, decimated

@@ -86,7 +86,7 @@ def test_a_role_can_be_named_once(tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_draw_and_compare_print_what_they_made(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from gaussiancad_core.kernel.brep import write_step
+    from gaussiancad_core.kernel.brep_files import write_step
     from gaussiancad_core.samples import SAMPLES
 
     part = next(sample for sample in SAMPLES if sample.name == "pocket-block")

@@ -24,7 +24,8 @@ from gaussiancad_core.comparison.distances import IouMethod
 from gaussiancad_core.comparison.model_files import Model, read_model
 from gaussiancad_core.comparison.model_units import unit_factor
 from gaussiancad_core.errors import UnreadableError, UsageError
-from gaussiancad_core.kernel.brep import faces_of, write_brep
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.kernel.brep_files import write_brep
 from gaussiancad_core.model.meshes import TriangleMesh, joined, make_mesh
 
 

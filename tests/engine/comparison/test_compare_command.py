@@ -23,7 +23,7 @@ from gaussiancad_core.comparison.model_files import Model
 from gaussiancad_core.comparison.normalise import moved_points, scale_of
 from gaussiancad_core.comparison.rigid_registration import axis_rotations
 from gaussiancad_core.errors import UnreadableError, UsageError
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 

@@ -21,7 +21,7 @@ from gaussiancad_core.comparison.comparison_page import overlay_beside
 from gaussiancad_core.comparison.deviation import measure_deviation
 from gaussiancad_core.comparison.page_geometry import MOST_TRIANGLES, page_geometry
 from gaussiancad_core.comparison.queries import SurfaceQueries
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 _SPEC = importlib.util.spec_from_file_location("browser", Path(__file__).parent / "browser.py")

@@ -32,7 +32,8 @@ from gaussiancad_core.comparison.comparison_report import Comparison
 from gaussiancad_core.comparison.comparison_text import comparison_text
 from gaussiancad_core.comparison.model_files import Content, Model, read_model
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.kernel.brep import compound_of, edges_of, faces_of, write_step
+from gaussiancad_core.kernel.brep import compound_of, edges_of, faces_of
+from gaussiancad_core.kernel.brep_files import write_step
 
 BOX_MM3 = 30.0 * 20.0 * 10.0
 BOX_MM2 = 2.0 * (30.0 * 20.0 + 20.0 * 10.0 + 30.0 * 10.0)

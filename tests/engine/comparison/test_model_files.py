@@ -9,7 +9,7 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder
 
 from gaussiancad_core.comparison.model_files import ModelFormat, format_of, load_model
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.kernel.brep import write_brep, write_step
+from gaussiancad_core.kernel.brep_files import write_brep, write_step
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_protocol.exit_codes import ExitCode
 

@@ -33,7 +33,7 @@ from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.remarks import remarks_on
 from gaussiancad_core.comparison.topology import topology_of
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 ALL = tuple(Protocol)

@@ -7,7 +7,7 @@ from PIL import Image
 from gaussiancad_core.drawing.draw_command import draw_file, write_image
 from gaussiancad_core.drawing.sheet_style import PRESETS, SheetStyle
 from gaussiancad_core.errors import UnreadableError, UsageError
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.samples import sample
 

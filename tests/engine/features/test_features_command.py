@@ -15,7 +15,8 @@ from gaussiancad_core.cli import main
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.features.difference import difference
 from gaussiancad_core.features.features_command import write_features
-from gaussiancad_core.kernel.brep import compound_of, read_solid, write_brep, write_step
+from gaussiancad_core.kernel.brep import compound_of
+from gaussiancad_core.kernel.brep_files import read_solid, write_brep, write_step
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples import sample
 from gaussiancad_core.samples.modelling import box, cut, cylinder

@@ -17,7 +17,7 @@ from gaussiancad_core.features.difference import difference
 from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.features.pattern_model import Circle, Mirror, Pattern, Row
 from gaussiancad_core.features.patterns import patterns_of
-from gaussiancad_core.kernel.brep import read_solid
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 

@@ -13,7 +13,7 @@ from gaussiancad_core.features.feature_model import FeatureList, Holes
 from gaussiancad_core.features.features_command import numbers_beside, write_features
 from gaussiancad_core.features.frames import MAIN_FRAMES
 from gaussiancad_core.features.thread_notes import Thread, ThreadNote, threads_of
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.writing.callouts import thread_name

@@ -16,15 +16,12 @@ from gaussiancad_core.kernel.brep import (
     edges_of,
     faces_of,
     moved_to_origin,
-    read_solid,
-    readable,
     soundness,
     subshapes,
     tessellate,
     volume,
-    write_brep,
-    write_step,
 )
+from gaussiancad_core.kernel.brep_files import read_solid, readable, write_brep, write_step
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder, sphere
 

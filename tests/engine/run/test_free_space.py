@@ -11,7 +11,8 @@ import pytest
 from ezdxf.layouts import Modelspace
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.kernel.brep import bounding_box, faces_of, read_solid
+from gaussiancad_core.kernel.brep import bounding_box, faces_of
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job

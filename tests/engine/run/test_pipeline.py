@@ -25,7 +25,8 @@ from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.errors import EngineError, LimitError, NoModelError
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
-from gaussiancad_core.kernel.brep import moved_to_origin, read_solid, soundness, tessellate
+from gaussiancad_core.kernel.brep import moved_to_origin, soundness, tessellate
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.processes.events import Silence

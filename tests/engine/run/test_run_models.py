@@ -8,7 +8,8 @@ import pytest
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
 
-from gaussiancad_core.kernel.brep import bounding_box, read_solid
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.run.run_models import SOLID_FILE, alternative_file, write_solids
 
 

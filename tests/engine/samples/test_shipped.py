@@ -8,7 +8,8 @@ from benchmarks.ask.make_samples import ROLES, SHIPPED
 from benchmarks.run.checkout import SAMPLES
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
-from gaussiancad_core.kernel.brep import read_solid, soundness
+from gaussiancad_core.kernel.brep import soundness
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples import sample
 

@@ -27,13 +27,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Shape
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.files.fitting import circle_through
-from gaussiancad_core.kernel.brep import (
-    bounding_box,
-    moved_to_origin,
-    soundness,
-    subshapes,
-    volume,
-)
+from gaussiancad_core.kernel.brep import bounding_box, moved_to_origin, soundness, subshapes, volume
 from gaussiancad_core.labelling.cell_labelling import Effort, Labelling, Others, Search
 from gaussiancad_core.labelling.counted_work import Deadline
 from gaussiancad_core.model.axes import Axis, Role

@@ -6,7 +6,8 @@ import pytest
 import trimesh
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.kernel.brep import read_solid, soundness
+from gaussiancad_core.kernel.brep import soundness
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.surface.mesh_files import write_faceted_step, write_ply, write_stl
 

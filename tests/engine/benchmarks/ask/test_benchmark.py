@@ -11,7 +11,7 @@ from benchmarks.methods.benchmark_ablations import Ablation, AblationTask
 from benchmarks.methods.benchmark_runs import SCRATCH, Method, Run, RunTask
 from benchmarks.run.command import main
 from benchmarks.sheets.benchmark_parts import DRAWN_KINDS, STRENGTHS, SheetKind, given_parts
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples.modelling import box
 

@@ -13,7 +13,8 @@ from benchmarks.parts.textbook_modelling import Lot
 from benchmarks.sheets.practice_pdf import Page, Pen, arrow
 from benchmarks.sheets.practice_sheets import Practice, write_sheet
 from gaussiancad_core.cli import main
-from gaussiancad_core.kernel.brep import bounding_box, read_solid
+from gaussiancad_core.kernel.brep import bounding_box
+from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.views import Arc, Linetype
 
 _CASES = (

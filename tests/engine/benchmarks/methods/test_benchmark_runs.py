@@ -9,7 +9,7 @@ import pytest
 from benchmarks.methods.benchmark_runs import SCRATCH, Effort, Method, Run, RunTask, run_task
 from benchmarks.run.workers import Row
 from benchmarks.sheets.benchmark_parts import Part, SheetKind, given_parts, make_sheet
-from gaussiancad_core.kernel.brep import write_step
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.samples.modelling import box, cut
 from gaussiancad_core.sheet.image.sheet_files import read_sheet

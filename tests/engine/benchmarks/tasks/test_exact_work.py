@@ -9,7 +9,8 @@ from benchmarks.run.workers import Row
 from benchmarks.sheets.exact_inputs import InputKind, kept_lines, make_input
 from benchmarks.tasks.exact_tables import tables, time_picture
 from benchmarks.tasks.exact_work import causes, close, falsely_verified, solved
-from gaussiancad_core.kernel.brep import faces_of, write_step
+from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.samples.classed import LEVEL_FACES, PartClass
 from gaussiancad_core.samples.modelling import box, cut, cylinder
