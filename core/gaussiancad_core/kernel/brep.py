@@ -1,8 +1,6 @@
-"""Exact solids on disk and in memory: read, write, measure, move, tessellate.
+"""Exact solids: what they consist of, their measures, whether they are sound, their triangles.
 
-Shapes are OpenCASCADE's ``TopoDS_Shape`` in millimetres.  Files go through Python's own file
-functions, so that any path the file system allows works on every platform.  OpenCASCADE prints to
-file descriptor 1 while it reads and writes; who needs a clean stdout redirects it.
+Shapes are OpenCASCADE's ``TopoDS_Shape`` in millimetres.
 """
 
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,9 @@
-"""Exact shapes as files, STEP and BREP: read with care, written from the origin on."""
+"""Exact shapes as files, STEP and BREP: read with care, written from the origin on.
+
+Files go through Python's own file functions, so that any path the file system allows works on
+every platform.  OpenCASCADE prints to file descriptor 1 while it reads and writes; who needs a
+clean stdout redirects it.
+"""
 
 import io
 import re
