@@ -56,7 +56,7 @@ def upright_ring(ring: Sequence[tuple[float, float]], turn: Turn) -> Ring:
 
 
 def strokes_source(view: ViewEntry) -> StrokesSource:
-    """Where a view's strokes come from; the picture where the reading says nothing that is known."""
+    """Where a view's strokes come from; the picture where the reading names nothing known."""
     try:
         return StrokesSource(view.source)
     except ValueError:
