@@ -33,14 +33,11 @@ from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import Device, Recipe, ResultKind, SolidWay, Status
 
 if TYPE_CHECKING:
-    from gaussiancad_core.model.meshes import TriangleMesh
-    from gaussiancad_core.model.views import ViewSet
     from gaussiancad_core.recognition.views_and_lines import SheetLines
     from gaussiancad_core.run.check_stage import CheckedModel
     from gaussiancad_core.run.exact_stage import ExactModel
     from gaussiancad_core.run.registering_stage import SheetFindings
     from gaussiancad_core.run.run_models import Models
-    from gaussiancad_core.splatting.gaussian_training import TrainingResult
 
 STAGES = (
     "read",
@@ -374,107 +371,14 @@ class _Run:
         solid: "ExactModel | None",
         turn: Turn,
     ) -> "Models | None":
-        """Hull, Gaussians and surface, if they are asked for.
-
-        Raises:
-            NoModelError: they are no body, and there is no solid either.
-        """
+        """Hull, Gaussians and surface, if they are asked for."""
         if self.job.result is ResultKind.SOLID:
             return None
-        try:
-            return self._surface_models(registered, exact, solid, turn)
-        except NoModelError as error:
-            if solid is None:
-                raise
-            self.notes.warn(
-                error.code, f"{error.message}: there is no surface in addition to the solid"
-            )
-            return None
+        # Torch and Open3D are loaded for a surface alone.
+        from gaussiancad_core.run.surface_models import SurfaceRun
 
-    def _surface_models(
-        self,
-        registered: RegisteredSheet,
-        exact: "ExactModel | None",
-        solid: "ExactModel | None",
-        turn: Turn,
-    ) -> "Models":
-        from gaussiancad_core.run import surface_stage
-        from gaussiancad_core.run.run_models import Models
-        from gaussiancad_core.surface.nearness import weighed
-
-        with self.notes.stage("hull"):
-            registered = self._with_whole_outlines(registered, exact)
-            views = registered.views
-            hull = surface_stage.make_hull(self.job, views, exact)
-            self.notes.tell(hull=surface_stage.hull_report(hull))
-        with self.notes.stage("gaussians"):
-            training = self._train(hull.mesh, views)
-            gaussians = surface_stage.gaussians_report(training, self.job, views)
-            residuals = surface_stage.residuals(training, self.job, registered, turn)
-            self.notes.tell(
-                gaussians=replace(gaussians, residuals=residuals),
-                device=surface_stage.training_device(self.job),
-            )
-        with self.notes.stage("surface"):
-            surface = weighed(self._poisson(training, solid), hull.mesh, views)
-            self.notes.tell(surface=surface_stage.surface_report(surface))
-        return Models(registered, training, surface)
-
-    def _poisson(
-        self, training: "TrainingResult", solid: "ExactModel | None"
-    ) -> "TriangleMesh | None":
-        """The mesh of the Gaussians; where there is a solid it may be missing."""
-        from gaussiancad_core.run.surface_stage import make_surface
-
-        try:
-            return make_surface(training, self.job)
-        except NoModelError as error:
-            if solid is None:
-                raise
-            self.notes.warn(error.code, f"{error.message}: hull.stl stands for their mesh")
-            return None
-
-    def _with_whole_outlines(
-        self, registered: RegisteredSheet, exact: "ExactModel | None"
-    ) -> RegisteredSheet:
-        """The views in colour, their masks the exact solid's where the ink encloses others."""
-        from gaussiancad_core.run.solid_outlines import with_solid_outlines
-        from gaussiancad_core.sheet.image.colouring import coloured
-
-        result = exact.result if exact else None
-        outlined = with_solid_outlines(registered.views, result)
-        if outlined.closed:
-            names = " and ".join(role.value for role in outlined.closed)
-            self.notes.warn(
-                Code.OUTLINE_OF_SOLID,
-                Message(
-                    "the lines around the {views} view leave gaps: the surface was made with the "
-                    "exact solid's outline there",
-                    views=names,
-                ),
-            )
-        return replace(registered, views=coloured(outlined.views, self.job.reading.colour))
-
-    def _train(self, hull: "TriangleMesh", views: "ViewSet") -> "TrainingResult":
-        from gaussiancad_core.run import surface_stage
-        from gaussiancad_core.splatting.checkpoints import CheckpointPlace
-
-        if surface_stage.takes_long(self.job):
-            self.notes.warn(
-                Code.TRAINING_TAKES_LONG,
-                "so many iterations on images of this size take an hour or more on a processor: "
-                "use --preset draft, --scale-down N, or a GPU; with --resume a run that is broken "
-                "off goes on",
-            )
-        place = CheckpointPlace(self.folder.checkpoint, self.folder.staging, resume=self.job.resume)
-        training = surface_stage.train_on(hull, self.job, views, self.progress, place)
-        if training.passed_over:
-            self.notes.warn(
-                Code.CHECKPOINT_IGNORED,
-                "the checkpoint in the output folder belongs to another sheet, other options or "
-                "another version: the training began anew",
-            )
-        return training
+        run = SurfaceRun(self.job, self.folder, self.progress, self.notes)
+        return run.models(registered, exact, solid, turn)
 
     def _check(
         self,
