@@ -18,13 +18,13 @@ from scipy.spatial import cKDTree
 from benchmarks.run.outcome import Outcome, share
 from benchmarks.sheets.clean_sheets import ROLES
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.kernel.brep import bounding_box
 from gaussiancad_core.labelling.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.labelling.minimal_conflicts import find_conflict
 from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.lines.line_points import Curve
-from gaussiancad_core.lines.strokes import mapped
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.samples.random_parts import random_part
@@ -107,7 +107,7 @@ def mirrored(views: DrawnViews, random: np.random.Generator) -> Spoilt:
     role = ROLES[int(random.integers(len(ROLES)))]
     axis, sign = role.frame.up_axis
     shift = (0.0, sign * views.size[axis.value])
-    turned = [mapped(stroke, 1.0, shift, flip=True) for stroke in views.strokes[role]]
+    turned = [stroke.mapped(Similarity(offset=shift, flip=True)) for stroke in views.strokes[role]]
     return Spoilt(_with(views, role, turned))
 
 

@@ -35,12 +35,12 @@ from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import FIRST, Row
 from benchmarks.sheets.sheet_pictures import painted_pdf, scanned
 from gaussiancad_core.errors import GaussianCadError, NoModelError
-from gaussiancad_core.lines.strokes import DrawnStroke, turned
+from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
-from gaussiancad_core.sheet.registration.view_registration import scaled
 
 MINUTES = 60
 
@@ -165,8 +165,11 @@ def in_picture(truth: Found, turn: Turn) -> Found:
         truth: in px of the file's own picture.
         turn: how much larger the picture is, and then by what it is turned.
     """
+    centre = turn.centre
+    origin = centre[0] / turn.scale, centre[1] / turn.scale
+    to_picture = Similarity(turn.scale, turn.angle, origin=origin, offset=centre)
     strokes = {
-        role: tuple(turned(item, turn.angle, turn.centre) for item in scaled(view, turn.scale))
+        role: tuple(item.mapped(to_picture) for item in view)
         for role, view in truth.strokes.items()
     }
     entry = replace(turn, scale=1.0)
@@ -214,7 +217,8 @@ def compared(path: Path, truth: Found) -> Iterator[Row]:
 
 
 def _at_working_scale(found: Found, reduction: float) -> list[DrawnStroke]:
-    return list(scaled(tuple(chain.from_iterable(found.strokes.values())), 1.0 / reduction))
+    smaller = Similarity(1.0 / reduction)
+    return [item.mapped(smaller) for item in chain.from_iterable(found.strokes.values())]
 
 
 def _lengths(lengths: dict[Linetype, Matched]) -> Row:

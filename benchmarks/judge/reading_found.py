@@ -11,7 +11,8 @@ import numpy.typing as npt
 from benchmarks.judge.stroke_matching import Box, Floats, Marks, ends_of
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.evidence.projection_choice import both_readings
-from gaussiancad_core.lines.strokes import DrawnStroke, turned
+from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.processes.events import Progress, Silence
@@ -25,7 +26,6 @@ from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage, read_sheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
-from gaussiancad_core.sheet.registration.view_registration import scaled
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
 from gaussiancad_core.sketch.projection_by_sketch import weigh
 from gaussiancad_protocol.modes import ResultKind
@@ -116,11 +116,10 @@ def found_of(lines: SheetLines, turn: Turn, reading: ReadingOptions) -> Found:
     else:
         registered = register_views(drawn, reading)
     drawn = registered.drawn
+    offset = turn.scale * turn.centre[0], turn.scale * turn.centre[1]
+    to_stored = Similarity(turn.scale, turn.angle, origin=turn.centre, offset=offset)
     strokes = {
-        view.role: scaled(
-            tuple(turned(stroke, turn.angle, turn.centre) for stroke in view.strokes), turn.scale
-        )
-        for view in drawn
+        view.role: tuple(stroke.mapped(to_stored) for stroke in view.strokes) for view in drawn
     }
     boxes = {view.role: view.stored_box(turn) for view in drawn}
     direct_views = sum(view.source is not StrokesSource.RASTER for view in drawn)

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.lines.strokes import DrawnStroke, is_closed
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Linetype
 
 Floats = npt.NDArray[np.float64]
@@ -171,7 +171,7 @@ def ends_of(strokes: Sequence[DrawnStroke], covered: float = 0.0) -> Floats:
     visible = Points.along(of_kind(strokes, Linetype.VISIBLE))
     found = [np.empty((0, 2))]
     for stroke in strokes:
-        if is_closed(stroke):
+        if stroke.is_closed:
             continue
         points = stroke.sample(STEP)
         ends = points[[0, -1]]

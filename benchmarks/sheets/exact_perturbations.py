@@ -10,7 +10,8 @@ from dataclasses import replace
 import numpy as np
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.lines.strokes import DrawnStroke, is_closed, mapped, part
+from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 
@@ -91,7 +92,7 @@ def jittered(views: DrawnViews, seed: int, pixels: float = JITTER_PX) -> DrawnVi
         if isinstance(stroke, Arc):
             radius = max(stroke.radius + random.uniform(-reach, reach), 0.25 * stroke.radius)
             return replace(stroke, centre=_pair(np.array(stroke.centre) + off()), radius=radius)
-        return mapped(stroke, 1.0, _pair(off()), flip=False)
+        return stroke.mapped(Similarity(offset=_pair(off())))
 
     return _each(views, moved, reach)
 
@@ -105,11 +106,11 @@ def of_wrong_length(views: DrawnViews, seed: int, pixels: float = LENGTH_PX) -> 
     reach = pixels * pixel(views)
 
     def changed(stroke: DrawnStroke) -> DrawnStroke:
-        if is_closed(stroke) or (isinstance(stroke, Ellipse) and stroke.sweep > 6.28):
+        if stroke.is_closed or (isinstance(stroke, Ellipse) and stroke.sweep > 6.28):
             return stroke
         most = min(reach, 0.125 * stroke.length)
         low, high = random.uniform(-most, most), stroke.length + random.uniform(-most, most)
-        return part(stroke, low, high)
+        return stroke.part(low, high)
 
     return _each(views, changed, reach)
 

@@ -8,7 +8,8 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.evidence.drawn_views import EXACT_TOLERANCE
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
-from gaussiancad_core.lines.strokes import DrawnStroke, mapped
+from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype, View, ViewSet
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource, tolerance_px
@@ -108,7 +109,7 @@ def in_first(drawn: Drawing, size: Size) -> dict[Role, tuple[DrawnStroke, ...]]:
             _least(other.frame.right, size) - _least(role.frame.right, size),
             _least(other.frame.up, size) - _least(role.frame.up, size),
         )
-        found[other] = tuple(mapped(stroke, 1.0, moved, flip=False) for stroke in strokes)
+        found[other] = tuple(stroke.mapped(Similarity(offset=moved)) for stroke in strokes)
     return found
 
 

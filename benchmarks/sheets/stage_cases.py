@@ -25,7 +25,8 @@ from benchmarks.tasks.textbook_work import FAMILIES
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import Sheet, part_lines
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
+from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Linetype, Stroke
 from gaussiancad_core.recognition.views_and_lines import SheetLines
 from gaussiancad_core.samples.classed import PartClass
@@ -33,7 +34,7 @@ from gaussiancad_core.sheet import sheet_stages
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
-from gaussiancad_core.sheet.registration.view_registration import scaled, view_box
+from gaussiancad_core.sheet.registration.view_registration import view_box
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm
 from gaussiancad_core.sheet.tracing.line_widths import Pens
@@ -205,11 +206,5 @@ def _read(group: str, name: str, sheet: _Sheet) -> Case:
     shapes = tuple(given[: len(lines.drawn)])
     turn = replace(clean.turn, scale=1.0)
     factor = 1.0 / image.reduction
-    truth = tuple(_scaled(stroke, factor) for stroke in sheet.truth)
+    truth = tuple(stroke.mapped(Similarity(factor)) for stroke in sheet.truth)
     return Case(group, name, truth, sheet.covered * factor, lines, turn, shapes)
-
-
-def _scaled(stroke: DrawnStroke, factor: float) -> DrawnStroke:
-    if isinstance(stroke, Polyline):
-        return replace(stroke, points=tuple((factor * x, factor * y) for x, y in stroke.points))
-    return scaled((stroke,), factor)[0]

@@ -6,7 +6,7 @@ import ezdxf
 import numpy as np
 
 from gaussiancad_core.drawing.drawn_sheet import PartLines
-from gaussiancad_core.lines.strokes import FULL_TURN, Polyline
+from gaussiancad_core.lines.strokes import Polyline
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
@@ -39,7 +39,7 @@ def write_dxf(lines: PartLines, projection: Projection, path: Path) -> None:
                 space.add_line(*ends, dxfattribs=layer)
             elif isinstance(stroke, Arc):
                 centre = (stroke.centre[0] + x, stroke.centre[1] + y)
-                if stroke.sweep >= FULL_TURN:
+                if stroke.is_closed:
                     space.add_circle(centre, stroke.radius, dxfattribs=layer)
                     continue
                 start, sweep = np.degrees([stroke.start_angle, stroke.sweep]).tolist()

@@ -5,7 +5,10 @@ from enum import Enum
 
 import numpy as np
 
-from gaussiancad_core.lines.strokes import DrawnStroke, extent, turned
+from gaussiancad_core.geometry.curves import bounds
+from gaussiancad_core.geometry.points import box_around
+from gaussiancad_core.geometry.similarities import turn_about
+from gaussiancad_core.lines.strokes import DrawnStroke
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
@@ -104,33 +107,23 @@ class Annotation:
         """Around all of it, between the centre lines of its outermost strokes."""
         corners = [np.array(arrow) for arrow in self.arrows]
         if self.strokes:
-            corners.append(extent(self.strokes))
+            corners.append(np.array(bounds(self.strokes)).reshape(2, 2))
         if self.label is not None:
             corners.append(np.array(self.label.corners))
-        points = np.concatenate(corners)
-        (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
-        return float(x0), float(y0), float(x1), float(y1)
+        return box_around(np.concatenate(corners))
 
     def turned(self, angle: float, centre: Point) -> "Annotation":
         """Turned by ``angle`` radians, from the sheet's right towards its bottom."""
+        turn = turn_about(centre, angle)
         return replace(
             self,
-            strokes=tuple(turned(stroke, angle, centre) for stroke in self.strokes),
-            arrows=tuple(
-                tuple(_turned_point(point, angle, centre) for point in arrow)
-                for arrow in self.arrows
-            ),
+            strokes=tuple(stroke.mapped(turn) for stroke in self.strokes),
+            arrows=tuple(tuple(turn.point(point) for point in arrow) for arrow in self.arrows),
             label=None
             if self.label is None
             else replace(
                 self.label,
-                centre=_turned_point(self.label.centre, angle, centre),
+                centre=turn.point(self.label.centre),
                 angle=self.label.angle + angle,
             ),
         )
-
-
-def _turned_point(point: Point, angle: float, centre: Point) -> Point:
-    cosine, sine = float(np.cos(angle)), float(np.sin(angle))
-    x, y = point[0] - centre[0], point[1] - centre[1]
-    return centre[0] + cosine * x - sine * y, centre[1] + sine * x + cosine * y

@@ -20,10 +20,11 @@ from gaussiancad_core.drawing.sheet_style import SheetStyle
 from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.drawing.view_placing import Placement, check_roles, place_views
 from gaussiancad_core.errors import UsageError
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.kernel.brep import bounding_box, moved_to_origin
 from gaussiancad_core.lines.cut_solids import SectionView, openings_of, section_view
 from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
-from gaussiancad_core.lines.strokes import DrawnStroke, mapped
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
 from gaussiancad_core.model.views import Linetype
@@ -213,10 +214,8 @@ def _shown(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> tuple[DrawnSt
 
 
 def _hatching(cut: SectionView, place: Placement, style: SheetStyle) -> tuple[Annotation, ...]:
-    lines = tuple(
-        mapped(line, place.scale, place.offset, flip=True)
-        for line in cut.hatching(style.hatch_pitch / place.scale)
-    )
+    down = Similarity(scale=place.scale, offset=place.offset, flip=True)
+    lines = tuple(line.mapped(down) for line in cut.hatching(style.hatch_pitch / place.scale))
     if not lines:
         return ()
     return (Annotation(AnnotationKind.HATCHING, 0, lines, style.annotation_width),)

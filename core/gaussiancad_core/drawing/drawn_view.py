@@ -3,7 +3,9 @@
 from dataclasses import dataclass, replace
 
 from gaussiancad_core.drawing.view_placing import Placement
-from gaussiancad_core.lines.strokes import DrawnStroke, extent, mapped, turned
+from gaussiancad_core.geometry.curves import bounds
+from gaussiancad_core.geometry.similarities import Similarity, turn_about
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 
 
@@ -25,18 +27,13 @@ class DrawnView:
 
     def turned(self, angle: float, centre: tuple[float, float]) -> "DrawnView":
         """Turned by ``angle`` radians, from the sheet's right towards its bottom."""
-        strokes = tuple(turned(stroke, angle, centre) for stroke in self.strokes)
-        return replace(self, box=_box(strokes), strokes=strokes)
+        turn = turn_about(centre, angle)
+        strokes = tuple(stroke.mapped(turn) for stroke in self.strokes)
+        return replace(self, box=bounds(strokes), strokes=strokes)
 
 
 def drawn_view(placement: Placement, plane_strokes: tuple[DrawnStroke, ...]) -> DrawnView:
     """The strokes of a view, given in mm of its plane, at its place on the sheet."""
-    strokes = tuple(
-        mapped(stroke, placement.scale, placement.offset, flip=True) for stroke in plane_strokes
-    )
-    return DrawnView(placement.role, _box(strokes), strokes, plane_strokes)
-
-
-def _box(strokes: tuple[DrawnStroke, ...]) -> tuple[float, float, float, float]:
-    (x0, y0), (x1, y1) = extent(strokes)
-    return float(x0), float(y0), float(x1), float(y1)
+    place = Similarity(scale=placement.scale, offset=placement.offset, flip=True)
+    strokes = tuple(stroke.mapped(place) for stroke in plane_strokes)
+    return DrawnView(placement.role, bounds(strokes), strokes, plane_strokes)

@@ -7,7 +7,7 @@ from gaussiancad_core.drawing.annotation import Annotation, Point, Rhythm
 from gaussiancad_core.drawing.lettering import ink_label
 from gaussiancad_core.drawing.sheet_style import Cap, SheetStyle
 from gaussiancad_core.drawing.stroke_raster import Coverage, draw_stroke
-from gaussiancad_core.lines.strokes import DrawnStroke, part
+from gaussiancad_core.lines.strokes import DrawnStroke
 
 LONG, GAP, SHORT = 16.0, 3.0, 4.0
 """Rhythm of centre lines in multiples of their width (ISO 128-2 has 24, 3 and a dot; CAD systems
@@ -34,7 +34,7 @@ def _pieces(stroke: DrawnStroke, annotation: Annotation) -> list[DrawnStroke]:
     if annotation.rhythm is Rhythm.CONTINUOUS:
         return [stroke]
     intervals = long_short_intervals(stroke.length, annotation.width)
-    return [part(stroke, low, high) for low, high in intervals]
+    return [stroke.part(low, high) for low, high in intervals]
 
 
 def long_short_intervals(length: float, width: float) -> list[tuple[float, float]]:

@@ -12,7 +12,9 @@ from gaussiancad_core.drawing.drawn_view import DrawnView
 from gaussiancad_core.drawing.isometric_picture import CLEARANCE, free_corner
 from gaussiancad_core.drawing.lettering import label
 from gaussiancad_core.drawing.sheet_style import Inset, SheetStyle
-from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, extent, mapped, turned
+from gaussiancad_core.geometry.curves import bounds
+from gaussiancad_core.geometry.similarities import Similarity, turn_about
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 _DETAIL_SHARE = 0.2
@@ -62,7 +64,8 @@ def _detail(views: tuple[DrawnView, ...], room: Box, style: SheetStyle) -> list[
     scale = larger / radius
     offset = (middle[0] - scale * corner[0], middle[1] - scale * corner[1])
     cut = cut_by_circle(view.strokes, corner, radius)
-    shown = tuple(mapped(stroke, scale, offset, flip=False) for stroke in cut)
+    place = Similarity(scale=scale, offset=offset)
+    shown = tuple(stroke.mapped(place) for stroke in cut)
     rings = tuple(
         Arc(centre, size, 0.0, 2.0 * np.pi, Linetype.VISIBLE)
         for centre, size in ((corner, radius), (middle, larger))
@@ -84,13 +87,15 @@ def _detail(views: tuple[DrawnView, ...], room: Box, style: SheetStyle) -> list[
 def _auxiliary(views: tuple[DrawnView, ...], room: Box, style: SheetStyle) -> list[Annotation]:
     """The visible lines of the first view, turned."""
     visible = [s for s in views[0].strokes if s.linetype is Linetype.VISIBLE]
-    slanted = tuple(turned(stroke, -_SLANT, _middle(views[0].box)) for stroke in visible)
-    (x0, y0), (x1, y1) = extent(slanted)
+    turn = turn_about(_middle(views[0].box), -_SLANT)
+    slanted = tuple(stroke.mapped(turn) for stroke in visible)
+    x0, y0, x1, y1 = bounds(slanted)
     width, height = room[2] - room[0], room[3] - room[1]
     scale = min(_SIZE, width / (x1 - x0), height / (y1 - y0))
     middle = _middle(room)
     offset = (middle[0] - scale * 0.5 * (x0 + x1), middle[1] - scale * 0.5 * (y0 + y1))
-    placed = tuple(mapped(stroke, scale, offset, flip=False) for stroke in slanted)
+    place = Similarity(scale=scale, offset=offset)
+    placed = tuple(stroke.mapped(place) for stroke in slanted)
     return [Annotation(AnnotationKind.AUXILIARY, 0, placed, style.visible_width)]
 
 

@@ -9,7 +9,9 @@ from gaussiancad_core.drawing.annotation_pen import Room
 from gaussiancad_core.drawing.drawn_view import DrawnView
 from gaussiancad_core.drawing.frame import block_box, border
 from gaussiancad_core.drawing.sheet_style import SheetStyle
-from gaussiancad_core.lines.strokes import DrawnStroke, extent, mapped
+from gaussiancad_core.geometry.curves import bounds
+from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import ViewFrame
 from gaussiancad_core.model.views import Linetype
 
@@ -58,7 +60,7 @@ def draw_picture(
     if box is None:
         return []
     pad = CLEARANCE * style.text_height
-    (x0, y0), (x1, y1) = extent(visible)
+    x0, y0, x1, y1 = bounds(visible)
     scale = min(
         (box[2] - box[0] - 2.0 * pad) / (x1 - x0), (box[3] - box[1] - 2.0 * pad) / (y1 - y0)
     )
@@ -66,7 +68,8 @@ def draw_picture(
         0.5 * (box[0] + box[2]) - scale * 0.5 * (x0 + x1),
         0.5 * (box[1] + box[3]) + scale * 0.5 * (y0 + y1),
     )
-    placed = tuple(mapped(stroke, scale, offset, flip=True) for stroke in visible)
+    place = Similarity(scale=scale, offset=offset, flip=True)
+    placed = tuple(stroke.mapped(place) for stroke in visible)
     return [Annotation(AnnotationKind.PICTURE, 0, placed, style.visible_width)]
 
 

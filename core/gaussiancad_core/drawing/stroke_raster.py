@@ -12,14 +12,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.dash_rhythm import dash_intervals
 from gaussiancad_core.drawing.sheet_style import Cap, SheetStyle
-from gaussiancad_core.lines.strokes import (
-    FULL_TURN,
-    DrawnStroke,
-    Polyline,
-    as_chain,
-    is_closed,
-    part,
-)
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, as_chain
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 
 Coverage = npt.NDArray[np.float32]
@@ -51,13 +44,13 @@ def dashed(stroke: DrawnStroke, style: SheetStyle) -> list[DrawnStroke]:
     The first and the last one reach half a line's width beyond the stroke's ends, so that hidden
     lines that meet at a corner fill it.
     """
-    closed = is_closed(stroke)
+    closed = stroke.is_closed
     dashes = dash_intervals(stroke.length, style.dash, style.gap, closed)
     if not closed:
         reach = style.hidden_width / 2.0
         dashes[0] = (dashes[0][0] - reach, dashes[0][1])
         dashes[-1] = (dashes[-1][0], dashes[-1][1] + reach)
-    return [part(stroke, low, high) for low, high in dashes]
+    return [stroke.part(low, high) for low, high in dashes]
 
 
 def draw_stroke(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> None:
@@ -83,7 +76,7 @@ def draw_stroke(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> N
 def _draw_chain(ink: Coverage, chain: Polyline, width: float, cap: Cap) -> None:
     points = np.array(chain.points)
     last = len(points) - 2
-    outer = Cap.ROUND if is_closed(chain) else cap
+    outer = Cap.ROUND if chain.is_closed else cap
     for index in range(last + 1):
         # Chords meet round, which leaves neither notch nor lighter joint.
         caps = (outer if index == 0 else Cap.ROUND, outer if index == last else Cap.ROUND)
@@ -158,14 +151,14 @@ def _draw_arc(ink: Coverage, arc: Arc, width: float, cap: Cap) -> None:
     dx, dy = x - centre[0], y - centre[1]
     radial = np.hypot(dx, dy)
     coverage = _band(radial - arc.radius, width / 2.0)
-    if arc.sweep < FULL_TURN:
+    if not arc.is_closed:
         # Signed length along the circle from the arc's middle, less half the arc's length.
         middle = arc.start_angle + arc.sweep / 2.0
         turn = np.mod(np.arctan2(dy, dx) - middle + np.pi, 2.0 * np.pi) - np.pi
         beyond = (np.abs(turn) - arc.sweep / 2.0) * arc.radius
         coverage = coverage * _within(-beyond)
     _unite(ink, rows, columns, coverage)
-    if cap is Cap.ROUND and arc.sweep < FULL_TURN:
+    if cap is Cap.ROUND and not arc.is_closed:
         for angle in (arc.start_angle, arc.start_angle + arc.sweep):
             point = centre + arc.radius * np.array([np.cos(angle), np.sin(angle)])
             _draw_segment(ink, np.stack([point, point]), width, (Cap.ROUND, Cap.ROUND))

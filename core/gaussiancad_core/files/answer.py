@@ -20,19 +20,17 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.files.content import FileContent, Grey, Note
 from gaussiancad_core.files.vectors import (
-    Box,
-    Chain,
-    CircularArc,
     Colour,
-    Curve,
-    EllipticArc,
-    Line,
     StrokeKind,
     StrokeRole,
     VectorDrawing,
     VectorStroke,
     VectorText,
 )
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.messages import Message, args_of, filled
 
 _ERRORS: dict[str, type[GaussianCadError]] = {
@@ -65,7 +63,7 @@ class _Drawing(msgspec.Struct):
     """A drawing, its curves by their types, each in the strokes' order."""
 
     strokes: list[_Stroke]
-    lines: list[Line]
+    lines: list[LineSegment]
     arcs: list[CircularArc]
     ellipses: list[EllipticArc]
     chains: list[Chain]
@@ -199,7 +197,7 @@ def _by_types(drawing: VectorDrawing) -> _Drawing:
         )
     return _Drawing(
         strokes,
-        [curve for curve in curves if isinstance(curve, Line)],
+        [curve for curve in curves if isinstance(curve, LineSegment)],
         [curve for curve in curves if isinstance(curve, CircularArc)],
         [curve for curve in curves if isinstance(curve, EllipticArc)],
         [curve for curve in curves if isinstance(curve, Chain)],
@@ -219,7 +217,7 @@ def _in_order(found: _Drawing) -> VectorDrawing:
         ValueError: there are fewer curves of a type than strokes have.
     """
     curves: dict[str, Iterator[Curve]] = {
-        Line.__name__: iter(found.lines),
+        LineSegment.__name__: iter(found.lines),
         CircularArc.__name__: iter(found.arcs),
         EllipticArc.__name__: iter(found.ellipses),
         Chain.__name__: iter(found.chains),

@@ -13,12 +13,13 @@ from gaussiancad_core.files.file_curves import (
     Vector,
     affine_arc,
     polygon_curves,
-    to_point,
-    wrapped,
 )
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.files.plotted import lines_and_arcs
-from gaussiancad_core.files.vectors import FULL_TURN, Chain, CircularArc, Curve, Line
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
 
 _ARC_DEVIATION = 1.5e-3
 """Share of its radius by which a Bézier curve that stands for an arc may leave it; the usual
@@ -47,7 +48,7 @@ def curves_from_beziers(beziers: list[npt.NDArray[np.float64]]) -> list[Curve]:
     run: list[tuple[npt.NDArray[np.float64], CircularArc, bool]] = []
     for bezier in beziers:
         if _is_straight(bezier):
-            curves += [*_joined(run), Line(to_point(bezier[0]), to_point(bezier[3]))]
+            curves += [*_joined(run), LineSegment(to_point(bezier[0]), to_point(bezier[3]))]
             run = []
             continue
         fitted = _bezier_arc(bezier)

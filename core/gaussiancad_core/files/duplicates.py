@@ -10,7 +10,10 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.files.vectors import Chain, Curve, EllipticArc, VectorStroke
+from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.geometry.arcs import EllipticArc
+from gaussiancad_core.geometry.chains import Chain
+from gaussiancad_core.geometry.curves import Curve
 
 _SAME = 0.02
 """px within which curves are one: chains follow what they stand for as closely."""
@@ -73,8 +76,8 @@ def _places(curve: Curve) -> npt.NDArray[np.float64]:
     """(n, 2) px: points from a curve's start to its end, as many of all that have its type.  Those
     of a line, an arc or an ellipse tell it from others."""
     if isinstance(curve, Chain):
-        return curve.at(np.linspace(0.0, 1.0, _PLACES))
-    return curve.spread(_PLACES) if isinstance(curve, EllipticArc) else curve.sample(np.inf)
+        return curve.points_at(np.linspace(0.0, curve.length, _PLACES))
+    return curve.spread(_PLACES) if isinstance(curve, EllipticArc) else curve.vertices(np.inf)
 
 
 def _is_along(chain: Curve, other: Curve, *, turned: bool) -> bool:
@@ -84,5 +87,6 @@ def _is_along(chain: Curve, other: Curve, *, turned: bool) -> bool:
         return True
     if turned:
         other = Chain(other.points[::-1])
-    shares = np.union1d(chain.shares, other.shares)
-    return bool(np.abs(chain.at(shares) - other.at(shares)).max() <= _SAME)
+    shares = np.union1d(*(curve.along / max(curve.length, 1e-300) for curve in (chain, other)))
+    one, two = (curve.points_at(shares * curve.length) for curve in (chain, other))
+    return bool(np.abs(one - two).max() <= _SAME)

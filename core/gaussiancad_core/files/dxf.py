@@ -38,7 +38,8 @@ from gaussiancad_core.files.sizing import (
     size_drawing,
     size_without_unit,
 )
-from gaussiancad_core.files.vectors import Box, bounds
+from gaussiancad_core.geometry.curves import bounds
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_protocol.codes import Code
 
 _MAX_BYTES = 256_000_000
@@ -98,8 +99,8 @@ def read_dxf(path: Path, page: int) -> FileContent:
     doc = _load(path)
     content = _page(doc, path, page)
     curves = [drawn.curve for drawn in content.found.curves]
-    box = bounds(curves)
-    if box is None or max(box[2] - box[0], box[3] - box[1]) <= 0.0:
+    box = bounds(curves) if curves else (0.0, 0.0, 0.0, 0.0)
+    if max(box[2] - box[0], box[3] - box[1]) <= 0.0:
         raise UnreadableError(
             Code.EMPTY_DRAWING,
             "{path} has no lines on page {page}: choose another page or file",
@@ -236,7 +237,7 @@ def _views_of_model(layout: Layout) -> list[Viewport]:
 
 def _lies_in(drawn: DrawnCurve, window: Box) -> bool:
     """Whether the middle of a curve is seen through a window."""
-    points = drawn.curve.sample(np.inf)
+    points = drawn.curve.vertices(np.inf)
     x, y = points[len(points) // 2] if len(points) % 2 else points.mean(axis=0)
     return bool(window[0] <= x <= window[2] and window[1] <= y <= window[3])
 

@@ -17,8 +17,10 @@ from ezdxf.path import Path as BoundaryPath
 from ezdxf.path import from_hatch
 from ezdxf.render.hatching import HatchingError, hatch_entity
 
-from gaussiancad_core.files.file_curves import affine_arc, polygon_curves, to_point
-from gaussiancad_core.files.vectors import FULL_TURN, Chain, Curve, Line
+from gaussiancad_core.files.file_curves import affine_arc, polygon_curves
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN, to_point
 
 _FLATNESS = 5e-6
 """Share of a free curve's own size by which its chain may leave it."""
@@ -67,7 +69,7 @@ def hatch_lines(hatch: Hatch) -> Iterator[Curve | None]:
     try:
         for start, end in hatch_entity(hatch):
             if not start.isclose(end):
-                yield Line((start.x, start.y), (end.x, end.y))
+                yield LineSegment((start.x, start.y), (end.x, end.y))
     except HatchingError:
         # The pattern is too dense, or the outline does not close.
         yield None
@@ -148,10 +150,10 @@ def _sized(curves: Sequence[Curve]) -> list[Curve]:
     """Those of some curves that have a size."""
     sized = []
     for curve in curves:
-        if isinstance(curve, Line):
+        if isinstance(curve, LineSegment):
             points = np.array((curve.start, curve.end))
         else:
-            points = curve.sample(np.inf)
+            points = curve.vertices(np.inf)
         _check_finite(points)
         if np.ptp(points, axis=0).max() > 0.0:
             sized.append(curve)

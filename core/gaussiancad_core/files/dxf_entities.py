@@ -26,7 +26,8 @@ from gaussiancad_core.files.dxf_curves import (
 from gaussiancad_core.files.dxf_faults import BROKEN
 from gaussiancad_core.files.dxf_look import Look, Looks, inside_block
 from gaussiancad_core.files.dxf_text import PlacedText, placed_paragraph, placed_text
-from gaussiancad_core.files.vectors import Curve, StrokeKind
+from gaussiancad_core.files.vectors import StrokeKind
+from gaussiancad_core.geometry.curves import Curve
 
 _DEEPEST = 32
 """Blocks in blocks."""

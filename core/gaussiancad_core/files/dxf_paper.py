@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.files.dxf_text import PlacedText
-from gaussiancad_core.files.vectors import Box
+from gaussiancad_core.geometry.points import Box
 
 _MARGIN = 0.05
 """Blank border around a drawing without paper, as a share of its longest side."""

@@ -8,15 +8,9 @@ from gaussiancad_core.files.file_curves import placed
 from gaussiancad_core.files.file_grid import WrittenPath, line_ends, with_steps
 from gaussiancad_core.files.fitting import curve_along
 from gaussiancad_core.files.sizing import MILLIMETRE, Sizing
-from gaussiancad_core.files.vectors import (
-    Box,
-    Chain,
-    Line,
-    StrokeKind,
-    VectorDrawing,
-    VectorStroke,
-    VectorText,
-)
+from gaussiancad_core.files.vectors import StrokeKind, VectorDrawing, VectorStroke, VectorText
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.points import Box
 
 
 def placed_drawing(found: Explosion, sheet: Box, sizing: Sizing) -> VectorDrawing:
@@ -35,7 +29,7 @@ def placed_drawing(found: Explosion, sheet: Box, sizing: Sizing) -> VectorDrawin
 
 def _path(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> WrittenPath:
     curve = drawn.curve
-    lines = [np.array([curve.start, curve.end])] if isinstance(curve, Line) else []
+    lines = [np.array([curve.start, curve.end])] if isinstance(curve, LineSegment) else []
     stroke = _stroke(drawn, left, top, sizing)
     return WrittenPath(lambda _: (stroke,), line_ends(lines), sizing.scale * np.eye(2, 3))
 

@@ -5,15 +5,11 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.vectors import (
-    FULL_TURN,
-    Chain,
-    CircularArc,
-    Curve,
-    EllipticArc,
-    Line,
-    Point,
-)
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
+from gaussiancad_core.geometry.similarities import Similarity
 
 Vector = npt.NDArray[np.float64]
 """(2,)"""
@@ -29,11 +25,6 @@ SMALLEST_SWEEP = np.radians(2.0)
 
 _ROUND = 1e-4
 """Share of the radius by which the axes of a circle may differ: files round what is in them."""
-
-
-def to_point(value: Vector) -> Point:
-    """A (2,) array as a tuple."""
-    return float(value[0]), float(value[1])
 
 
 def affine_arc(centre: Vector, u: Vector, v: Vector, start: float, sweep: float) -> Curve:
@@ -57,19 +48,13 @@ def affine_arc(centre: Vector, u: Vector, v: Vector, start: float, sweep: float)
     if sizes[1] <= 1e-9 * sizes[0]:
         reach = np.cos(angle + np.linspace(0.0, sweep, 257)) * sizes[0]
         ends = [centre + axes[:, 0] * value for value in (reach.min(), reach.max())]
-        return Line(to_point(ends[0]), to_point(ends[1]))
+        return LineSegment(to_point(ends[0]), to_point(ends[1]))
+    tilt = float(np.arctan2(axes[1, 0], axes[0, 0]))
     if sizes[0] - sizes[1] <= _ROUND * sizes[0]:
-        tilt = float(np.arctan2(axes[1, 0], axes[0, 0]))
         radius = float(sizes.mean())
         return CircularArc(to_point(centre), radius, wrapped(angle + tilt), sweep)
-    major = to_point(axes[:, 0] * sizes[0])
-    return EllipticArc(to_point(centre), major, float(sizes[1] / sizes[0]), wrapped(angle), sweep)
-
-
-def wrapped(angle: float) -> float:
-    """An angle in [0, 2 pi)."""
-    turned = float(np.mod(angle, FULL_TURN))
-    return turned if FULL_TURN - turned > 1e-12 else 0.0
+    semi_major, semi_minor = to_point(sizes)
+    return EllipticArc(to_point(centre), semi_major, semi_minor, tilt, wrapped(angle), sweep)
 
 
 def polygon_curves(points: npt.NDArray[np.float64]) -> list[Curve]:
@@ -77,22 +62,12 @@ def polygon_curves(points: npt.NDArray[np.float64]) -> list[Curve]:
     ways = np.diff(points, axis=0)
     long = (np.hypot(ways[:, 0], ways[:, 1]) > 1e-9).tolist()
     corners = [(x, y) for x, y in points.tolist()]
-    return [Line(*ends) for ends, is_long in zip(pairwise(corners), long, strict=True) if is_long]
+    return [
+        LineSegment(*ends) for ends, is_long in zip(pairwise(corners), long, strict=True) if is_long
+    ]
 
 
 def placed(curve: Curve, scale: float, left: float, top: float) -> Curve:
     """A curve of a drawing whose y points up, in px: the point (left, top) becomes the origin."""
 
-    def at(point: Point) -> Point:
-        return (point[0] - left) * scale, (top - point[1]) * scale
-
-    if isinstance(curve, Line):
-        return Line(at(curve.start), at(curve.end))
-    if isinstance(curve, CircularArc):
-        start = wrapped(-(curve.start_angle + curve.sweep))
-        return CircularArc(at(curve.centre), curve.radius * scale, start, curve.sweep)
-    if isinstance(curve, EllipticArc):
-        major = curve.major[0] * scale, -curve.major[1] * scale
-        start = wrapped(-(curve.start + curve.sweep))
-        return EllipticArc(at(curve.centre), major, curve.ratio, start, curve.sweep)
-    return Chain(tuple(at(point) for point in curve.points))
+    return curve.mapped(Similarity(scale, flip=True, origin=(left, top)))

@@ -9,10 +9,11 @@ from gaussiancad_core.files.file_curves import (
     STRAIGHT,
     Vector,
     affine_arc,
-    to_point,
-    wrapped,
 )
-from gaussiancad_core.files.vectors import FULL_TURN, Chain, CircularArc, Curve, Line
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
 
 _ON_CIRCLE = 5e-3
 """px by which points of a circle may lie beside it."""
@@ -44,13 +45,13 @@ def curve_along(points: npt.NDArray[np.float64]) -> Curve:
     """
     ends = to_point(points[0]), to_point(points[-1])
     if len(points) == 2:
-        return Line(*ends)
+        return LineSegment(*ends)
     chord = points[-1] - points[0]
     length = float(np.hypot(*chord))
     if length > STRAIGHT:
         across = np.abs((points - points[0]) @ np.array([-chord[1], chord[0]])) / length
         if across.max() <= STRAIGHT:
-            return Line(*ends)
+            return LineSegment(*ends)
     if len(points) >= 5:
         arc = _arc_along(points) or _ellipse_along(points)
         if arc is not None:

@@ -16,17 +16,15 @@ from PIL import Image
 from gaussiancad_core.files.content import Grey
 from gaussiancad_core.files.fonts import known_font
 from gaussiancad_core.files.vectors import (
-    Chain,
-    CircularArc,
-    Curve,
-    Line,
     StrokeKind,
     StrokeRole,
     VectorDrawing,
     VectorStroke,
     VectorText,
-    bounds,
 )
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
 
 _STRIP_PIXELS = 24_000_000
 
@@ -121,7 +119,7 @@ def _blocks(drawing: VectorDrawing, width: int, height: int) -> list[tuple[_Bloc
     """
     sheet = 0, 0, width, height
     strokes = drawing.strokes
-    boxes = np.array([bounds([stroke.curve]) for stroke in strokes], dtype=float).reshape(-1, 4)
+    boxes = np.array([stroke.curve.box for stroke in strokes], dtype=float).reshape(-1, 4)
     if drawing.texts or not np.isfinite(boxes).all():
         return [(sheet, strokes)]
     # As far as the ends of the widest line reach, and the smooth edge around it.
@@ -176,14 +174,14 @@ def _legible(dashes: tuple[float, ...], width: float) -> tuple[float, ...]:
 
 def _path(curve: Curve) -> str:
     """A curve in chords: resvg's own arcs lie a tenth of a pixel beside the circle."""
-    if isinstance(curve, Line):
+    if isinstance(curve, LineSegment):
         return _polygon((curve.start, curve.end))
     if isinstance(curve, Chain):
-        closed = curve.points[0] == curve.points[-1]
-        return _polygon(curve.points[:-1]) + "Z" if closed else _polygon(curve.points)
-    radius = curve.radius if isinstance(curve, CircularArc) else float(np.hypot(*curve.major))
-    points = curve.sample(np.sqrt(8.0 * radius * _SAGITTA))
-    return _polygon(points[:-1]) + "Z" if curve.is_full else _polygon(points)
+        points = np.array(curve.points)
+    else:
+        radius = curve.radius if isinstance(curve, CircularArc) else curve.semi_major
+        points = curve.vertices(np.sqrt(8.0 * radius * _SAGITTA))
+    return _polygon(points[:-1]) + "Z" if curve.is_closed else _polygon(points)
 
 
 def _polygon(points: Iterable[tuple[float, float]]) -> str:

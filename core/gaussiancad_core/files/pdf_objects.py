@@ -16,7 +16,6 @@ from pypdfium2 import raw
 
 from gaussiancad_core.files.beziers import curves_from_path
 from gaussiancad_core.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
-from gaussiancad_core.files.file_curves import to_point
 from gaussiancad_core.files.file_grid import Strokes, WrittenPath, line_ends, with_steps
 from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.files.pdf_texts import (
@@ -27,18 +26,10 @@ from gaussiancad_core.files.pdf_texts import (
     letter_origins,
     text_piece,
 )
-from gaussiancad_core.files.vectors import (
-    Box,
-    Chain,
-    Colour,
-    Curve,
-    Line,
-    Point,
-    StrokeKind,
-    StrokeRole,
-    VectorStroke,
-    VectorText,
-)
+from gaussiancad_core.files.vectors import Colour, StrokeKind, StrokeRole, VectorStroke, VectorText
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import Box, Point, to_point
 
 Affine = npt.NDArray[np.float64]
 """(2, 3)"""
@@ -276,9 +267,9 @@ def _nodes(curve: Curve) -> Sequence[Point]:
     """The ends of a line, or what stands for another curve."""
     if isinstance(curve, Chain):
         return curve.points
-    if isinstance(curve, Line):
+    if isinstance(curve, LineSegment):
         return curve.start, curve.end
-    return [to_point(point) for point in curve.sample(np.inf)]
+    return [to_point(point) for point in curve.vertices(np.inf)]
 
 
 def _dashes(item: raw.FPDF_PAGEOBJECT) -> tuple[float, ...]:

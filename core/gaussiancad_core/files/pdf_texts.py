@@ -15,8 +15,8 @@ import numpy.typing as npt
 import pypdfium2 as pdfium
 from pypdfium2 import raw
 
-from gaussiancad_core.files.file_curves import to_point
-from gaussiancad_core.files.vectors import Box, VectorText
+from gaussiancad_core.files.vectors import VectorText
+from gaussiancad_core.geometry.points import Box, to_point
 
 Affine = npt.NDArray[np.float64]
 """(2, 3)"""

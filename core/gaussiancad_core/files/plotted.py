@@ -7,9 +7,11 @@ as long as they can be while all points lie within the rounding, and into its ow
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.file_curves import to_point, wrapped
 from gaussiancad_core.files.fitting import circle_through
-from gaussiancad_core.files.vectors import FULL_TURN, CircularArc, Curve, Line
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
 
 Points = npt.NDArray[np.float64]
 """(n, 2) px."""
@@ -129,8 +131,8 @@ def _balanced(points: Points, pieces: list[tuple[int, int, bool]]) -> list[tuple
     return pieces
 
 
-def _line(start: npt.NDArray[np.float64], end: npt.NDArray[np.float64]) -> Line:
-    return Line(to_point(start), to_point(end))
+def _line(start: npt.NDArray[np.float64], end: npt.NDArray[np.float64]) -> LineSegment:
+    return LineSegment(to_point(start), to_point(end))
 
 
 def _arc(points: Points) -> CircularArc:

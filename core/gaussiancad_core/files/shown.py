@@ -14,7 +14,7 @@ def shown_share(stroke: VectorStroke, grey: Grey) -> float:
 
     Points off the sheet count as blank, those in the gaps of dashes too.
     """
-    points = stroke.curve.sample(max(1.0, stroke.curve.length / _MOST_SAMPLES))
+    points = stroke.curve.vertices(max(1.0, stroke.curve.length / _MOST_SAMPLES))
     points = points[np.isfinite(points).all(axis=1)]
     cells = np.floor(np.clip(points, -1.0, max(grey.shape) + 1.0)).astype(int)
     height, width = grey.shape

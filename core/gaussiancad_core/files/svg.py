@@ -24,7 +24,8 @@ from gaussiancad_core.files.shown import shown_share
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_texts
-from gaussiancad_core.files.vectors import VectorDrawing, bounds
+from gaussiancad_core.files.vectors import VectorDrawing
+from gaussiancad_core.geometry.curves import bounds
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_protocol.codes import Code
@@ -177,8 +178,9 @@ def _size(root: Element) -> _Size | None:
 def _size_of_content(path: Path, safe: SafeSvg) -> _Size:
     """The size that holds all shapes, with as much space after them as before."""
     _set_size(safe.root, _Size(1e6, 1e6, physical=False))
-    box = bounds([stroke.curve for stroke in svg_strokes(svg_elements(safe.root), 1.0)])
-    if box is None or box[2] <= 0.0 or box[3] <= 0.0:
+    curves = [stroke.curve for stroke in svg_strokes(svg_elements(safe.root), 1.0)]
+    box = bounds(curves) if curves else (0.0, 0.0, 0.0, 0.0)
+    if box[2] <= 0.0 or box[3] <= 0.0:
         raise UnreadableError(
             Code.EMPTY_DRAWING,
             "{path} has no lines and no size: export the drawing again",

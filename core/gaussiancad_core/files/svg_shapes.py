@@ -11,19 +11,13 @@ import svgelements
 
 from gaussiancad_core.files.beziers import curves_from_path
 from gaussiancad_core.files.content import PAPER_LEVEL
-from gaussiancad_core.files.file_curves import affine_arc, to_point
+from gaussiancad_core.files.file_curves import affine_arc
 from gaussiancad_core.files.file_grid import WrittenPath, line_ends, with_steps
 from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
-from gaussiancad_core.files.vectors import (
-    FULL_TURN,
-    Chain,
-    Curve,
-    Line,
-    StrokeKind,
-    StrokeRole,
-    VectorStroke,
-    VectorText,
-)
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke, VectorText
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN, to_point
 
 _PIXELS_PER_INCH = 96.0
 """CSS's reference pixel."""
@@ -262,8 +256,8 @@ def _outlines(
     loops: list[list[tuple[float, float]]] = [[]]
     for curve in _curves(shape, matrix, step):
         # Straight pieces need no points between their ends.
-        apart = np.inf if isinstance(curve, Line) else 2.0
-        points = curve.points if isinstance(curve, Chain) else curve.sample(apart)
+        apart = np.inf if isinstance(curve, LineSegment) else 2.0
+        points = curve.points if isinstance(curve, Chain) else curve.vertices(apart)
         if loops[-1] and np.hypot(*(np.array(points[0]) - loops[-1][-1])) > 1e-6:
             loops.append([])
         loops[-1] += [to_point(point) for point in np.asarray(points)]

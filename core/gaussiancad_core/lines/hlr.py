@@ -22,7 +22,7 @@ from gaussiancad_core.geometry.line_tolerances import Precision
 from gaussiancad_core.kernel.brep import bounding_box
 from gaussiancad_core.kernel.solid_edges import EdgeFacts, edge_facts
 from gaussiancad_core.kernel.solid_rays import SightLines
-from gaussiancad_core.lines.coverage import StrokeIndex, distances, points_at
+from gaussiancad_core.lines.coverage import StrokeIndex
 from gaussiancad_core.lines.edge_projection import project_edge
 from gaussiancad_core.lines.single_lines import clean_strokes, distinct_strokes
 from gaussiancad_core.lines.smooth_silhouettes import silhouettes
@@ -134,11 +134,11 @@ def with_slack(
     slack = {id(line.stroke): line.slack for line in loose}
     lines = []
     for stroke in strokes:
-        middle = points_at(stroke, np.array([0.438 * stroke.length]))
+        middle = stroke.points_at(np.array([0.438 * stroke.length]))
         items = [
             slack[id(other)]
             for other in index.near(stroke, tolerance)
-            if distances(middle, other)[0] <= tolerance
+            if other.distances(middle)[0] <= tolerance
         ]
         lines.append(Line(stroke, max(items, default=0.0)))
     return lines

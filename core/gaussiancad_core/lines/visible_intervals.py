@@ -15,9 +15,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.line_tolerances import Precision
-from gaussiancad_core.lines.coverage import StrokeIndex, points_at
+from gaussiancad_core.lines.coverage import StrokeIndex
 from gaussiancad_core.lines.stroke_meetings import junctions
-from gaussiancad_core.lines.strokes import DrawnStroke, is_closed, part
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.lines.visibility import RayTest, Visibility
 from gaussiancad_core.model.views import Linetype
 
@@ -122,7 +122,7 @@ class _Decider:
         """(2,) point and (2,) unit vector across a line."""
         half = min(self._precision.fragment, stroke.length / 4.0) / 2.0
         middle = float(np.clip(at, half, stroke.length - half))
-        before, point, after = points_at(stroke, np.array([middle - half, at, middle + half]))
+        before, point, after = stroke.points_at(np.array([middle - half, at, middle + half]))
         way = (after - before) / np.hypot(*(after - before))
         return point, np.array([-way[1], way[0]])
 
@@ -238,8 +238,8 @@ def _parts(
             runs[-1] = (runs[-1][0], high, runs[-1][2])
         else:
             runs.append((low, high, spot.kind))
-    if len(runs) > 1 and is_closed(stroke) and runs[0][2] is runs[-1][2]:
+    if len(runs) > 1 and stroke.is_closed and runs[0][2] is runs[-1][2]:
         # The run that goes over the start of a closed line.
         first = runs.pop()
         runs[0] = (first[0] - stroke.length, runs[0][1], first[2])
-    return [replace(part(stroke, low, high), linetype=kind) for low, high, kind in runs if kind]
+    return [replace(stroke.part(low, high), linetype=kind) for low, high, kind in runs if kind]

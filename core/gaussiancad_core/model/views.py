@@ -11,7 +11,8 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.ellipses import WholeEllipse
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Role
 
 
@@ -27,134 +28,37 @@ _FULL_SWEEP = 6.2
 
 
 @dataclass(frozen=True)
-class Segment:
-    """A straight stroke.
+class _Drawn:
+    """How a curve is drawn.
 
     Attributes:
-        start, end: (2,) in the plane of whoever holds the stroke: sheet pixels (x right, y down)
-            or view millimetres (right, up).
         linetype: visible or hidden.
         confidence: 0 to 1, how sure the linetype is.
     """
 
-    start: tuple[float, float]
-    end: tuple[float, float]
     linetype: Linetype
     confidence: float = 1.0
-
-    @property
-    def length(self) -> float:
-        """Distance between the ends."""
-        return float(np.hypot(self.end[0] - self.start[0], self.end[1] - self.start[1]))
-
-    def sample(self, step: float) -> npt.NDArray[np.float64]:
-        """(n, 2) points along the stroke, at most ``step`` apart, both ends included."""
-        count = max(2, int(np.ceil(self.length / step)) + 1)
-        return np.linspace(self.start, self.end, count)
 
 
 @dataclass(frozen=True)
-class Arc:
-    """A stroke along a circle.
+class Segment(_Drawn, LineSegment):
+    """A straight stroke, in the plane of whoever holds it: sheet pixels (x right, y down) or view
+    millimetres (right, up)."""
 
-    Attributes:
-        centre: (2,) as for :class:`Segment`.
-        radius: in the plane's unit.
-        start_angle, sweep: radians, from the plane's first axis towards its second; ``sweep`` is
-            positive and at most 2 pi, which is the full circle.
-        linetype: visible or hidden.
-        confidence: 0 to 1, how sure the linetype is.
-    """
 
-    centre: tuple[float, float]
-    radius: float
-    start_angle: float
-    sweep: float
-    linetype: Linetype
-    confidence: float = 1.0
-
-    @property
-    def length(self) -> float:
-        """Length along the circle."""
-        return self.radius * self.sweep
+@dataclass(frozen=True)
+class Arc(_Drawn, CircularArc):
+    """A stroke along a circle, in a plane as of :class:`Segment`."""
 
     @property
     def is_full(self) -> bool:
         """Whether it is a whole circle, but for a gap as strokes that are read leave."""
         return self.sweep >= _FULL_SWEEP
 
-    def sample(self, step: float) -> npt.NDArray[np.float64]:
-        """(n, 2) points along the stroke, at most ``step`` apart, both ends included."""
-        count = max(3, int(np.ceil(self.length / step)) + 1)
-        angles = self.start_angle + np.linspace(0.0, self.sweep, count)
-        return np.array(self.centre) + self.radius * np.stack([np.cos(angles), np.sin(angles)], 1)
-
 
 @dataclass(frozen=True)
-class Ellipse:
-    """A stroke along an ellipse: a circle seen at a slant.
-
-    Its points are ``centre + R (semi_major cos t, semi_minor sin t)``, where ``R`` turns by
-    ``rotation`` and the parameter ``t`` runs from ``start`` to ``start + sweep``.
-
-    Attributes:
-        centre: (2,) as for :class:`Segment`.
-        semi_major, semi_minor: in the plane's unit, the first the larger one, both positive.
-        rotation: radians from the plane's first axis towards its second, of the major axis.
-        start, sweep: radians of the parameter; ``sweep`` is positive and at most 2 pi, which is
-            the full ellipse.
-        linetype: visible or hidden.
-        confidence: 0 to 1, how sure the linetype is.
-    """
-
-    centre: tuple[float, float]
-    semi_major: float
-    semi_minor: float
-    rotation: float
-    start: float
-    sweep: float
-    linetype: Linetype
-    confidence: float = 1.0
-
-    @property
-    def whole(self) -> WholeEllipse:
-        """The ellipse that the stroke is a piece of."""
-        return WholeEllipse(self.centre, self.semi_major, self.semi_minor, self.rotation)
-
-    @property
-    def length(self) -> float:
-        """Length along the ellipse."""
-        return float(np.diff(self.whole.lengths(np.array([self.start, self._end])))[0])
-
-    @property
-    def _end(self) -> float:
-        return self.start + self.sweep
-
-    def parameters(self, positions: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        """(n,) lengths along the ellipse from the stroke's start -> (n,) parameters."""
-        whole = self.whole
-        return whole.parameters(positions + whole.lengths(np.array([self.start])))
-
-    def sample(self, step: float) -> npt.NDArray[np.float64]:
-        """(n, 2) even points along the stroke, at most ``step`` apart, both ends included."""
-        length = self.length
-        count = max(3, int(np.ceil(length / step)) + 1)
-        parameters = self.parameters(np.linspace(0.0, length, count))
-        parameters[0], parameters[-1] = self.start, self._end
-        return self.whole.at(parameters)
-
-    def extremes(self) -> npt.NDArray[np.float64]:
-        """(n, 2) both ends and the points at which the stroke turns back along an axis."""
-        cosine, sine = float(np.cos(self.rotation)), float(np.sin(self.rotation))
-        turning = np.array(
-            [
-                np.arctan2(-self.semi_minor * sine, self.semi_major * cosine),
-                np.arctan2(self.semi_minor * cosine, self.semi_major * sine),
-            ]
-        )
-        turning = self.start + np.mod(np.append(turning, turning + np.pi) - self.start, 2 * np.pi)
-        ends = np.array([self.start, self._end])
-        return self.whole.at(np.concatenate([ends, turning[turning < self._end]]))
+class Ellipse(_Drawn, EllipticArc):
+    """A stroke along an ellipse, in a plane as of :class:`Segment`."""
 
 
 Stroke = Segment | Arc | Ellipse

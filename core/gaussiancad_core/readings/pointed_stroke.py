@@ -75,7 +75,7 @@ def _of_file(sheet: OpenedSheet, box: Box) -> list[Stroke]:
     x0, y0, x1, y1 = turn.box_to_upright(box)
     found = []
     for vector_stroke in vectors.strokes:
-        points = vector_stroke.curve.sample(_STEP_PX)
+        points = vector_stroke.curve.vertices(_STEP_PX)
         inside = (points >= (x0, y0)) & (points <= (x1, y1))
         if inside.all(1).any() and (stroke := stroke_along(vector_stroke.curve)) is not None:
             found.append(stroke)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.evidence.projection_choice import opposite
-from gaussiancad_core.files.vectors import CircularArc
+from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.unseen_extent import Unseen

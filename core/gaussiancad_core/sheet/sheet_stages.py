@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.length_units import LONGEST_MM, SHORTEST_MM
 from gaussiancad_core.model.unseen_extent import Unseen
@@ -31,7 +32,6 @@ from gaussiancad_core.sheet.registration.view_registration import (
     axis_extents,
     make_view,
     placement,
-    scaled,
     shared_placement,
     strokes_in_plane,
     view_box,
@@ -254,7 +254,7 @@ def register_views(
     for place, view_map, moved in zip(plain, shared.maps, shared.strokes, strict=True):
         box = shared_placement(place, view_map, pixels).box
         placements[place.role] = placement(place.role, box, size)
-        strokes[place.role] = scaled(moved, scale)
+        strokes[place.role] = tuple(stroke.mapped(Similarity(scale)) for stroke in moved)
     views = []
     opened = 0
     for view in drawn:

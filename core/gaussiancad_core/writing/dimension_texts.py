@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.files.vectors import Line, StrokeKind, VectorStroke
+from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.reading_options import Box
@@ -105,7 +106,7 @@ def file_lines(
     """The ends of the straight strokes of a vector file, px of the upright sheet."""
     found = []
     for stroke in strokes:
-        if isinstance(stroke.curve, Line) and stroke.kind not in _NO_LINES:
+        if isinstance(stroke.curve, LineSegment) and stroke.kind not in _NO_LINES:
             start, end = turn.to_upright(np.array([stroke.curve.start, stroke.curve.end]))
             found.append((start, end))
     return found

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from benchmarks.judge.stroke_matching import corners_of, ends_of, match, nearness
-from gaussiancad_core.lines.strokes import mapped
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 VISIBLE, HIDDEN = Linetype
@@ -31,7 +31,7 @@ def test_what_is_read_as_drawn_agrees_in_full() -> None:
 @pytest.mark.parametrize(("shift", "found"), [(0.3, 1.0), (0.95, 1.0), (1.1, 0.0)])
 def test_the_error_is_the_distance_across_the_stroke(shift: float, found: float) -> None:
     line = DRAWN[0]
-    moved = mapped(line, 1.0, (0.2, shift), flip=False)
+    moved = line.mapped(Similarity(offset=(0.2, shift)))
     lengths, errors, _ = match([line], [moved], 1.5)
     # Of a shift along the line nothing is seen but at its ends.
     assert lengths[VISIBLE].recall == pytest.approx(found, abs=0.01)

@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.files.beziers import curves_from_beziers, curves_from_path
-from gaussiancad_core.files.vectors import Chain, CircularArc, EllipticArc, Line
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 
 TURN = 2 * np.pi
 
@@ -59,7 +60,7 @@ def test_straight_and_free_curves() -> None:
     wave = np.array([(30, 30), (60, 90), (90, -60), (150, 30)], float)
     more = np.array([(150, 30), (170, 50), (260, -70), (300, 0)], float)
     line, chain = curves_from_beziers([straight, wave, more])
-    assert line == Line((0.0, 0.0), (30.0, 30.0))
+    assert line == LineSegment((0.0, 0.0), (30.0, 30.0))
     assert isinstance(chain, Chain)
     assert chain.points[0] == (30.0, 30.0)
     assert chain.points[-1] == (300.0, 0.0)
@@ -73,7 +74,7 @@ def test_paths_of_lines_and_curves() -> None:
         np.array([(100, 150), (0, 150)], float),
     ]
     kinds = [type(curve) for curve in curves_from_path(pieces, 0.0)]
-    assert kinds == [Line, CircularArc, Line]
+    assert kinds == [LineSegment, CircularArc, LineSegment]
     plain = [type(curve) for curve in curves_from_path(pieces, None)]
-    assert plain == [Line, Chain, Line]
+    assert plain == [LineSegment, Chain, LineSegment]
     assert curves_from_path([np.zeros((2, 2))], 0.0) == []

@@ -8,23 +8,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.files.duplicates import distinct_strokes
-from gaussiancad_core.files.vectors import (
-    FULL_TURN,
-    Chain,
-    CircularArc,
-    Curve,
-    EllipticArc,
-    Line,
-    StrokeKind,
-    StrokeRole,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN
 
 CURVES: list[Curve] = [
-    Line((10.0, 10.0), (200.0, 40.0)),
+    LineSegment((10.0, 10.0), (200.0, 40.0)),
     CircularArc((100.0, 100.0), 30.0, 0.3, 1.7),
     CircularArc((100.0, 100.0), 30.0, 0.0, FULL_TURN),
-    EllipticArc((150.0, 90.0), (40.0, 10.0), 0.5, 0.2, 2.0),
+    EllipticArc((150.0, 90.0), 41.0, 20.5, 0.25, 0.2, 2.0),
     Chain(((0.0, 0.0), (5.0, 9.0), (20.0, 12.0), (31.0, 40.0))),
 ]
 
@@ -38,8 +32,8 @@ def test_a_curve_that_is_drawn_again_is_one(curve: Curve) -> None:
 
 
 def test_a_line_that_is_drawn_back_is_one() -> None:
-    there = VectorStroke(Line((10.0, 10.0), (200.0, 40.0)), None)
-    back = VectorStroke(Line((200.004, 40.0), (10.0, 9.996)), None)
+    there = VectorStroke(LineSegment((10.0, 10.0), (200.0, 40.0)), None)
+    back = VectorStroke(LineSegment((200.004, 40.0), (10.0, 9.996)), None)
     assert distinct_strokes([there, back]) == (there,)
 
 
@@ -51,8 +45,8 @@ def test_a_line_that_is_drawn_back_is_one() -> None:
         {"kind": StrokeKind.DIMENSION},
         {"colour": (255, 0, 0)},
         {"dashes": (5.0, 3.0)},
-        {"curve": Line((10.0, 10.1), (200.0, 40.0))},
-        {"curve": Line((10.0, 10.0), (150.0, 32.1))},
+        {"curve": LineSegment((10.0, 10.1), (200.0, 40.0))},
+        {"curve": LineSegment((10.0, 10.0), (150.0, 32.1))},
     ],
 )
 def test_what_differs_stays(other: dict[str, object]) -> None:
@@ -87,14 +81,13 @@ def test_a_free_curve_that_is_drawn_back_is_one() -> None:
 
 def test_ellipses_with_the_same_ends_and_middle_are_told_apart() -> None:
     pair = tuple(
-        VectorStroke(EllipticArc((150.0, 90.0), (40.0, 0.0), item, 0.0, FULL_TURN), None)
+        VectorStroke(EllipticArc((150.0, 90.0), 40.0, 40.0 * item, 0.0, 0.0, FULL_TURN), None)
         for item in (0.5, 0.6)
     )
     assert distinct_strokes(pair) == pair
-    tilts = (0.9, 0.3), (0.9, -0.3)
     pair = tuple(
-        VectorStroke(EllipticArc((150.0, 90.0), (40.0 * a, 40.0 * b), 0.5, 0.0, FULL_TURN), None)
-        for a, b in tilts
+        VectorStroke(EllipticArc((150.0, 90.0), 40.0, 20.0, tilt, 0.0, FULL_TURN), None)
+        for tilt in (0.3, -0.3)
     )
     assert distinct_strokes(pair) == pair
 
@@ -105,7 +98,7 @@ def test_ellipses_with_the_same_ends_and_middle_are_told_apart() -> None:
     )
 )
 def test_each_line_is_there_once_in_the_files_order(ends: list[tuple[int, int, int, int]]) -> None:
-    strokes = [VectorStroke(Line((a, b), (c, d)), None) for a, b, c, d in ends]
+    strokes = [VectorStroke(LineSegment((a, b), (c, d)), None) for a, b, c, d in ends]
     seen, first = set(), []
     for stroke, (a, b, c, d) in zip(strokes, ends, strict=True):
         key = frozenset(((a, b), (c, d)))

@@ -11,15 +11,9 @@ from ezdxf.math import OCS
 from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
 from gaussiancad_core.files.content import LONGEST_TEXT, FileContent
 from gaussiancad_core.files.dxf import read_dxf
-from gaussiancad_core.files.vectors import (
-    Chain,
-    CircularArc,
-    EllipticArc,
-    Line,
-    StrokeKind,
-    StrokeRole,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 
 MM = 200.0 / 25.4
 TURN = 2.0 * np.pi
@@ -96,8 +90,8 @@ def test_curves_are_exact_at_200_dpi(read: Read) -> None:
     # Clockwise to the eye is towards y: it starts where the file's arc ends.
     assert arc.start_angle == pytest.approx(np.radians(360 - 110))
     assert isinstance(ellipse, EllipticArc)
-    assert ellipse.ratio == pytest.approx(0.25)
-    assert np.hypot(*ellipse.major) == pytest.approx(np.hypot(40, 10) * MM)
+    assert ellipse.semi_major == pytest.approx(np.hypot(40, 10) * MM)
+    assert ellipse.semi_minor == pytest.approx(0.25 * ellipse.semi_major)
     t = np.linspace(0.3, 2.1, 7)
     exact = _px(*zip(200 + 40 * np.cos(t), 100 + 20 * np.sin(t), strict=True))
     sampled = piece.sample(0.02)
@@ -112,7 +106,14 @@ def test_polylines_with_bulges(read: Read) -> None:
     doc.modelspace().add_lwpolyline(points, format="xyb", close=True)
     doc.modelspace().add_polyline2d([(100, 20), (150, 20), (150, 60)])
     strokes = [stroke.curve for stroke in _rest(read(doc))]
-    assert [type(curve) for curve in strokes] == [Line, CircularArc, Line, CircularArc, Line, Line]
+    assert [type(curve) for curve in strokes] == [
+        LineSegment,
+        CircularArc,
+        LineSegment,
+        CircularArc,
+        LineSegment,
+        LineSegment,
+    ]
     half, quarter = strokes[1], strokes[3]
     assert half.radius == pytest.approx(15 * MM)
     assert half.sweep == pytest.approx(np.pi)
@@ -137,10 +138,10 @@ def test_splines_that_are_arcs_lines_and_ellipses(read: Read) -> None:
     assert isinstance(rational, CircularArc)
     assert np.allclose(rational.centre, _px((40, 40))[0], atol=1e-3)
     assert rational.radius == pytest.approx(20 * MM, abs=1e-3)
-    assert isinstance(straight, Line)
+    assert isinstance(straight, LineSegment)
     assert isinstance(ellipse, EllipticArc)
     assert np.allclose(ellipse.centre, _px((180, 40))[0], atol=1e-3)
-    assert ellipse.ratio == pytest.approx(0.5, abs=1e-6)
+    assert ellipse.semi_minor == pytest.approx(0.5 * ellipse.semi_major, rel=1e-6)
     assert isinstance(free, Chain)
 
 
@@ -353,12 +354,12 @@ def test_tilted_circles_are_ellipses(read: Read) -> None:
     model.add_arc((-100, 50), 20, 0, 90, dxfattribs={"extrusion": (0, 0, -1)})
     ellipse, edge, mirrored = (stroke.curve for stroke in _rest(read(doc)))
     assert isinstance(ellipse, EllipticArc)
-    assert ellipse.ratio == pytest.approx(np.sqrt(0.5))
+    assert ellipse.semi_minor == pytest.approx(np.sqrt(0.5) * ellipse.semi_major)
     assert np.allclose(ellipse.centre, _px((150, 100))[0])
     assert np.allclose(mirrored.centre, _px((100, 50))[0])
     ends = mirrored.sample(np.inf)[[0, -1]]
     assert np.allclose(sorted(map(tuple, ends)), sorted(map(tuple, _px((80, 50), (100, 70)))))
-    assert isinstance(edge, Line)
+    assert isinstance(edge, LineSegment)
     assert edge.length == pytest.approx(40 * MM)
 
 
@@ -621,7 +622,7 @@ def test_lines_of_several_strands_are_drawn(read: Read) -> None:
     doc = _framed(_a4())
     doc.modelspace().add_mline([(20, 20), (90, 20)], dxfattribs={"scale_factor": 5.0})
     content = read(doc)
-    assert [type(item.curve) for item in _rest(content)] == [Line, Line]
+    assert [type(item.curve) for item in _rest(content)] == [LineSegment, LineSegment]
     assert content.notes == ()
 
 

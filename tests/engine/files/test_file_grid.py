@@ -13,7 +13,9 @@ from gaussiancad_core.files.file_grid import (
     rounding_step,
     with_steps,
 )
-from gaussiancad_core.files.vectors import CircularArc, Line, VectorStroke
+from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
 
 POINT = 200.0 / 72.0
 """px"""
@@ -164,7 +166,7 @@ def test_no_lines_have_no_step() -> None:
     assert rounding_step(slanted(np.random.default_rng(1), 40), 0.0) == 0.0
 
 
-def path(ends: np.ndarray, matrix: np.ndarray, *curves: Line | CircularArc) -> WrittenPath:
+def path(ends: np.ndarray, matrix: np.ndarray, *curves: LineSegment | CircularArc) -> WrittenPath:
     strokes = [VectorStroke(curve, 1.0) for curve in curves]
     return WrittenPath(lambda _: strokes, ends, matrix)
 
@@ -175,7 +177,10 @@ def test_strokes_have_the_step_of_the_lines_at_their_scale() -> None:
     dots = np.array([[0.06 * POINT, 0.0, 3.1], [0.0, -0.06 * POINT, 900.0]])
     turned = np.array([[0.0, 0.06 * POINT, 40.7], [0.06 * POINT, 0.0, 11.3]])
     plain = np.array([[POINT, 0.0, 0.0], [0.0, -POINT, 900.0]])
-    line, circle = Line((0.0, 0.0), (5.0, 1.0)), CircularArc((3.0, 4.0), 2.0, 0.0, 2.0 * np.pi)
+    line, circle = (
+        LineSegment((0.0, 0.0), (5.0, 1.0)),
+        CircularArc((3.0, 4.0), 2.0, 0.0, 2.0 * np.pi),
+    )
     nothing = line_ends([])
     # A circle has no line that tells; those that its scale has do.  Chords around the middle of
     # a shape are exact, and were put where the grid let them.
@@ -196,7 +201,7 @@ def test_strokes_have_the_step_of_the_lines_at_their_scale() -> None:
 
 def test_of_many_scales_those_with_most_lines_are_measured_the_rest_by_their_decimals() -> None:
     lot = np.random.default_rng(3)
-    line = Line((0.0, 0.0), (5.0, 1.0))
+    line = LineSegment((0.0, 0.0), (5.0, 1.0))
     thirds, tenths = [], []
     for number in range(20):
         matrix = np.array([[1.0 + number, 0.0, 0.0], [0.0, 1.0 + number, 0.0]]) / 20.0

@@ -15,16 +15,14 @@ from gaussiancad_core.files.file_kinds import FileKind
 from gaussiancad_core.files.isolation import read_isolated
 from gaussiancad_core.files.pdf import read_pdf
 from gaussiancad_core.files.vectors import (
-    Chain,
-    CircularArc,
-    EllipticArc,
-    Line,
     StrokeKind,
     StrokeRole,
     VectorDrawing,
     VectorStroke,
     VectorText,
 )
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.messages import Message
 
 PEN = (None, (), "unknown", "", "geometry", None, 0.0)
@@ -46,10 +44,12 @@ WHOLE = {
 def test_answers_come_back_as_they_were() -> None:
     strokes = (
         VectorStroke(Chain(((0.0, 1.0), (2.0, 3.0), (0.0, 1.0))), 1.5, kind=StrokeKind.FILL),
-        VectorStroke(Line((0.5, 1.0), (np.float64(2.0), 3.0)), None, (4.0, 2.0), StrokeRole.HIDDEN),
+        VectorStroke(
+            LineSegment((0.5, 1.0), (np.float64(2.0), 3.0)), None, (4.0, 2.0), StrokeRole.HIDDEN
+        ),
         VectorStroke(CircularArc((1.0, 2.0), 3.0, 0.25, 6.0), 0.5, layer="0", colour=(1, 2, 3)),
-        VectorStroke(EllipticArc((1.0, 2.0), (3.0, 4.0), 0.5, 0.0, 1.0), 0.5, step=0.01),
-        VectorStroke(Line((5.0, 1.0), (2.0, 3.0)), None),
+        VectorStroke(EllipticArc((1.0, 2.0), 5.0, 2.5, 0.5, 0.0, 1.0), 0.5, step=0.01),
+        VectorStroke(LineSegment((5.0, 1.0), (2.0, 3.0)), None),
     )
     drawing = VectorDrawing(
         strokes,
@@ -78,7 +78,7 @@ def test_names_and_texts_that_are_no_characters_come_back() -> None:
     assert isinstance(found, UnreadableError)
     assert (found.code, str(found)) == (error.code, str(error))
     texts = (VectorText("5 \udcd8", (1.0, 2.0, 3.0, 4.0)),)
-    strokes = (VectorStroke(Line((0.0, 0.0), (1.0, 1.0)), 1.0, layer="Schicht \udcfc"),)
+    strokes = (VectorStroke(LineSegment((0.0, 0.0), (1.0, 1.0)), 1.0, layer="Schicht \udcfc"),)
     content = FileContent(np.zeros((2, 2), np.uint8), vectors=VectorDrawing(strokes, texts))
     read = outcome_of(content_bytes(content))
     assert isinstance(read, FileContent) and read.vectors is not None
@@ -139,7 +139,7 @@ def test_defects_of_parsers_are_told_in_one_line(
         encode({"type": "_Failure", "error": "SystemExit", "code": "", "message": "", "args": {}}),
         encode({**WHOLE, "planes": [b"123"]}),
         encode({**WHOLE, "vectors": {**DRAWN, "strokes": [["system", *PEN]]}}),
-        encode({**WHOLE, "vectors": {**DRAWN, "strokes": [["Line", *PEN]]}}),
+        encode({**WHOLE, "vectors": {**DRAWN, "strokes": [["LineSegment", *PEN]]}}),
         encode({**WHOLE, "vectors": {**DRAWN, "chains": [{"points": "x"}]}}),
         encode(WHOLE)[:-1],
     ],

@@ -7,14 +7,9 @@ import pytest
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
 from gaussiancad_core.files.pdf import read_pdf
-from gaussiancad_core.files.vectors import (
-    Chain,
-    CircularArc,
-    EllipticArc,
-    Line,
-    StrokeKind,
-    StrokeRole,
-)
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 
 SCALE = 200.0 / 72.0
 HEIGHT = 841.89
@@ -71,8 +66,8 @@ def test_stretched_circles_are_ellipses(
     (stroke,) = read_pdf(save("a.pdf", pdf(content).to_bytes()), 1).vectors.strokes
     assert isinstance(stroke.curve, EllipticArc)
     assert np.allclose(stroke.curve.centre, (240 * SCALE, (HEIGHT - 600) * SCALE), atol=2e-3)
-    assert np.hypot(*stroke.curve.major) == pytest.approx(60 * SCALE, abs=2e-3)
-    assert stroke.curve.ratio == pytest.approx(0.5, abs=1e-5)
+    assert stroke.curve.semi_major == pytest.approx(60 * SCALE, abs=2e-3)
+    assert stroke.curve.semi_minor == pytest.approx(30 * SCALE, abs=2e-3)
     assert stroke.curve.sweep == TURN
 
 
@@ -292,7 +287,7 @@ def test_filled_shapes_are_told_apart(pdf: type, save: Save) -> None:
 def test_white_areas_are_paper(pdf: type, save: Save) -> None:
     content = b"1 1 1 rg 100 100 200 90 re f 0 0 0 RG 100 100 200 90 re S"
     strokes = read_pdf(save("a.pdf", pdf(content).to_bytes()), 1).vectors.strokes
-    assert [type(stroke.curve) for stroke in strokes] == [Line] * 4
+    assert [type(stroke.curve) for stroke in strokes] == [LineSegment] * 4
 
 
 def test_plotted_circles_are_circles_again(pdf: type, save: Save) -> None:
@@ -304,10 +299,10 @@ def test_plotted_circles_are_circles_again(pdf: type, save: Save) -> None:
     data = pdf(content.encode()).to_bytes()
     circle, line = (stroke.curve for stroke in read_pdf(save("a.pdf", data), 1).vectors.strokes)
     assert isinstance(circle, CircularArc)
-    assert circle.is_full
+    assert circle.is_closed
     assert np.allclose(circle.centre, (300 * SCALE, (HEIGHT - 500) * SCALE), atol=0.01)
     assert circle.radius == pytest.approx(120 * SCALE, abs=0.01)
-    assert isinstance(line, Line)
+    assert isinstance(line, LineSegment)
 
 
 def test_layers_are_named(pdf: type, save: Save) -> None:
@@ -357,7 +352,7 @@ def test_lines_inside_the_sheet_only(pdf: type, save: Save) -> None:
     (stroke,) = read_pdf(
         save("a.pdf", pdf(b"-500 5 m -100 5 l S 50 50 m 90 50 l S").to_bytes()), 1
     ).vectors.strokes
-    assert isinstance(stroke.curve, Line)
+    assert isinstance(stroke.curve, LineSegment)
     assert stroke.curve.start[0] == pytest.approx(50 * SCALE, abs=1e-3)
 
 

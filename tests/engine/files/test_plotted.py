@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.files.plotted import lines_and_arcs
-from gaussiancad_core.files.vectors import CircularArc, Line
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
 
 
 def test_plotted_polygons_hold_lines_and_arcs() -> None:
@@ -11,7 +12,13 @@ def test_plotted_polygons_hold_lines_and_arcs() -> None:
     left = (100, 100) + 50 * _turning(np.pi / 2, 3 * np.pi / 2, 19)
     points = np.round(np.concatenate([right, left, right[:1], [[400, 0]]]), 1)
     curves = lines_and_arcs(points, 0.1)
-    assert [type(curve) for curve in curves] == [CircularArc, Line, CircularArc, Line, Line]
+    assert [type(curve) for curve in curves] == [
+        CircularArc,
+        LineSegment,
+        CircularArc,
+        LineSegment,
+        LineSegment,
+    ]
     for curve, centre in ((curves[0], (400, 100)), (curves[2], (100, 100))):
         assert np.allclose(curve.centre, centre, atol=0.05)
         assert curve.radius == pytest.approx(50, abs=0.05)
@@ -21,7 +28,7 @@ def test_plotted_polygons_hold_lines_and_arcs() -> None:
 @pytest.mark.parametrize("corners", [3, 4, 6, 8, 12])
 def test_polygons_stay_polygons(corners: int) -> None:
     points = 100 * _turning(0, 2 * np.pi, corners + 1)
-    assert [type(curve) for curve in lines_and_arcs(points, 0.0)] == [Line] * corners
+    assert [type(curve) for curve in lines_and_arcs(points, 0.0)] == [LineSegment] * corners
 
 
 def test_arcs_of_different_radius_are_told_apart() -> None:
@@ -65,7 +72,7 @@ def test_a_rounding_between_lines_is_an_arc_from_one_to_the_other() -> None:
     points = np.concatenate([[[100.0, 86.7]], corner, [[213.3, 200.0]]])
     points = np.round(points / 0.2778) * 0.2778
     first, arc, last = lines_and_arcs(points, 0.2778)
-    assert isinstance(first, Line) and isinstance(last, Line)
+    assert isinstance(first, LineSegment) and isinstance(last, LineSegment)
     assert isinstance(arc, CircularArc)
     assert arc.radius == pytest.approx(13.3, abs=0.3)
 

@@ -1,12 +1,10 @@
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from gaussiancad_core.geometry.line_tolerances import Precision
-from gaussiancad_core.lines.coverage import StrokeIndex, distances, points_at, uncovered
-from gaussiancad_core.lines.strokes import Polyline, part
-from gaussiancad_core.model.views import Arc, Linetype, Segment
+from gaussiancad_core.lines.coverage import StrokeIndex, uncovered
+from gaussiancad_core.lines.strokes import Polyline
+from gaussiancad_core.model.views import Linetype, Segment
 
 V, H = Linetype.VISIBLE, Linetype.HIDDEN
 PRECISION = Precision(1e-4, 5e-4, 1e-2, 2e-2)
@@ -24,7 +22,7 @@ def test_the_same_curve_sampled_otherwise_covers_all_of_it() -> None:
 
 def test_half_a_curve_leaves_the_other_half() -> None:
     whole = _ellipse(400)
-    half = part(_ellipse(530), 0.0, _ellipse(530).length / 2.0)
+    half = _ellipse(530).part(0.0, _ellipse(530).length / 2.0)
     (left,) = uncovered(whole, [half], PRECISION)
     assert left.length == pytest.approx(whole.length / 2.0, abs=0.05)
     assert min(y for _, y in left.points) == pytest.approx(-18.0, abs=1e-3)
@@ -50,25 +48,6 @@ def test_a_straight_chain_over_a_line_loses_what_they_share() -> None:
     (left,) = uncovered(chain, [Segment((-1.0, 0.0), (6.0, 0.0), V)], PRECISION)
     assert left.points[0] == pytest.approx((6.0, 0.0), abs=0.02)
     assert left.points[-1] == (10.0, 0.0)
-
-
-@given(st.floats(-20, 20), st.floats(-20, 20))
-def test_distances_are_those_of_the_nearest_sample(x: float, y: float) -> None:
-    points = np.array([[x, y]])
-    for stroke in (
-        Segment((-3.0, 4.0), (10.0, -7.0), V),
-        Arc((2.0, 1.0), 9.0, 5.0, 2.5, V),
-        Polyline(((-10.0, 0.0), (0.0, 8.0), (9.0, 9.0)), V),
-    ):
-        nearest = np.hypot(*(stroke.sample(0.01) - points).T).min()
-        assert distances(points, stroke)[0] == pytest.approx(nearest, abs=0.01)
-
-
-def test_points_at_lengths_are_evenly_spaced() -> None:
-    for stroke in (Arc((2.0, 1.0), 9.0, 5.0, 2.5, V), _ellipse(100)):
-        points = points_at(stroke, np.linspace(0.0, stroke.length, 1001))
-        steps = np.hypot(*np.diff(points, axis=0).T)
-        np.testing.assert_allclose(steps, stroke.length / 1000.0, rtol=1e-2)
 
 
 def test_an_index_finds_what_is_near_and_grows() -> None:

@@ -11,7 +11,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge
 from gaussiancad_core.geometry.line_tolerances import Precision
 from gaussiancad_core.kernel.brep import subshapes
 from gaussiancad_core.lines.edge_projection import project_edge
-from gaussiancad_core.lines.strokes import Polyline, extent
+from gaussiancad_core.lines.strokes import Polyline
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
@@ -78,7 +78,7 @@ def test_part_of_a_circle_seen_edge_on_reaches_to_its_furthest_points(
         @ np.array([role.frame.right, role.frame.up], dtype=float).T
     )
     assert isinstance(stroke, Segment)
-    np.testing.assert_allclose(extent((stroke,)), [flat.min(axis=0), flat.max(axis=0)], atol=2e-5)
+    np.testing.assert_allclose(stroke.box, [*flat.min(axis=0), *flat.max(axis=0)], atol=2e-5)
 
 
 def test_an_arc_keeps_its_angles() -> None:

@@ -9,10 +9,10 @@ from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.geometry.curves import bounds
 from gaussiancad_core.kernel.brep import bounding_box, tessellate
-from gaussiancad_core.lines.coverage import distances
 from gaussiancad_core.lines.hlr import LineDrawing, LineOptions, draw_view
-from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, as_plain_strokes, extent
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, as_plain_strokes
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.samples import SAMPLES, sample
@@ -251,7 +251,7 @@ def test_strokes_move_with_the_solid() -> None:
     for role, shift in ((Role.FRONT, (5.0, 11.0)), (Role.LEFT, (7.0, 11.0))):
         here, there = draw_view(part, role), draw_view(moved, role)
         assert Counter(s.linetype for s in here) == Counter(s.linetype for s in there)
-        np.testing.assert_allclose(extent(there), extent(here) + np.array(shift), atol=1e-9)
+        np.testing.assert_allclose(bounds(there), bounds(here) + np.tile(shift, 2), atol=1e-9)
 
 
 @pytest.mark.parametrize("part", SAMPLES, ids=lambda part: part.name)
@@ -265,10 +265,10 @@ def test_no_hidden_line_runs_under_a_visible_one_and_none_is_drawn_twice(part: o
         for index, stroke in enumerate(strokes):
             samples = stroke.sample(stroke.length / 40.0)
             for other in strokes[:index]:
-                assert (distances(samples, other) < 1e-5 * size).mean() < 0.2
+                assert (other.distances(samples) < 1e-5 * size).mean() < 0.2
             if stroke.linetype is Linetype.HIDDEN:
                 visible = [other for other in strokes if other.linetype is Linetype.VISIBLE]
-                near = np.min([distances(samples, other) for other in visible], axis=0)
+                near = np.min([other.distances(samples) for other in visible], axis=0)
                 assert (near < 1e-5 * size).mean() < 0.35
 
 
@@ -287,12 +287,12 @@ def test_the_extents_of_all_views_agree_on_shared_axes(
         fuse(base, cylinder(Axis.Z, (u * x, v * y), radius, z / 2, 1.4 * z)),
         box((-1, v * y, 0.6 * z), (0.3 * x, y + 1, z + 1)),
     )
-    bounds = bounding_box(part)
+    corners = bounding_box(part)
     drawing = LineDrawing(part)
     for role in Role:
-        plane = bounds @ np.array([role.frame.right, role.frame.up], dtype=float).T
-        expected = np.stack([plane.min(axis=0), plane.max(axis=0)])
-        np.testing.assert_allclose(extent(drawing.view(role)), expected, atol=1e-6)
+        plane = corners @ np.array([role.frame.right, role.frame.up], dtype=float).T
+        expected = *plane.min(axis=0), *plane.max(axis=0)
+        np.testing.assert_allclose(bounds(drawing.view(role)), expected, atol=1e-6)
 
 
 # What follows compares the lines with the solid itself, seen through a mesh of it that is exact
@@ -366,7 +366,7 @@ def test_lines_stand_exactly_where_what_is_seen_changes(name: str, role: Role) -
     shape = sample(name).build()
     strokes = as_plain_strokes(draw_view(shape, role))
     visible = tuple(stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE)
-    low, high = extent(strokes)
+    low, high = np.array(bounds(strokes)).reshape(2, 2)
     # Odd offsets: no line of sight may hit an edge.
     columns, rows = (
         np.arange(low[k] - 1.62877, high[k] + 2.5, 2.50123, dtype=float) for k in (0, 1)

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.lines.coverage import StrokeIndex, distances, points_at
+from gaussiancad_core.lines.coverage import StrokeIndex
 from gaussiancad_core.lines.stroke_meetings import junctions
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -38,7 +38,7 @@ def test_junctions_lie_on_both_strokes_and_are_found_from_both_sides(
         assert np.all(at[1:] > at[:-1])
         if len(at):
             inside = np.clip(at, 0.0, first.length)
-            assert distances(points_at(first, inside), second).max() < 1e-4
+            assert second.distances(first.points_at(inside)).max() < 1e-4
 
 
 @given(segments, strokes)

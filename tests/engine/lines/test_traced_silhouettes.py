@@ -2,7 +2,6 @@ import numpy as np
 import pytest
 from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert
 
-from gaussiancad_core.lines.coverage import distances
 from gaussiancad_core.lines.hlr import draw_view
 from gaussiancad_core.lines.traced_silhouettes import SplineSilhouettes
 from gaussiancad_core.model.axes import Axis, Role
@@ -26,7 +25,7 @@ def test_the_silhouette_of_a_splined_ball_is_its_circle(role: Role) -> None:
         assert np.hypot(*middles.T).min() > 10.0 - 2.0 * CHORD
     angles = np.linspace(0.0, 2.0 * np.pi, 720)
     circle = 10.0 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    apart = np.min([distances(circle, chain) for chain in chains], axis=0)
+    apart = np.min([chain.distances(circle) for chain in chains], axis=0)
     assert apart.max() < 2.0 * CHORD
 
 
@@ -61,5 +60,5 @@ def test_a_solid_of_splines_is_drawn_like_the_solid_that_it_is(name: str, role: 
         for stroke in one:
             same = [rival for rival in other if rival.linetype is stroke.linetype]
             samples = stroke.sample(stroke.length / 50.0)
-            apart = np.min([distances(samples, rival) for rival in same], axis=0)
+            apart = np.min([rival.distances(samples) for rival in same], axis=0)
             assert np.quantile(apart, 0.95) < 0.02

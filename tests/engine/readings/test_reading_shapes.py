@@ -63,7 +63,7 @@ def _along(stroke: Stroke, shares: np.ndarray) -> np.ndarray:
         angles = stroke.start_angle + shares * stroke.sweep
         around = np.stack([np.cos(angles), np.sin(angles)], 1)
         return np.array(stroke.centre) + stroke.radius * around
-    return stroke.whole.at(stroke.start + shares * stroke.sweep)
+    return stroke.carrier.at(stroke.start + shares * stroke.sweep)
 
 
 @given(_STROKES, st.tuples(st.floats(-1.5, 1.5), st.floats(-1.5, 1.5)))

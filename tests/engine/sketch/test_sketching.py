@@ -9,8 +9,8 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints, LengthDimension
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.kernel.brep import soundness, volume
-from gaussiancad_core.lines.strokes import mapped
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.sketch.sketching import sketch
@@ -80,7 +80,7 @@ def test_the_projection_is_that_whose_part_explains_more(
     deep = views.size[1]
 
     def moved(role: Role, by: tuple[float, float]) -> tuple[object, ...]:
-        return tuple(mapped(item, 1.0, by, flip=False) for item in views.strokes[role])
+        return tuple(item.mapped(Similarity(offset=by)) for item in views.strokes[role])
 
     wrong = {
         Role.FRONT: views.strokes[Role.FRONT],

@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import ConvexHull, QhullError, cKDTree
 
-from gaussiancad_core.files.vectors import Chain, Line, StrokeKind, VectorStroke, bounds
+from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 
 _SHORTEST, _LONGEST = 4.0, 80.0
 """px of a head along its axis: 0.5 to 10 mm at 200 dpi."""
@@ -95,7 +96,7 @@ def without_heads(strokes: Sequence[VectorStroke], heads: Sequence[Head]) -> lis
     kept = []
     for stroke in strokes:
         curve = stroke.curve
-        if isinstance(curve, Line) and curve.length <= reach:
+        if isinstance(curve, LineSegment) and curve.length <= reach:
             near = tree.query_ball_point(curve.start, reach)
             if any(_is_within(curve, heads[number]) for number in near):
                 continue
@@ -103,7 +104,7 @@ def without_heads(strokes: Sequence[VectorStroke], heads: Sequence[Head]) -> lis
     return kept
 
 
-def _is_within(line: Line, head: Head) -> bool:
+def _is_within(line: LineSegment, head: Head) -> bool:
     far = max(np.hypot(*np.subtract(end, head.tip)) for end in (line.start, line.end))
     return bool(far <= _AROUND * head.length)
 
@@ -113,10 +114,7 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
     for stroke in strokes:
         if stroke.kind is not StrokeKind.FILL or not isinstance(stroke.curve, Chain):
             continue
-        box = bounds([stroke.curve])
-        if box is None:
-            continue
-        x0, y0, x1, y1 = box
+        x0, y0, x1, y1 = stroke.curve.box
         size = max(x1 - x0, y1 - y0)
         # Most of what is filled are letters: no place counts twice among their points.
         points = np.array(list(dict.fromkeys(stroke.curve.points)))
@@ -169,7 +167,7 @@ def _drawn(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
     places: dict[tuple[int, int], Point] = {}
     for stroke in strokes:
         curve = stroke.curve
-        if not isinstance(curve, Line) or not 0.5 <= curve.length <= 1.1 * _LONGEST:
+        if not isinstance(curve, LineSegment) or not 0.5 <= curve.length <= 1.1 * _LONGEST:
             continue
         keys = []
         for end in (curve.start, curve.end):

@@ -7,7 +7,9 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.files.vectors import CircularArc, Line, VectorStroke
+from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Floats, Ints, Touches
 
 _GAP = 3.0
@@ -56,7 +58,10 @@ def dashes(
     """
     found = np.zeros(len(strokes), dtype=bool)
     short = np.array(
-        [stroke.is_solid and isinstance(stroke.curve, Line | CircularArc) for stroke in strokes],
+        [
+            stroke.is_solid and isinstance(stroke.curve, LineSegment | CircularArc)
+            for stroke in strokes
+        ],
         dtype=bool,
     )
     for pen in np.unique(numbers[chosen]):
@@ -82,7 +87,8 @@ def chain_pieces(strokes: Sequence[VectorStroke], touches: Touches, chosen: Flag
     """
     found = np.zeros(len(strokes), dtype=bool)
     lines = np.array(
-        [stroke.is_solid and isinstance(stroke.curve, Line) for stroke in strokes], dtype=bool
+        [stroke.is_solid and isinstance(stroke.curve, LineSegment) for stroke in strokes],
+        dtype=bool,
     )
     values = np.flatnonzero(chosen & lines)
     if len(values) < _LINKS:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from gaussiancad_core.files.vectors import StrokeKind, VectorStroke, bounds
+from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.graph.stroke_groups import grouped
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Touches
@@ -59,13 +59,11 @@ def filled_letters(
     """
     tallest = _TALLEST * max(size)
     tips = {(round(x), round(y)) for x, y in (head.tip for head in heads)}
-    boxes = (bounds([stroke.curve]) for stroke in strokes if stroke.kind is StrokeKind.FILL)
+    boxes = (stroke.curve.box for stroke in strokes if stroke.kind is StrokeKind.FILL)
     return [
         box
         for box in boxes
-        if box is not None
-        and max(box[2] - box[0], box[3] - box[1]) <= tallest
-        and not _has_tip(box, tips)
+        if max(box[2] - box[0], box[3] - box[1]) <= tallest and not _has_tip(box, tips)
     ]
 
 

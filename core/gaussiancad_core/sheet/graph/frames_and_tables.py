@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.files.vectors import Line, StrokeKind, VectorStroke, VectorText
+from gaussiancad_core.files.vectors import StrokeKind, VectorStroke, VectorText
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.free_frames import Spanning, free_frames
 from gaussiancad_core.sheet.graph.stroke_groups import CLOSED, EVEN, Groups, grouped
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Floats, Ints, Touches
@@ -142,7 +143,7 @@ def _fill(boxes: Floats, size: tuple[int, int]) -> Flags:
 
 def _is_level(stroke: VectorStroke) -> bool:
     curve = stroke.curve
-    if not isinstance(curve, Line) or curve.length <= 0.0:
+    if not isinstance(curve, LineSegment) or curve.length <= 0.0:
         return False
     across = abs(np.subtract(curve.end, curve.start)).min()
     return bool(across <= _LEVEL * curve.length)

@@ -7,13 +7,9 @@ import numpy as np
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.files.vectors import (
-    Line,
-    StrokeKind,
-    VectorDrawing,
-    VectorStroke,
-    bounds,
-)
+from gaussiancad_core.files.vectors import StrokeKind, VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import bounds
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
@@ -102,9 +98,8 @@ def graph_views(
         separated, layout = alone
     separated, layout = with_symbol(separated, layout, symbol)
     askew = tuple(SpecialView(SpecialKind.PICTORIAL, box) for box in found.pictorials)
-    frame = (
-        None if drawing.has_paper else bounds([stroke.curve for stroke in found.of(Label.FRAME)])
-    )
+    edges = [] if drawing.has_paper else [stroke.curve for stroke in found.of(Label.FRAME)]
+    frame = bounds(edges) if edges else None
     layout = replace(layout, special=(*layout.special, *askew), frame=frame)
     boxes = [tuple(found.touches.boxes[number].tolist()) for number in found.doubtful]
     used = [box for box in boxes if any(meets(box, view) for view in layout.boxes.values())]
@@ -155,7 +150,6 @@ def _writing(
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:
     curve = stroke.curve
-    if isinstance(curve, Line):
+    if isinstance(curve, LineSegment):
         return line_mark(kind, curve.start, curve.end)
-    box = bounds([curve])
-    return Mark(kind, box) if box is not None else None
+    return Mark(kind, curve.box)

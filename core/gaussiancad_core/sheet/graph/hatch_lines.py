@@ -5,7 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.vectors import Line, StrokeKind, StrokeRole, VectorStroke
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Ints, Touches
 
 _REACH = 0.6
@@ -101,7 +102,7 @@ def _between(
 
 def _way(stroke: VectorStroke) -> npt.NDArray[np.float64]:
     """(2,) unit vector along a straight stroke; 0 of any other."""
-    if not isinstance(stroke.curve, Line):
+    if not isinstance(stroke.curve, LineSegment):
         return np.zeros(2)
     way = np.subtract(stroke.curve.end, stroke.curve.start)
     return way / max(stroke.curve.length, 1e-12)

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gaussiancad_core.files.vectors import Line, VectorStroke
+from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Touches
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.drawing_names import Lines, slanted_kind
@@ -71,6 +72,8 @@ def _is_in_line(box: Box, other: Box) -> bool:
 
 def _lines(strokes: Sequence[VectorStroke], chosen: Flags) -> Lines:
     curves = [strokes[index].curve for index in np.flatnonzero(chosen).tolist()]
-    ends = np.array([(c.start, c.end) for c in curves if isinstance(c, Line)]).reshape(-1, 2, 2)
+    ends = np.array([(c.start, c.end) for c in curves if isinstance(c, LineSegment)]).reshape(
+        -1, 2, 2
+    )
     way = ends[:, 1] - ends[:, 0]
     return Lines(np.arctan2(way[:, 1], way[:, 0]) % np.pi, np.hypot(*way.T), ends)

@@ -11,9 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from gaussiancad_core.files.file_curves import to_point
 from gaussiancad_core.files.plotted import lines_and_arcs
-from gaussiancad_core.files.vectors import Curve, Line, VectorStroke
+from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.sheet.graph.touching_ends import Floats
 
 _SAME = 0.02
@@ -35,7 +37,7 @@ def with_whole_edges(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...
     lines = {
         index: stroke.curve
         for index, stroke in enumerate(strokes)
-        if isinstance(stroke.curve, Line)
+        if isinstance(stroke.curve, LineSegment)
     }
     kept = [stroke for index, stroke in enumerate(strokes) if index not in lines]
     offset = _BESIDE + 0.5 * max((stroke.step for stroke in strokes), default=0.0)
@@ -53,21 +55,21 @@ def _whole(points: Floats, step: float, offset: float) -> Iterator[Curve]:
         step: px to which they were rounded.
         offset: px within which lines are one that is straight.
     """
-    run: list[Line] = []
+    run: list[LineSegment] = []
     for curve in lines_and_arcs(points, step):
-        if isinstance(curve, Line) and _is_straight([*run, curve], offset):
+        if isinstance(curve, LineSegment) and _is_straight([*run, curve], offset):
             run.append(curve)
             continue
         if run:
-            yield Line(run[0].start, run[-1].end)
-        run = [curve] if isinstance(curve, Line) else []
+            yield LineSegment(run[0].start, run[-1].end)
+        run = [curve] if isinstance(curve, LineSegment) else []
         if not run:
             yield curve
     if run:
-        yield Line(run[0].start, run[-1].end)
+        yield LineSegment(run[0].start, run[-1].end)
 
 
-def _is_straight(run: Sequence[Line], offset: float) -> bool:
+def _is_straight(run: Sequence[LineSegment], offset: float) -> bool:
     points = np.array([run[0].start, *(line.end for line in run)])
     chord = points[-1] - points[0]
     length = float(np.hypot(*chord))
@@ -76,7 +78,7 @@ def _is_straight(run: Sequence[Line], offset: float) -> bool:
     return length > 0.0 and bool((ways > 0.0).all() and across.max() <= offset * length)
 
 
-def _chains(lines: dict[int, Line]) -> Iterator[tuple[int, Floats]]:
+def _chains(lines: dict[int, LineSegment]) -> Iterator[tuple[int, Floats]]:
     """The first line of each run of lines that go on in each other, and its (n, 2) points."""
     at: dict[tuple[int, int], list[int]] = {}
     for index, line in lines.items():
@@ -103,7 +105,7 @@ def _place(point: tuple[float, float]) -> tuple[int, int]:
 def _next(
     points: Sequence[tuple[float, float]],
     at: dict[tuple[int, int], list[int]],
-    lines: dict[int, Line],
+    lines: dict[int, LineSegment],
     left: set[int],
 ) -> tuple[int, tuple[float, float]] | None:
     """The line that alone goes on at the end of a chain, and its far end."""

@@ -8,7 +8,8 @@ import numpy.typing as npt
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from gaussiancad_core.files.vectors import Curve, Line, bounds
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -83,7 +84,7 @@ def touching(curves: Sequence[Curve], reach: float) -> Touches:
     """Find the ends that lie within ``reach`` px of other curves."""
     chords = [_chords(curve) for curve in curves]
     ends = np.array([(points[0], points[-1]) for points in chords]).reshape(-1, 2, 2)
-    boxes = np.array([bounds([curve]) for curve in curves], dtype=float).reshape(-1, 4)
+    boxes = np.array([curve.box for curve in curves], dtype=float).reshape(-1, 4)
     places = ends.reshape(-1, 2)
     order = np.argsort(places[:, 0], kind="stable")
     columns = places[order, 0]
@@ -102,7 +103,7 @@ def touching(curves: Sequence[Curve], reach: float) -> Touches:
 
 
 def _chords(curve: Curve) -> Floats:
-    return curve.sample(np.inf if isinstance(curve, Line) else _CHORD)
+    return curve.vertices(np.inf if isinstance(curve, LineSegment) else _CHORD)
 
 
 def _distances(places: Floats, chords: Floats) -> Floats:

@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.vectors import Line as StraightLine
 from gaussiancad_core.files.vectors import VectorDrawing
+from gaussiancad_core.geometry.chains import LineSegment as StraightLine
 from gaussiancad_core.geometry.infinite_curves import Line
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.shape_growth import Grown

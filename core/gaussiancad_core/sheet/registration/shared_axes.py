@@ -14,8 +14,10 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.points import to_point
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.model.views import Arc, Ellipse, Segment, Stroke
+from gaussiancad_core.model.views import Ellipse, Segment, Stroke
 from gaussiancad_core.sheet.registration.axis_clusters import (
     AxisFit,
     Limits,
@@ -308,14 +310,7 @@ def _on_shared(strokes: CarriedStrokes, view: PlaneView, place: ViewMap) -> Carr
     def stroke_moved(stroke: Stroke) -> Stroke:
         if isinstance(stroke, Segment):
             return replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
-        if isinstance(stroke, Arc):
-            return replace(stroke, centre=moved(stroke.centre), radius=scale * stroke.radius)
-        return replace(
-            stroke,
-            centre=moved(stroke.centre),
-            semi_major=scale * stroke.semi_major,
-            semi_minor=scale * stroke.semi_minor,
-        )
+        return replace(stroke.mapped(Similarity(scale)), centre=moved(stroke.centre))
 
     def support_moved(support: Support) -> Support:
         if isinstance(support, AxisLine):
@@ -362,8 +357,9 @@ def _settled(
 
     levels = tuple(np.sort(sign * unknowns.levels[axis]) for axis, sign in view.axes)
     grid = Grid((levels[0], levels[1]), view.precision)
+    back = Similarity(offset=to_point(-zeros))
     settled = CarriedStrokes(
-        tuple(_translated(stroke, -zeros) for stroke in supported_strokes.strokes),
+        tuple(stroke.mapped(back) for stroke in supported_strokes.strokes),
         tuple(
             support_settled(number, support)
             for number, support in enumerate(supported_strokes.supports)
@@ -374,15 +370,6 @@ def _settled(
     return tuple(
         _centred(stroke, grid) if isinstance(stroke, Ellipse) else stroke for stroke in strokes
     )
-
-
-def _translated(stroke: Stroke, by: Floats) -> Stroke:
-    def moved(point: tuple[float, float]) -> tuple[float, float]:
-        return float(point[0] + by[0]), float(point[1] + by[1])
-
-    if isinstance(stroke, Segment):
-        return replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
-    return replace(stroke, centre=moved(stroke.centre))
 
 
 def _centred(stroke: Ellipse, grid: Grid) -> Ellipse:

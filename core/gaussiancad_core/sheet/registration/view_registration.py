@@ -15,8 +15,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke, View
+from gaussiancad_core.model.views import Linetype, Segment, Stroke, View
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.registration.axis_residuals import Residual
 from gaussiancad_core.sheet.registration.shared_axes import ViewMap
@@ -125,7 +126,7 @@ def view_box(strokes: tuple[Stroke, ...], outline: Outline, exact: bool = False)
     solid = [stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
     if not solid:
         return rough
-    points = np.concatenate([_extremes(stroke) for stroke in solid])
+    points = np.concatenate([stroke.extremes() for stroke in solid])
     sides = []
     for side, near in enumerate(rough):
         direction, inward = side % 2, 1.0 if side < 2 else -1.0
@@ -154,7 +155,7 @@ def _overshot(
     side = min(inside, key=lambda level: level * inward)
     beyond = []
     for stroke in strokes:
-        ends = _extremes(stroke)
+        ends = stroke.extremes()
         depths = (ends[:, direction] - side) * inward
         crosses = isinstance(stroke, Segment) and depths.max() > _LONGEST_OVERSHOOT
         if depths.min() < -_UPON:
@@ -174,23 +175,7 @@ def _levels(stroke: Stroke, direction: int) -> list[float]:
         across = np.abs(np.subtract(stroke.end, stroke.start))
         is_level = across[direction] < _LEVEL and across[1 - direction] > _SHORTEST_SIDE
         return [(stroke.start[direction] + stroke.end[direction]) / 2.0] if is_level else []
-    inner = stroke.extremes()[2:] if isinstance(stroke, Ellipse) else _extremes(stroke)[2:]
-    return [float(point[direction]) for point in inner]
-
-
-def _extremes(stroke: Stroke) -> npt.NDArray[np.float64]:
-    """(n, 2) both ends and the points at which a stroke turns back along an axis."""
-    if isinstance(stroke, Segment):
-        return np.array([stroke.start, stroke.end])
-    if isinstance(stroke, Ellipse):
-        return stroke.extremes()
-    quarters = np.arange(0.0, 4 * np.pi, np.pi / 2)
-    inside = quarters[
-        (quarters >= stroke.start_angle) & (quarters <= stroke.start_angle + stroke.sweep)
-    ]
-    angles = np.concatenate([[stroke.start_angle, stroke.start_angle + stroke.sweep], inside])
-    radial = np.stack([np.cos(angles), np.sin(angles)], 1)
-    return np.array(stroke.centre) + stroke.radius * radial
+    return [float(point[direction]) for point in stroke.extremes()[2:]]
 
 
 def axis_extents(boxes: dict[Role, Box], unseen: Axis | None = None) -> AxisExtents:
@@ -266,31 +251,6 @@ def shared_placement(
     return Placement(plain.role, box, shared.right, shared.up)
 
 
-def scaled(strokes: tuple[Stroke, ...], factor: float) -> tuple[Stroke, ...]:
-    """Strokes in another unit of the same plane."""
-
-    def moved(point: tuple[float, float]) -> tuple[float, float]:
-        return factor * point[0], factor * point[1]
-
-    made: list[Stroke] = []
-    for stroke in strokes:
-        if isinstance(stroke, Segment):
-            made.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
-        elif isinstance(stroke, Arc):
-            made.append(replace(stroke, centre=moved(stroke.centre), radius=factor * stroke.radius))
-        else:
-            axes = factor * stroke.semi_major, factor * stroke.semi_minor
-            made.append(
-                replace(
-                    stroke,
-                    centre=moved(stroke.centre),
-                    semi_major=axes[0],
-                    semi_minor=axes[1],
-                )
-            )
-    return tuple(made)
-
-
 def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Stroke, ...]:
     """Strokes in sheet px (y down) -> strokes in mm (right, up)."""
     x0, y0, x1, y1 = place.box
@@ -306,29 +266,8 @@ def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Str
             placed.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
             continue
         # The sheet's y runs down: angles change sign and the arc starts at its other end.
-        if isinstance(stroke, Ellipse):
-            placed.append(
-                replace(
-                    stroke,
-                    centre=moved(stroke.centre),
-                    semi_major=stroke.semi_major * scale / 2,
-                    semi_minor=stroke.semi_minor * scale / 2,
-                    rotation=-stroke.rotation,
-                    start=float(-(stroke.start + stroke.sweep) % (2 * np.pi)),
-                )
-            )
-            continue
-        start = -(stroke.start_angle + stroke.sweep) % (2 * np.pi)
-        placed.append(
-            Arc(
-                moved(stroke.centre),
-                stroke.radius * scale / 2,
-                float(start),
-                stroke.sweep,
-                stroke.linetype,
-                stroke.confidence,
-            )
-        )
+        turned_over = stroke.mapped(Similarity(scale / 2, flip=True))
+        placed.append(replace(turned_over, centre=moved(stroke.centre)))
     return tuple(placed)
 
 

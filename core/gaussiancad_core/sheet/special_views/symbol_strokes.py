@@ -8,17 +8,11 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.fitting import circle_through
-from gaussiancad_core.files.vectors import (
-    FULL_TURN,
-    Chain,
-    CircularArc,
-    EllipticArc,
-    Line,
-    StrokeRole,
-    VectorDrawing,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import StrokeRole, VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.sheet.special_views.symbol_shape import (
     AXES,
     Ends,
@@ -92,7 +86,7 @@ def _lines(strokes: list[VectorStroke], largest: float) -> Floats:
     ends = [
         (stroke.curve.start, stroke.curve.end)
         for stroke in strokes
-        if isinstance(stroke.curve, Line)
+        if isinstance(stroke.curve, LineSegment)
     ]
     found = np.array(ends, dtype=float).reshape(-1, 2, 2)
     return found[np.hypot(*(found[:, 1] - found[:, 0]).T) <= largest]
@@ -124,9 +118,8 @@ def _round(curve: object) -> tuple[float, float, float, float] | None:
     """Centre, radius and sweep of a curve that is a circle's, or as good as one."""
     if isinstance(curve, CircularArc):
         return (*curve.centre, curve.radius, curve.sweep)
-    if isinstance(curve, EllipticArc) and curve.ratio > 1.0 - _ROUND:
-        radius = float(np.hypot(*curve.major)) * (1.0 + curve.ratio) / 2.0
-        return (*curve.centre, radius, curve.sweep)
+    if isinstance(curve, EllipticArc) and curve.semi_minor > (1.0 - _ROUND) * curve.semi_major:
+        return (*curve.centre, (curve.semi_major + curve.semi_minor) / 2.0, curve.sweep)
     if not isinstance(curve, Chain) or len(curve.points) < 5:
         return None
     points = np.array(curve.points)

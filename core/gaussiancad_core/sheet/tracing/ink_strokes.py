@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Geometry, Line
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.behind_edges import with_ends_behind_edges
@@ -135,8 +136,8 @@ def classify_strokes(
         ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
-    shift = np.array(view.offset) + 0.5
-    return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
+    shift = Similarity(offset=(view.offset[0] + 0.5, view.offset[1] + 0.5))
+    return tuple(stroke.mapped(shift) for stroke in strokes if stroke.length > 1.5)
 
 
 def _seen_pieces(
@@ -313,12 +314,3 @@ def _stroke(geometry: Geometry, piece: Piece) -> Stroke:
     sweep = min((piece.end - piece.start) / geometry.radius, FULL_TURN)
     start = (piece.start / geometry.radius) % FULL_TURN
     return Arc(geometry.centre, geometry.radius, start, sweep, *kind)
-
-
-def _shifted(stroke: Stroke, shift: npt.NDArray[np.float64]) -> Stroke:
-    def moved(point: tuple[float, float]) -> tuple[float, float]:
-        return float(point[0] + shift[0]), float(point[1] + shift[1])
-
-    if isinstance(stroke, Segment):
-        return replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
-    return replace(stroke, centre=moved(stroke.centre))

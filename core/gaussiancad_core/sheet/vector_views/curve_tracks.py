@@ -9,13 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.vectors import (
-    CircularArc,
-    EllipticArc,
-    Line,
-    StrokeRole,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.infinite_curves import Circle, Geometry
 from gaussiancad_core.geometry.infinite_curves import Line as EndlessLine
@@ -62,7 +58,7 @@ def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
         strokes: of a view.
         tolerance: px, :data:`EXACT` or :data:`PLOTTED`.
     """
-    lines = [(stroke, stroke.curve) for stroke in strokes if isinstance(stroke.curve, Line)]
+    lines = [(stroke, stroke.curve) for stroke in strokes if isinstance(stroke.curve, LineSegment)]
     rounds = [
         (stroke, stroke.curve)
         for stroke in strokes
@@ -71,7 +67,9 @@ def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
     return _line_tracks(lines, tolerance) + _round_tracks(rounds, tolerance)
 
 
-def _line_tracks(strokes: Sequence[tuple[VectorStroke, Line]], tolerance: float) -> list[Track]:
+def _line_tracks(
+    strokes: Sequence[tuple[VectorStroke, LineSegment]], tolerance: float
+) -> list[Track]:
     ends = np.array([(line.start, line.end) for _, line in strokes]).reshape(-1, 2, 2)
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
     free = np.ones(len(strokes), bool)
@@ -120,7 +118,7 @@ def _through(low: Floats, high: Floats) -> EndlessLine:
 def _round_tracks(strokes: Sequence[_RoundStroke], tolerance: float) -> list[Track]:
     groups: list[tuple[Circle | WholeEllipse, list[_RoundStroke]]] = []
     for stroke in sorted(strokes, key=lambda stroke: -stroke[1].length):
-        geometry = _closed(stroke[1])
+        geometry = stroke[1].carrier
         same = next((held for item, held in groups if _same(item, geometry, tolerance)), None)
         if same is None:
             groups.append((geometry, [stroke]))
@@ -136,14 +134,6 @@ def _round_tracks(strokes: Sequence[_RoundStroke], tolerance: float) -> list[Tra
     ]
 
 
-def _closed(curve: CircularArc | EllipticArc) -> Circle | WholeEllipse:
-    if isinstance(curve, CircularArc):
-        return Circle(curve.centre, curve.radius)
-    major = float(np.hypot(*curve.major))
-    turn = float(np.arctan2(curve.major[1], curve.major[0]))
-    return WholeEllipse(curve.centre, major, curve.ratio * major, turn)
-
-
 def _same(first: Circle | WholeEllipse, other: Circle | WholeEllipse, tolerance: float) -> bool:
     if np.hypot(*np.subtract(first.centre, other.centre)) > tolerance:
         return False
@@ -157,12 +147,12 @@ def _same(first: Circle | WholeEllipse, other: Circle | WholeEllipse, tolerance:
 
 def _round_span(geometry: Circle | WholeEllipse, curve: CircularArc | EllipticArc) -> Span:
     """Where an arc lies on its circle or ellipse; whole turns start where it starts."""
-    start = float(geometry.positions(curve.sample(np.inf)[:1])[0])
-    if curve.is_full:
+    start = float(geometry.positions(curve.vertices(np.inf)[:1])[0])
+    if curve.is_closed:
         return start, start + geometry.around
     if isinstance(geometry, Circle):
         return start, start + geometry.radius * curve.sweep
-    end = float(geometry.positions(curve.sample(np.inf)[-1:])[0])
+    end = float(geometry.positions(curve.vertices(np.inf)[-1:])[0])
     return start, start + float(np.mod(end - start, geometry.around))
 
 

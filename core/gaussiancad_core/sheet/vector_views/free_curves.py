@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.files.fitting import circle_through
-from gaussiancad_core.files.vectors import Chain
+from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 Floats = npt.NDArray[np.float64]

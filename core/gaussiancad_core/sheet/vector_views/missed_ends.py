@@ -9,7 +9,9 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.files.vectors import CircularArc, Curve, Line
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
 
 _COARSEST, _EXACTLY = 0.3, 0.005
 """px between the ends of rounded strokes that meet, at most, and of exact ones: farther ones may be
@@ -21,10 +23,10 @@ _OFTEN, _FEWEST = 0.3, 8
 
 def missed_px(curves: Sequence[Curve]) -> float:
     """px by which ends that meet miss each other at the median; 0 where most do not."""
-    open_curves = [curve for curve in curves if isinstance(curve, Line | CircularArc)]
+    open_curves = [curve for curve in curves if isinstance(curve, LineSegment | CircularArc)]
     if len(open_curves) < _FEWEST:
         return 0.0
-    ends = np.concatenate([open_curve.sample(np.inf)[[0, -1]] for open_curve in open_curves])
+    ends = np.concatenate([open_curve.vertices(np.inf)[[0, -1]] for open_curve in open_curves])
     # The nearest but one: the nearest is the end itself, or the other end of a circle.
     away = cKDTree(ends).query(ends, k=min(4, len(ends)))[0][:, 1:]
     meeting = away[(away < _COARSEST).any(axis=1)]

@@ -8,17 +8,10 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.files.file_curves import affine_arc, to_point
-from gaussiancad_core.files.vectors import (
-    Chain,
-    CircularArc,
-    Curve,
-    EllipticArc,
-    Line,
-    StrokeKind,
-    StrokeRole,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
 
@@ -72,7 +65,7 @@ class InkMasks:
 
 def share_inked(curve: Curve, mask: Mask) -> float:
     """Share of the places along a curve that lie on a mask; those off the sheet do not."""
-    points = curve.sample(max(_STEP, curve.length / _MOST_PLACES))
+    points = curve.vertices(max(_STEP, curve.length / _MOST_PLACES))
     columns, rows = np.floor(points).astype(int).T
     height, width = mask.shape
     inside = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
@@ -137,7 +130,7 @@ def _left_of_centre_lines(
 
 
 def _places(curve: Curve) -> npt.NDArray[np.float64]:
-    return curve.sample(max(_STEP, curve.length / _MOST_PLACES))
+    return curve.vertices(max(_STEP, curve.length / _MOST_PLACES))
 
 
 def _first(flags: npt.NDArray[np.bool_]) -> int:
@@ -155,7 +148,7 @@ def _thin_lines(strokes: Sequence[VectorStroke]) -> npt.NDArray[np.int64]:
     order = np.argsort(widths[solid])
     along = np.cumsum(lengths[solid][order])
     usual = widths[solid][order][np.searchsorted(along, along[-1] / 2.0)]
-    straight = np.array([isinstance(stroke.curve, Line) for stroke in strokes], dtype=bool)
+    straight = np.array([isinstance(stroke.curve, LineSegment) for stroke in strokes], dtype=bool)
     return np.flatnonzero(solid & straight & (widths < _THIN * usual))
 
 
@@ -163,21 +156,7 @@ def _upright(curve: Curve, turn: Turn) -> Curve:
     """A curve turned with its sheet."""
     if not turn.angle:
         return curve
-
-    def at(*points: tuple[float, float]) -> npt.NDArray[np.float64]:
-        return turn.to_upright(np.array(points))
-
-    if isinstance(curve, Line):
-        start, end = at(curve.start, curve.end)
-        return Line(to_point(start), to_point(end))
-    if isinstance(curve, Chain):
-        return Chain(tuple(to_point(point) for point in at(*curve.points)))
-    centre = at(curve.centre)[0]
-    if isinstance(curve, CircularArc):
-        start = float(np.mod(curve.start_angle - turn.angle, 2.0 * np.pi))
-        return replace(curve, centre=to_point(centre), start_angle=start)
-    end = curve.centre[0] + curve.major[0], curve.centre[1] + curve.major[1]
-    major = at(end)[0] - centre
-    minor = curve.ratio * np.array([-major[1], major[0]])
-    turned = affine_arc(centre, major, minor, curve.start, curve.sweep)
-    return turned if isinstance(turned, EllipticArc) else curve
+    stored = turn.scale * turn.centre[0], turn.scale * turn.centre[1]
+    return curve.mapped(
+        Similarity(1.0 / turn.scale, -turn.angle, origin=stored, offset=turn.centre)
+    )

@@ -6,12 +6,8 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from gaussiancad_core.files.vectors import (
-    Curve,
-    VectorDrawing,
-    VectorStroke,
-    bounds,
-)
+from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Stroke
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
@@ -113,18 +109,8 @@ def _of_strokes(
 
 
 def _lies_in(curve: Curve, box: Box, margin: float) -> bool:
-    this_bounds = bounds([curve])
-    if this_bounds is None:
-        return False
-    within = np.array(
-        [
-            this_bounds[0] - box[0],
-            this_bounds[1] - box[1],
-            box[2] - this_bounds[2],
-            box[3] - this_bounds[3],
-        ]
-    )
-    return bool((within >= -margin).all())
+    x0, y0, x1, y1 = curve.box
+    return min(x0 - box[0], y0 - box[1], box[2] - x1, box[3] - y1) >= -margin
 
 
 def _explains(strokes: tuple[Stroke, ...], known: _Known, box: Box, part: CleanSheet) -> bool:
@@ -139,13 +125,8 @@ def _explains(strokes: tuple[Stroke, ...], known: _Known, box: Box, part: CleanS
     ink = part.ink[y0:y1, x0:x1]
     drawn = np.zeros(ink.shape, np.uint8)
     for curve in known.others:
-        if (
-            (this_bounds := bounds([curve]))
-            and this_bounds[0] < x1
-            and this_bounds[2] > x0
-            and this_bounds[1] < y1
-            and this_bounds[3] > y0
-        ):
+        left, top, right, bottom = curve.box
+        if left < x1 and right > x0 and top < y1 and bottom > y0:
             _draw(drawn, curve, (x0, y0), width)
     ink = ink & (drawn == 0)
     drawn[:] = 0
@@ -161,7 +142,7 @@ def _explains(strokes: tuple[Stroke, ...], known: _Known, box: Box, part: CleanS
 
 def _draw(mask: Mask, curve: Curve | Stroke, corner: tuple[int, int], width: int) -> None:
     step = max(2.0, curve.length / _MOST_CHORDS)
-    path = np.rint((curve.sample(step) - np.array(corner) - 0.5) * 16).astype(np.int32)
+    path = np.rint((curve.vertices(step) - np.array(corner) - 0.5) * 16).astype(np.int32)
     cv2.polylines(mask, [path], False, 1, width, shift=4)
 
 

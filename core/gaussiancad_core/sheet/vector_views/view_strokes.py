@@ -11,7 +11,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from gaussiancad_core.files.vectors import Chain, StrokeRole, VectorStroke
+from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
+from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.infinite_curves import Geometry, Line
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke

@@ -5,7 +5,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.vectors import Chain, VectorDrawing, VectorStroke
+from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment, Stroke
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet, painted_sheet

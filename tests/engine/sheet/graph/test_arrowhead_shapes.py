@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
-from gaussiancad_core.files.vectors import Chain, Line, StrokeKind, VectorStroke
+from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.sheet.graph import arrowhead_shapes
 from gaussiancad_core.sheet.graph.arrowhead_shapes import arrowheads
 
@@ -28,13 +29,13 @@ def _filled(corners: np.ndarray) -> list[VectorStroke]:
 
 def _outlined(corners: np.ndarray) -> list[VectorStroke]:
     pairs = zip(corners, np.roll(corners, -1, axis=0), strict=True)
-    return [VectorStroke(Line(tuple(one), tuple(two)), 1.0) for one, two in pairs]
+    return [VectorStroke(LineSegment(tuple(one), tuple(two)), 1.0) for one, two in pairs]
 
 
 def _drawn(corners: np.ndarray) -> list[VectorStroke]:
     """As a printer's driver has it: sides twice, and a stroke along the middle."""
     middle = (corners[1] + corners[2]) / 2.0
-    extra = VectorStroke(Line(tuple(middle), tuple(corners[0])), 1.0)
+    extra = VectorStroke(LineSegment(tuple(middle), tuple(corners[0])), 1.0)
     return [*_outlined(corners), extra, *_outlined(corners)]
 
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gaussiancad_core.files.vectors import Line, VectorStroke
+from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
 from gaussiancad_core.sheet.graph.graph_views import graph_views
@@ -52,7 +53,7 @@ def _segments(chains: Iterable[Chain]) -> list[tuple[Point, Point]]:
 def _lines_of_writing(chains: list[Chain], edges: list[Chain]) -> list[tuple[float, ...]]:
     segments = _segments(chains)
     every = segments + _segments(edges)
-    strokes = [VectorStroke(Line(*ends), 2.0) for ends in every]
+    strokes = [VectorStroke(LineSegment(*ends), 2.0) for ends in every]
     annotations = np.arange(len(every)) < len(segments)
     touches = touching([stroke.curve for stroke in strokes], 0.6)
     return drawn_lines_of_writing(touches, annotations, (1000, 700))

@@ -5,14 +5,9 @@ from math import tau
 
 import pytest
 
-from gaussiancad_core.files.vectors import (
-    CircularArc,
-    Line,
-    StrokeKind,
-    VectorDrawing,
-    VectorStroke,
-    VectorText,
-)
+from gaussiancad_core.files.vectors import StrokeKind, VectorDrawing, VectorStroke, VectorText
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.stroke_roles import Label, LabelledDrawing, labelled
 
 _SIZE = (1000, 700)
@@ -20,7 +15,9 @@ _SIZE = (1000, 700)
 
 def _box(x: float, y: float, w: float, h: float, layer: str = "") -> list[VectorStroke]:
     corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h), (x, y)]
-    return [VectorStroke(Line(a, b), 2.0, layer=layer) for a, b in itertools.pairwise(corners)]
+    return [
+        VectorStroke(LineSegment(a, b), 2.0, layer=layer) for a, b in itertools.pairwise(corners)
+    ]
 
 
 def _circle(x: float, y: float, layer: str = "") -> list[VectorStroke]:
@@ -78,7 +75,7 @@ def test_a_frame_may_have_two_lines() -> None:
 
 @pytest.mark.parametrize("layer", ["", "FRAME"])
 def test_an_edge_within_a_view_tells_that_what_goes_around_is_a_frame(layer: str) -> None:
-    edge = VectorStroke(Line((300.0, 300.0), (600.0, 300.0)), 2.0)
+    edge = VectorStroke(LineSegment((300.0, 300.0), (600.0, 300.0)), 2.0)
     strokes = [*_box(*_AROUND, layer), *_box(300, 200, 300, 200), edge]
     assert _labels(strokes) == [Label.FRAME] * 4 + [Label.VISIBLE] * 5
 
@@ -95,13 +92,13 @@ def test_a_counterbore_does_not() -> None:
 
 
 def test_an_engraved_letter_does_not() -> None:
-    crossbar = VectorStroke(Line((500.0, 120.0), (540.0, 120.0)), 2.0)
+    crossbar = VectorStroke(LineSegment((500.0, 120.0), (540.0, 120.0)), 2.0)
     letter = [*_box(500, 100, 40, 40), crossbar]
     assert _labels([*_box(*_AROUND), *_HOLES[0], *letter])[:5] == [Label.VISIBLE] * 5
 
 
 def test_a_bend_line_across_a_plate_does_not() -> None:
-    bend = VectorStroke(Line((500.0, 50.0), (500.0, 650.0)), 2.0, layer="BEND")
+    bend = VectorStroke(LineSegment((500.0, 50.0), (500.0, 650.0)), 2.0, layer="BEND")
     labels = _labels([*_box(*_AROUND), *_HOLES[0], bend])
     assert labels[:5] == [Label.VISIBLE] * 5
 
@@ -124,7 +121,7 @@ def test_two_pockets_with_a_hole_beside_them_are_no_views() -> None:
 
 def test_dimensions_of_a_pocket_divide_nothing() -> None:
     ends = ((200, 250), (200, 450)), ((500, 250), (500, 450)), ((200, 350), (500, 350))
-    measures = [VectorStroke(Line(*end), 1.0, kind=StrokeKind.DIMENSION) for end in ends]
+    measures = [VectorStroke(LineSegment(*end), 1.0, kind=StrokeKind.DIMENSION) for end in ends]
     strokes = [*_box(*_AROUND), *_box(200, 200, 300, 50), *_HOLES[1], *measures]
     assert _labels(strokes)[:4] == [Label.VISIBLE] * 4
 

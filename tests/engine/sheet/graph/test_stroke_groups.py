@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.files.vectors import Line
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.stroke_groups import EVEN, grouped, within
 from gaussiancad_core.sheet.graph.touching_ends import touching
 
@@ -18,7 +18,7 @@ _PLACES = st.tuples(st.integers(0, 6), st.integers(0, 6))
 def test_what_holds_of_a_group_is_that_of_its_strokes(
     lines: list[tuple[tuple[int, int], tuple[int, int], bool]], seed: int
 ) -> None:
-    touches = touching([Line(a, b) for a, b, _ in lines], 0.1)
+    touches = touching([LineSegment(a, b) for a, b, _ in lines], 0.1)
     chosen = np.array([item for _, _, item in lines], dtype=bool)
     values = np.random.default_rng(seed).uniform(size=(len(lines), 2))
     groups = grouped(touches, chosen)

@@ -7,14 +7,14 @@ from math import tau
 import pytest
 
 from gaussiancad_core.files.vectors import (
-    CircularArc,
-    Line,
     StrokeKind,
     StrokeRole,
     VectorDrawing,
     VectorStroke,
     VectorText,
 )
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.stroke_roles import Label, labelled
 
 Points = list[tuple[float, float]]
@@ -24,12 +24,12 @@ _WIDE, _THIN = 4.0, 2.0
 
 
 def _lines(*ends: tuple[float, float, float, float], width: float = _WIDE) -> list[VectorStroke]:
-    return [VectorStroke(Line((a, b), (c, d)), width) for a, b, c, d in ends]
+    return [VectorStroke(LineSegment((a, b), (c, d)), width) for a, b, c, d in ends]
 
 
 def _box(x: float, y: float, w: float, h: float, width: float = _WIDE) -> list[VectorStroke]:
     corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h), (x, y)]
-    return [VectorStroke(Line(a, b), width) for a, b in itertools.pairwise(corners)]
+    return [VectorStroke(LineSegment(a, b), width) for a, b in itertools.pairwise(corners)]
 
 
 def _text(x: float, y: float, text: str = "12") -> VectorText:
@@ -93,7 +93,7 @@ def test_a_frame_may_be_of_boxes_that_are_as_wide_as_each_other(written: bool) -
 
 def test_a_stepped_part_with_numbers_in_it_is_no_table() -> None:
     corners = [(300, 300), (700, 300), (700, 350), (600, 350), (600, 400), (300, 400), (300, 300)]
-    part = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
+    part = [VectorStroke(LineSegment(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
     part += _lines((450, 300, 450, 400))
     texts = [_text(350, 330), _text(500, 330), _text(650, 330)]
     assert set(_labels(part, texts)) == {Label.VISIBLE}
@@ -107,14 +107,16 @@ def test_a_cutting_trace_in_the_parts_pen_ends_somewhere_and_is_none_of_it() -> 
 
 def test_dashes_by_the_file_and_one_by_one_are_hidden_lines() -> None:
     part = _box(300, 300, 200, 100)
-    by_file = [VectorStroke(Line((350, 300), (350, 400)), _THIN, (8.0, 4.0), StrokeRole.HIDDEN)]
+    by_file = [
+        VectorStroke(LineSegment((350, 300), (350, 400)), _THIN, (8.0, 4.0), StrokeRole.HIDDEN)
+    ]
     one_by_one = _lines(*((430, y, 430, y + 8) for y in range(304, 396, 12)), width=1.0)
     labels = _labels(part + by_file + one_by_one)
     assert labels == [Label.VISIBLE] * 4 + [Label.HIDDEN] * (1 + len(one_by_one))
 
 
 def test_dashes_away_from_the_part_are_none_of_it() -> None:
-    away = [VectorStroke(Line((650, 300), (650, 400)), _THIN, (8.0, 4.0), StrokeRole.HIDDEN)]
+    away = [VectorStroke(LineSegment((650, 300), (650, 400)), _THIN, (8.0, 4.0), StrokeRole.HIDDEN)]
     assert _labels(_box(300, 300, 200, 100) + away)[-1] is Label.OTHER
 
 
@@ -147,7 +149,8 @@ def test_slanted_parallels_are_no_hatching_where_each_view_has_but_one() -> None
 def test_what_the_file_calls_hatching_is_hatching_within_the_part_however_few_its_lines() -> None:
     ends = (310, 340, 350, 300), (480, 400, 500, 380), (600, 340, 640, 300)
     named = [
-        VectorStroke(Line((a, b), (c, d)), _THIN, role=StrokeRole.HATCH) for a, b, c, d in ends
+        VectorStroke(LineSegment((a, b), (c, d)), _THIN, role=StrokeRole.HATCH)
+        for a, b, c, d in ends
     ]
     assert _labels(_box(300, 300, 200, 100) + named)[-3:-1] == [Label.HATCH] * 2
     assert _labels(_box(300, 300, 200, 100) + named)[-1] is not Label.HATCH
@@ -199,7 +202,7 @@ def test_lines_of_another_pen_from_edge_to_edge_are_doubtful() -> None:
 
 def test_layers_that_close_outlines_with_the_parts_are_it_too() -> None:
     part = [VectorStroke(s.curve, _WIDE, layer="OUTER") for s in _box(300, 300, 200, 100)]
-    inner = [VectorStroke(Line((420, 300), (420, 400)), _WIDE, layer="INNER")]
+    inner = [VectorStroke(LineSegment((420, 300), (420, 400)), _WIDE, layer="INNER")]
     other = [VectorStroke(s.curve, _WIDE, layer="SIDE") for s in _box(600, 300, 50, 100)]
     notes = [VectorStroke(s.curve, _WIDE, layer="DIM") for s in _dimension(300, 500, 250, 300)]
     labels = _labels(part + inner + other + notes)
@@ -229,7 +232,7 @@ def _isometric(x: float, y: float, side: float) -> list[VectorStroke]:
 
     edges = ["", "a"], ["", "b"], ["", "c"], ["a", "ac"], ["b", "bc"], ["c", "ac"], ["c", "bc"]
     edges = (*edges, ["ac", "abc"], ["bc", "abc"])
-    return [VectorStroke(Line(at(*one), at(*two)), _WIDE) for one, two in edges]
+    return [VectorStroke(LineSegment(at(*one), at(*two)), _WIDE) for one, two in edges]
 
 
 def test_a_pictorial_whose_box_overlaps_a_view_takes_nothing_from_it() -> None:
@@ -247,7 +250,9 @@ def test_a_curve_of_chords_within_a_view_is_no_pictorial() -> None:
     """As programs write the curve in which two surfaces meet."""
     angles = [0.35 * math.pi + 0.01 * k for k in range(60)]
     places = [(400.0 + 90.0 * math.cos(a), 300.0 + 90.0 * math.sin(a)) for a in angles]
-    curve = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise([*places, places[0]])]
+    curve = [
+        VectorStroke(LineSegment(a, b), _WIDE) for a, b in itertools.pairwise([*places, places[0]])
+    ]
     labels = _labels(_box(300, 300, 200, 100) + curve)
     assert labels == [Label.VISIBLE] * (4 + len(curve))
 
@@ -257,7 +262,7 @@ def test_a_hexagon_in_line_with_a_view_is_no_pictorial() -> None:
     (x, y), radius = (700.0, 250.0), 100.0
     angles = [math.pi / 6.0 + k * math.pi / 3.0 for k in range(7)]
     corners = [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
-    hexagon = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
+    hexagon = [VectorStroke(LineSegment(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
     half = radius * math.cos(math.pi / 6.0)
     neighbour = _box(x - half, 500, 2.0 * half, 100)
     found = labelled(VectorDrawing((*hexagon, *neighbour), ()), _SIZE)

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.files.vectors import Line as StraightLine
 from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment as StraightLine
 from gaussiancad_core.geometry.infinite_curves import Circle, Line
 from gaussiancad_core.sheet.image.deskew import (
     LARGEST_SKEW,

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.files.vectors import Box, Line, VectorDrawing, VectorStroke
+from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.sheet.image import opened_sheet
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
@@ -44,7 +46,7 @@ def test_lines_longer_than_what_pictures_show_tell_how_a_sheet_lies(
     angle = 0.02
     end = (20.0 + 300.0 * np.cos(angle), 30.0 + 300.0 * np.sin(angle))
     drawing = VectorDrawing(
-        (VectorStroke(Line((20.0, 30.0), end), 2.0),), (), complete=False, pictures=pictures
+        (VectorStroke(LineSegment((20.0, 30.0), end), 2.0),), (), complete=False, pictures=pictures
     )
     paper = np.full((300, 400), 255, np.uint8)
     turn = OpenedSheet(SheetImage(Path("sheet.pdf"), paper, "", vectors=drawing)).turn

@@ -6,7 +6,7 @@ from PIL import Image
 
 import gaussiancad_core.sheet.image.sheet_files as reading
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.files.vectors import CircularArc
+from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 
 

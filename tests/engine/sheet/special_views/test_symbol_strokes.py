@@ -5,16 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gaussiancad_core.files.vectors import (
-    FULL_TURN,
-    Chain,
-    CircularArc,
-    Curve,
-    EllipticArc,
-    Line,
-    VectorDrawing,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.sheet.special_views.symbol_shape import largest_symbol
 from gaussiancad_core.sheet.special_views.symbol_strokes import stroke_symbol
@@ -34,7 +29,7 @@ def _ring(radius: float, drawn: str) -> list[Curve]:
         points = CircularArc(centre, radius, 0.0, FULL_TURN).sample(radius / 6.0)
         return [Chain(tuple(map(tuple, points.tolist())))]
     if drawn == "ellipse":
-        return [EllipticArc(centre, (radius, 0.0), 0.995, 0.0, FULL_TURN)]
+        return [EllipticArc(centre, radius, 0.995 * radius, 0.0, 0.0, FULL_TURN)]
     return [CircularArc(centre, radius, 0.0, FULL_TURN)]
 
 
@@ -46,9 +41,9 @@ def _symbol(
     turned = np.linalg.matrix_power(quarter, turns)
     near, far = (0.5, 1.0) if projection is Projection.THIRD else (1.0, 0.5)
 
-    def line(*ends: tuple[float, float]) -> Line:
+    def line(*ends: tuple[float, float]) -> LineSegment:
         start, end = (turned @ (_RADIUS * np.array(this_end)) + _CENTRE for this_end in ends)
-        return Line((float(start[0]), float(start[1])), (float(end[0]), float(end[1])))
+        return LineSegment((float(start[0]), float(start[1])), (float(end[0]), float(end[1])))
 
     cone = [
         line((_NEAR, -near), (_FAR, -far)),
@@ -74,7 +69,10 @@ def test_circles_beside_a_cone_tell_the_projection(
     curves = _symbol(projection, turns, drawn)
     x, y = _CENTRE.tolist()
     if axis:
-        curves += [Line((x - 200.0, y), (x + 200.0, y)), Line((x, y - 200.0), (x, y + 200.0))]
+        curves += [
+            LineSegment((x - 200.0, y), (x + 200.0, y)),
+            LineSegment((x, y - 200.0), (x, y + 200.0)),
+        ]
     found = stroke_symbol(_drawing(curves), _LARGEST)
     assert found is not None
     assert found.projection is projection

@@ -62,7 +62,7 @@ def _same(one: Stroke, other: Stroke, within: float) -> bool:
         if one.sweep == pytest.approx(2 * np.pi):
             return other.sweep == pytest.approx(2 * np.pi)
     if isinstance(one, Ellipse):
-        if one.whole.distances(other.sample(1.0)).max() > within:
+        if one.carrier.distances(other.sample(1.0)).max() > within:
             return False
         if one.sweep == pytest.approx(2 * np.pi):
             return other.sweep == pytest.approx(2 * np.pi)

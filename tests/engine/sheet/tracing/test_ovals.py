@@ -43,7 +43,7 @@ def _read(*strokes: Stroke, width: float = 3.0) -> tuple[Stroke, ...]:
 
 def _away(one: Ellipse, other: Ellipse) -> float:
     """The largest distance in px of a stroke's points from another's ellipse."""
-    return float(other.whole.distances(one.sample(1.0)).max())
+    return float(other.carrier.distances(one.sample(1.0)).max())
 
 
 @settings(max_examples=12, deadline=None)
@@ -73,8 +73,8 @@ def test_half_visible_and_half_hidden(rotation: float) -> None:
     """The end of a cylinder that leans: its lines touch the ellipse where visible ends."""
     half = Ellipse((210.0, 160.0), 70.0, 30.0, rotation, 0.0, np.pi, VISIBLE)
     other = Ellipse((210.0, 160.0), 70.0, 30.0, rotation, np.pi, np.pi, HIDDEN)
-    ends = half.whole.at(np.array([0.0, np.pi]))
-    way = half.whole.tangents(np.array([0.0]))[0] * -75.0
+    ends = half.carrier.at(np.array([0.0, np.pi]))
+    way = half.carrier.tangents(np.array([0.0]))[0] * -75.0
     lines = [Segment(tuple(end), tuple(end + way), VISIBLE) for end in ends]
     strokes = _read(half, other, *lines)
     curves = {s.linetype: s for s in strokes if isinstance(s, Ellipse)}

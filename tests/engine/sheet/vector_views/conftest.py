@@ -13,7 +13,6 @@ import pytest
 from gaussiancad_core.drawing.dash_rhythm import dash_intervals
 from gaussiancad_core.drawing.drawn_sheet import Sheet, draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
-from gaussiancad_core.lines.strokes import is_closed, part
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.samples import sample
@@ -61,14 +60,14 @@ def lines_of(sheet: Sheet, style: FileStyle) -> Iterator[Written]:
     for stroke in (stroke for view in sheet.views for stroke in view.strokes):
         hidden = stroke.linetype is Linetype.HIDDEN
         if hidden and style.dashes_apart:
-            for span in dash_intervals(stroke.length, DASH, GAP, is_closed(stroke)):
-                yield Written(part(stroke, *span), ())
+            for span in dash_intervals(stroke.length, DASH, GAP, stroke.is_closed):
+                yield Written(stroke.part(*span), ())
             continue
         dashes = (DASH, GAP) if hidden else ()
         cuts = np.linspace(0.0, stroke.length, style.parts + 1)
         for low, high in pairwise(cuts):
-            yield Written(stroke if style.parts == 1 else part(stroke, low, high), dashes)
-        if style.centre_lines and isinstance(stroke, Arc) and is_closed(stroke):
+            yield Written(stroke if style.parts == 1 else stroke.part(low, high), dashes)
+        if style.centre_lines and isinstance(stroke, Arc) and stroke.is_closed:
             (x, y), reach = stroke.centre, 0.6 * stroke.radius
             for dx, dy in ((reach, 0.0), (0.0, reach)):
                 cross = Segment((x - dx, y - dy), (x + dx, y + dy), Linetype.VISIBLE)
@@ -93,7 +92,7 @@ def _svg(sheet: Sheet, style: FileStyle, path: Path) -> None:
             ends = (*stroke.start, *stroke.end)
             x0, y0, x1, y1 = (f"{value:.9f}" for value in ends)
             parts.append(f'<line x1="{x0}" y1="{y0}" x2="{x1}" y2="{y1}" {look}/>')
-        elif is_closed(stroke):
+        elif stroke.is_closed:
             x, y = stroke.centre
             parts.append(f'<circle cx="{x:.9f}" cy="{y:.9f}" r="{stroke.radius:.9f}" {look}/>')
         else:
@@ -127,7 +126,7 @@ def _pdf(sheet: Sheet, style: FileStyle, path: Path) -> None:
         corners = np.concatenate([(at + along)[:-1], (at - along)[1:], at[1:]], axis=1)
         form = " ".join(["{:.6f}"] * 6) + " c"
         content += [form.format(*row) for row in corners]
-        content.append("s" if is_closed(stroke) else "S")
+        content.append("s" if stroke.is_closed else "S")
     body = "\n".join(content).encode()
     box = f"0 0 {width * scale!r} {height * scale!r}".encode()
     objects = [
@@ -165,7 +164,7 @@ def _dxf(sheet: Sheet, style: FileStyle, path: Path) -> None:
         look = {"linetype": name, "lineweight": weight}
         if isinstance(stroke, Segment):
             model.add_line(at(stroke.start), at(stroke.end), dxfattribs=look)
-        elif is_closed(stroke):
+        elif stroke.is_closed:
             model.add_circle(at(stroke.centre), stroke.radius * scale, dxfattribs=look)
         else:
             # y points up there: what ran towards y runs the other way.

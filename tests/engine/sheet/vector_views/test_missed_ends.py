@@ -7,17 +7,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.files.vectors import CircularArc, Line
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.vector_views.missed_ends import missed_px
 
 CORNERS = np.array([(0, 0), (90, 0), (90, 40), (60, 70), (60, 110), (20, 110), (20, 60), (0, 40)])
 
 
-def chain(neighbour: np.ndarray) -> list[Line]:
+def chain(neighbour: np.ndarray) -> list[LineSegment]:
     """Lines around a polygon, the ends of each moved by (n, 2, 2) px."""
     places = np.concatenate([CORNERS, CORNERS[:1]]).astype(float)
     return [
-        Line(tuple(a + off[0]), tuple(b + off[1]))
+        LineSegment(tuple(a + off[0]), tuple(b + off[1]))
         for (a, b), off in zip(pairwise(places), neighbour, strict=True)
     ]
 

@@ -3,15 +3,9 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.files.vectors import (
-    Chain,
-    CircularArc,
-    EllipticArc,
-    Line,
-    StrokeKind,
-    StrokeRole,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, part_curves, share_inked
 
@@ -26,7 +20,7 @@ def masks(part: bool = True) -> InkMasks:
 
 def stroke(*ends: float, width: float = 3.0, **more: object) -> VectorStroke:
     """A line from x0, y0 to x1, y1."""
-    return VectorStroke(Line(ends[:2], ends[2:]), width, **more)
+    return VectorStroke(LineSegment(ends[:2], ends[2:]), width, **more)
 
 
 def kept(*strokes: VectorStroke, part: bool = True) -> list[VectorStroke]:
@@ -76,9 +70,9 @@ def test_thin_dashes_that_go_on_in_an_annotation_are_left_of_centre_lines() -> N
 @pytest.mark.parametrize(
     "curve",
     [
-        Line((20.0, 30.0), (60.0, 40.0)),
+        LineSegment((20.0, 30.0), (60.0, 40.0)),
         CircularArc((50.0, 40.0), 20.0, 0.4, 2.0),
-        EllipticArc((50.0, 40.0), (20.0, 5.0), 0.5, 0.4, 2.0),
+        EllipticArc((50.0, 40.0), 20.6, 10.3, 0.25, 0.4, 2.0),
         Chain(((20.0, 30.0), (40.0, 35.0), (60.0, 30.0))),
     ],
     ids=lambda curve: type(curve).__name__,
@@ -94,5 +88,7 @@ def test_curves_are_turned_with_the_sheet(curve: object) -> None:
 def test_the_inked_share_counts_places() -> None:
     mask = np.zeros((100, 100), np.uint8)
     mask[:, :50] = 1
-    assert share_inked(Line((0.5, 10.5), (99.5, 10.5)), mask) == pytest.approx(0.5, abs=0.01)
-    assert share_inked(Line((-50.0, 10.5), (49.5, 10.5)), mask) == pytest.approx(0.5, abs=0.01)
+    assert share_inked(LineSegment((0.5, 10.5), (99.5, 10.5)), mask) == pytest.approx(0.5, abs=0.01)
+    assert share_inked(LineSegment((-50.0, 10.5), (49.5, 10.5)), mask) == pytest.approx(
+        0.5, abs=0.01
+    )

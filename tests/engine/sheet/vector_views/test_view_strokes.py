@@ -2,7 +2,8 @@
 
 import pytest
 
-from gaussiancad_core.files.vectors import Line, StrokeRole, VectorStroke
+from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
 
@@ -42,7 +43,7 @@ def test_lines_that_the_file_dashes_itself_keep_their_gaps(
 def test_a_dash_at_either_end_may_be_half_of_one() -> None:
     # Between lines of whole dashes one of three: the sheet tells how long gaps are.
     strokes = [
-        VectorStroke(Line((low, level), (high, level)), 2.0, (), StrokeRole.HIDDEN)
+        VectorStroke(LineSegment((low, level), (high, level)), 2.0, (), StrokeRole.HIDDEN)
         for level, spans in (
             (10.0, [(k * 40.0, k * 40.0 + 31.0) for k in range(5)]),
             (50.0, [(0.0, 15.5), (24.0, 55.0), (63.5, 79.0)]),
@@ -62,7 +63,9 @@ def _found(
 ) -> list[tuple[float, float]]:
     """Hidden lines as they are told of stretches of one line, ends in px along it."""
     strokes = [
-        VectorStroke(Line((10.0 + low, 30.0), (10.0 + high, 30.0)), 2.0, pattern, StrokeRole.HIDDEN)
+        VectorStroke(
+            LineSegment((10.0 + low, 30.0), (10.0 + high, 30.0)), 2.0, pattern, StrokeRole.HIDDEN
+        )
         for low, high in spans
     ]
     (tracks,), dashes = tracks_and_dashes([strokes], 2.0)

@@ -1,0 +1,167 @@
+"""Line segments, and chains of them along free curves."""
+
+from dataclasses import dataclass, replace
+from math import ceil, hypot
+from typing import Self
+
+import numpy as np
+
+from gaussiancad_core.geometry.points import Box, Point, Points, box_around, to_point
+from gaussiancad_core.geometry.similarities import Similarity
+
+
+@dataclass(frozen=True)
+class LineSegment:
+    """A straight piece.
+
+    Attributes:
+        start, end: (2,) in the plane of whoever holds the curve.
+    """
+
+    start: Point
+    end: Point
+
+    is_closed = False
+    """It does not end where it begins."""
+
+    @property
+    def length(self) -> float:
+        """Distance between the ends."""
+        return hypot(self.end[0] - self.start[0], self.end[1] - self.start[1])
+
+    @property
+    def box(self) -> Box:
+        """Around it."""
+        (x0, y0), (x1, y1) = self.start, self.end
+        return min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1)
+
+    def extremes(self) -> Points:
+        """(2, 2) both ends: it nowhere turns back."""
+        return np.array([self.start, self.end])
+
+    def sample(self, step: float) -> Points:
+        """(n, 2) even points along the curve, at most ``step`` apart, both ends included."""
+        return np.linspace(self.start, self.end, max(2, ceil(self.length / step) + 1))
+
+    def vertices(self, step: float) -> Points:
+        """(n, 2) corners of a chain along the curve, at most ``step`` apart, ends included."""
+        return self.sample(step)
+
+    def points_at(self, along: Points) -> Points:
+        """(n, 2) points at lengths along the curve; before and after it, on its line."""
+        start, end = np.array(self.start), np.array(self.end)
+        return start + along[:, None] / self.length * (end - start)
+
+    def distances(self, points: Points) -> Points:
+        """(n,) distances of (n, 2) points."""
+        return chain_distances(points, np.array([self.start, self.end]))
+
+    def part(self, low: float, high: float) -> Self:
+        """Between two lengths along it; it is prolonged to those before its start and after its
+        end."""
+        start, end = (to_point(point) for point in self.points_at(np.array([low, high])))
+        return replace(self, start=start, end=end)
+
+    def mapped(self, by: Similarity) -> Self:
+        """Its image."""
+        return replace(self, start=by.point(self.start), end=by.point(self.end))
+
+
+@dataclass(frozen=True)
+class Chain:
+    """Line segments that follow a free curve.
+
+    Attributes:
+        points: two or more (2,) points in the plane of whoever holds the curve; a closed one
+            repeats its first point at the end.
+    """
+
+    points: tuple[Point, ...]
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it ends where it begins."""
+        return self.points[0] == self.points[-1]
+
+    @property
+    def length(self) -> float:
+        """Length along the chain."""
+        return float(self.along[-1])
+
+    @property
+    def along(self) -> Points:
+        """(n,) lengths along the chain up to each of its points."""
+        steps = np.diff(np.array(self.points), axis=0)
+        return np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
+
+    @property
+    def box(self) -> Box:
+        """Around it."""
+        return box_around(np.array(self.points))
+
+    def sample(self, step: float) -> Points:
+        """(n, 2) even points along the curve, at most ``step`` apart, both ends included."""
+        length = self.length
+        return self.points_at(np.linspace(0.0, length, max(2, ceil(length / step) + 1)))
+
+    def vertices(self, step: float) -> Points:
+        """(n, 2) corners of a chain along the curve, at most ``step`` apart: all of its points,
+        and points between those."""
+        corners = np.array(self.points)
+        ways = np.diff(corners, axis=0)
+        lengths = np.hypot(ways[:, 0], ways[:, 1])
+        counts = np.maximum(np.ceil(lengths / step), 1.0).astype(np.int64)
+        if int(counts.max()) == 1:
+            return corners
+        piece = np.repeat(np.arange(len(ways)), counts)
+        number = np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)
+        points = corners[piece] + number[:, None] * (ways / counts[:, None])[piece]
+        return np.concatenate([points, corners[-1:]])
+
+    def points_at(self, along: Points) -> Points:
+        """(n, 2) points at lengths along the curve; before and after it, its ends."""
+        corners, places = np.array(self.points), self.along
+        return np.stack([np.interp(along, places, column) for column in corners.T], axis=1)
+
+    def distances(self, points: Points) -> Points:
+        """(n,) distances of (n, 2) points."""
+        return chain_distances(points, np.array(self.points))
+
+    def part(self, low: float, high: float) -> Self:
+        """Between two lengths along it.
+
+        An open one is prolonged to those before its start and after its end; on a closed one
+        lengths before the start lie before its end.
+        """
+        corners, along = np.array(self.points), self.along
+        if low < 0.0 and self.is_closed:
+            corners = np.concatenate([corners[:-1], corners])
+            along = np.concatenate([along[:-1] - along[-1], along])
+        inner = (along > low) & (along < high)
+        points = [_on_chain(corners, along, low), *corners[inner], _on_chain(corners, along, high)]
+        return replace(self, points=tuple(to_point(point) for point in points))
+
+    def mapped(self, by: Similarity) -> Self:
+        """Its image."""
+        return replace(self, points=tuple(by.point(point) for point in self.points))
+
+
+def chain_distances(points: Points, chain: Points) -> Points:
+    """(n,) distances of (n, 2) points from the chain of (m, 2) corners."""
+    starts, ways = chain[:-1], np.diff(chain, axis=0)
+    squares = np.maximum((ways**2).sum(axis=1), 1e-300)
+    offsets = points[:, None, :] - starts[None]
+    shares = np.clip((offsets * ways).sum(axis=2) / squares, 0.0, 1.0)
+    nearest = offsets - shares[..., None] * ways
+    return np.sqrt((nearest**2).sum(axis=2).min(axis=1))
+
+
+def _on_chain(corners: Points, along: Points, at: float) -> Points:
+    """(2,) point at a length along a chain; before and after it, on its first and last segment."""
+    inside = float(np.clip(at, along[0], along[-1]))
+    point = np.array([np.interp(inside, along, column) for column in corners.T])
+    if at != inside:
+        way = corners[1] - corners[0] if at < inside else corners[-1] - corners[-2]
+        # Chains may hold a point twice; they are then not prolonged.
+        point += (at - inside) * way / max(float(np.hypot(*way)), 1e-300)
+    return point
