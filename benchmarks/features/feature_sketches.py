@@ -7,10 +7,10 @@ from math import atan2, cos, pi, remainder, sin, tau
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.constraints import Constraint, Kind
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Reference, Spot
+from gaussiancad_core.geometry.points import Point
 
 Vector = npt.NDArray[np.float64]
 

@@ -22,9 +22,9 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import views_as_read
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle
 from gaussiancad_core.kernel.brep import faces_of, soundness, subshapes, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.kernel.solid_rays import SightLines
@@ -175,9 +175,9 @@ def _directions(axis: Axis) -> tuple[gp_Dir, gp_Dir]:
     return gp_Dir(*map(float, normal)), gp_Dir(*map(float, first))
 
 
-def _edge(axis: Axis, curve: PlaneCurve, ends: tuple[float, float], scale: float) -> TopoDS_Edge:
+def _edge(axis: Axis, curve: LineOrCircle, ends: tuple[float, float], scale: float) -> TopoDS_Edge:
     """A piece of a curve at depth 0, mm."""
-    if isinstance(curve, CircleCurve):
+    if isinstance(curve, Circle):
         first, second = (np.eye(3)[index] for index in IN_PLANE[axis])
         centre = gp_Pnt(*lifted(axis, curve.centre[0] / scale, curve.centre[1] / scale, 0.0))
         # About first times second, so that angles run from the first axis to the second.

@@ -19,20 +19,15 @@ from math import hypot, inf, pi, sin, sqrt
 import numpy as np
 
 from gaussiancad_core.cells.arrangement_kernels import CHAIN, Table
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    LineCurve,
-    Point,
-    meetings,
-)
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, merged_intervals
 from gaussiancad_core.coordinates.point_chains import (
     Chain,
     crossings_with_chain,
     crossings_with_curves,
 )
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import ASIDE, ON_CURVE
+from gaussiancad_core.geometry.whole_curves import Circle, Line, meetings
 
 _SAME = 3e-6
 """Coordinates closer than this are one."""
@@ -175,7 +170,7 @@ class Arrangement:
         for index, low, high in self.stretches:
             curve = self.carriers[index].curve
             items = [curve.at(low), curve.at(high)]
-            if isinstance(curve, CircleCurve):
+            if isinstance(curve, Circle):
                 quarters = [k * pi / 2.0 for k in range(5)]
                 items += [curve.at(t) for t in quarters if low - 1e-7 <= t <= high + 1e-7]
                 (x, y), r = curve.centre, curve.radius
@@ -199,7 +194,7 @@ class Arrangement:
     def _on(self, index: int, stretch: Sequence[float], point: Point) -> bool:
         curve = self.carriers[index].curve
         at, slack = curve.parameter(point), ON_CURVE / curve.speed
-        turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
+        turns = (0.0, FULL_TURN, -FULL_TURN) if isinstance(curve, Circle) else (0.0,)
         return any(stretch[0] - slack <= at + t <= stretch[1] + slack for t in turns)
 
     def _monotone(self) -> tuple[list[_Piece], list[tuple[float, float, float, int]]]:
@@ -208,7 +203,7 @@ class Arrangement:
         uprights = []
         for index, low, high in self.stretches:
             curve = self.carriers[index].curve
-            if isinstance(curve, LineCurve):
+            if isinstance(curve, Line):
                 start, end = curve.at(low), curve.at(high)
                 if start[0] == end[0]:
                     # Upright, or slanted and so short that it is no wider than a rounding error.

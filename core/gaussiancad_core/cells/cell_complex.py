@@ -11,8 +11,9 @@ from typing import NamedTuple, Protocol
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement, distinct
 from gaussiancad_core.cells.arrangement_kernels import CHAIN, ROUGH
-from gaussiancad_core.coordinates.carrier_curves import PlaneCurve, Point
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import COMPUTED
+from gaussiancad_core.geometry.whole_curves import LineOrCircle
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -40,7 +41,7 @@ class Body(Protocol):
     def holds(self, point: Vector) -> bool:
         """Whether a point lies in it."""
 
-    def rims(self, normal: Axis) -> list[tuple[PlaneCurve, tuple[float, float]]]:
+    def rims(self, normal: Axis) -> list[tuple[LineOrCircle, tuple[float, float]]]:
         """Curves, and stretches of them, along which a view may show the body."""
 
     def outlines(self, normal: Axis) -> tuple[tuple[Point, ...], ...] | None:

@@ -16,16 +16,12 @@ import numpy as np
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.cells.cell_complex import Space
 from gaussiancad_core.cells.grid_rows import Row, find_rows
-from gaussiancad_core.coordinates.carrier_curves import (
-    PlaneCurve,
-    Point,
-    axis_line,
-    meetings,
-)
 from gaussiancad_core.coordinates.carriers import PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.coordinates.point_chains import chain_distances
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import ASIDE, COMPUTED, ON_CURVE, SHORTEST
+from gaussiancad_core.geometry.whole_curves import LineOrCircle, axis_line, meetings
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -186,7 +182,7 @@ def _cut(
 
 
 def _cuts(
-    curve: PlaneCurve, stretch: tuple[float, float], values: list[list[float]]
+    curve: LineOrCircle, stretch: tuple[float, float], values: list[list[float]]
 ) -> Iterator[tuple[float, float]]:
     """Parts of a stretch between the values of both axes."""
     cuts = {*stretch}
@@ -223,7 +219,7 @@ def _rims(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
                     yield curve.at(at), curve.normal(at), share * (high - low) * curve.speed
 
 
-def _near_same(one: PlaneCurve, other: PlaneCurve) -> bool:
+def _near_same(one: LineOrCircle, other: LineOrCircle) -> bool:
     """Whether curves are one within what pieces can tell."""
     if type(one) is not type(other):
         return False
@@ -234,7 +230,7 @@ def _near_same(one: PlaneCurve, other: PlaneCurve) -> bool:
 class _Branch:
     """A slanted line's stretch or a part of a circle, as (coordinate, slope) over depth."""
 
-    curve: PlaneCurve
+    curve: LineOrCircle
     low: float
     high: float
 

@@ -13,9 +13,9 @@ import numpy as np
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.arrangement_kernels import CHAIN, traces
 from gaussiancad_core.cells.cell_complex import Space
-from gaussiancad_core.coordinates.carrier_curves import LineCurve, PlaneCurve
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.geometry.tolerances import ASIDE, ON_CURVE, SHORTEST
+from gaussiancad_core.geometry.whole_curves import Line, LineOrCircle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -97,5 +97,5 @@ def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float
     ]
 
 
-def _is_at(curve: PlaneCurve, coordinate: int, value: float) -> bool:
-    return isinstance(curve, LineCurve) and abs(curve.point[coordinate] - value) < ON_CURVE
+def _is_at(curve: LineOrCircle, coordinate: int, value: float) -> bool:
+    return isinstance(curve, Line) and abs(curve.point[coordinate] - value) < ON_CURVE

@@ -7,8 +7,9 @@ regions of all views do, the half space counts (see :class:`.columns.Space`).
 
 from dataclasses import dataclass
 
-from gaussiancad_core.coordinates.carrier_curves import PlaneCurve, Point, line_through
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import FAR, SHORTEST
+from gaussiancad_core.geometry.whole_curves import LineOrCircle, line_through
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -48,13 +49,13 @@ class HalfSpace:
         end = -FAR if self.normal[normal.value] > 0.0 else FAR
         return sorted([(depth, self.normal), (end, self.normal)])
 
-    def rims(self, normal: Axis) -> list[tuple[PlaneCurve, tuple[float, float]]]:
+    def rims(self, normal: Axis) -> list[tuple[LineOrCircle, tuple[float, float]]]:
         """The creases, as far as they are slanted in a view.
 
         Those that are not run along values of an axis, where everything is looked at anyway.
         """
         first, second = IN_PLANE[normal]
-        found: list[tuple[PlaneCurve, tuple[float, float]]] = []
+        found: list[tuple[LineOrCircle, tuple[float, float]]] = []
         for crease in self.creases:
             start, end = ((point[first], point[second]) for point in crease)
             if max(abs(start[0] - end[0]), abs(start[1] - end[1])) < SHORTEST:

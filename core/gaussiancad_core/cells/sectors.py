@@ -8,9 +8,10 @@ of a profile's two rims the one that is farther out is cut earlier.
 from collections.abc import Sequence
 from math import pi
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.tolerances import COMPUTED
+from gaussiancad_core.geometry.whole_curves import Circle
 
 Sector = tuple[float, float]
 """(start, sweep) in radians of the axis' projection plane, sweep at most pi."""
@@ -20,7 +21,7 @@ _SMOOTH = 0.02
 
 
 def sector_of(
-    arc: CircleCurve,
+    arc: Circle,
     stretch: tuple[float, float],
     carriers: Sequence[Carrier],
     near: float,
@@ -45,7 +46,7 @@ def sector_of(
     return (low if begins else high - pi, pi)
 
 
-def _goes_on(arc: CircleCurve, angle: float, carriers: Sequence[Carrier], near: float) -> bool:
+def _goes_on(arc: Circle, angle: float, carriers: Sequence[Carrier], near: float) -> bool:
     """Whether another line or circle touches an arc at an angle, and is drawn there."""
     end = arc.at(angle)
     a, b = arc.normal(angle)
@@ -62,7 +63,7 @@ def _goes_on(arc: CircleCurve, angle: float, carriers: Sequence[Carrier], near: 
 
 def _is_drawn(carrier: Carrier, at: float, near: float) -> bool:
     slack = near / carrier.curve.speed
-    turns = (0.0,) if not isinstance(carrier.curve, CircleCurve) else (-TURN, 0.0, TURN)
+    turns = (0.0,) if not isinstance(carrier.curve, Circle) else (-FULL_TURN, 0.0, FULL_TURN)
     return any(
         low - slack <= at + turn <= high + slack for low, high in carrier.drawn() for turn in turns
     )

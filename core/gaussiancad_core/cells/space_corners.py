@@ -13,8 +13,9 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.coordinates.carrier_curves import LineCurve, Point, meetings
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Line, meetings
 from gaussiancad_core.model.axes import Axis
 
 _MOST = 4000
@@ -50,11 +51,11 @@ class _Places:
         self.points = np.array(_merged(self._meetings(), near)).reshape(-1, 2)
         self.lines: list[set[int]] = [set() for _ in self.points]
         for index, curve in enumerate(self._curves):
-            if isinstance(curve, LineCurve):
+            if isinstance(curve, Line):
                 for place in np.flatnonzero(self._on_line(index, curve)):
                     self.lines[place].add(index)
 
-    def _on_line(self, index: int, curve: LineCurve) -> npt.NDArray[np.bool_]:
+    def _on_line(self, index: int, curve: Line) -> npt.NDArray[np.bool_]:
         """Which of the places a line is drawn at."""
         off = self.points - np.array(curve.point)
         (dx, dy), slack = curve.direction, self._slack(index)
@@ -82,7 +83,7 @@ class _Places:
     def _slack(self, index: int) -> float:
         """By how much a curve may end too early, in its parameter."""
         curve = self._curves[index]
-        slanted = isinstance(curve, LineCurve) and curve.axis is None
+        slanted = isinstance(curve, Line) and curve.axis is None
         return (self._short if slanted else self._near) / curve.speed
 
     def slanted(self, place: int) -> list[int]:
@@ -131,7 +132,7 @@ def spatial_edges(carriers: PartCarriers, near: float, short: float = 0.0) -> Sp
 
 def _has_slants(carriers: PartCarriers) -> bool:
     return any(
-        isinstance(carrier.curve, LineCurve) and carrier.curve.axis is None
+        isinstance(carrier.curve, Line) and carrier.curve.axis is None
         for plane in carriers.planes.values()
         for carrier in plane.carriers
     )

@@ -8,8 +8,9 @@ being a slanted line or a part of a circle.
 from dataclasses import dataclass
 from math import cos, hypot, sin, sqrt
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, PlaneCurve, line_through
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.tolerances import FAR, SHORTEST, UNIT_VECTOR
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, line_through
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -238,7 +239,7 @@ class SurfaceOfRevolution:
         ]
         return kept + inside
 
-    def rims(self, normal: Axis) -> list[tuple[PlaneCurve, tuple[float, float]]]:
+    def rims(self, normal: Axis) -> list[tuple[LineOrCircle, tuple[float, float]]]:
         """Circles of both ends along the axis; both outlines of the profile across it.
 
         A sector's outlines are left out: they are those of the surfaces that it passes into.
@@ -247,7 +248,7 @@ class SurfaceOfRevolution:
         if normal is self.axis:
             radii = (profile.radius(profile.low), profile.radius(profile.high))
             return [
-                (CircleCurve(self.centre, radius), stretch)
+                (Circle(self.centre, radius), stretch)
                 for radius in radii
                 if radius > SHORTEST
                 for stretch in self._stretches()
@@ -257,7 +258,7 @@ class SurfaceOfRevolution:
         along = IN_PLANE[normal].index(self.axis.value)
         other = IN_PLANE[normal][1 - along]
         middle = self.centre[IN_PLANE[self.axis].index(other)]
-        found: list[tuple[PlaneCurve, tuple[float, float]]] = []
+        found: list[tuple[LineOrCircle, tuple[float, float]]] = []
         for side in (-1.0, 1.0):
             ends = []
             for z in (profile.low, profile.high):
@@ -271,11 +272,11 @@ class SurfaceOfRevolution:
                 continue
             centre = [0.0, 0.0]
             centre[along], centre[1 - along] = profile.z, middle + side * profile.r
-            circle = CircleCurve((centre[0], centre[1]), profile.radius_of_arc)
+            circle = Circle((centre[0], centre[1]), profile.radius_of_arc)
             low, high = sorted(circle.parameter(end) for end in ends)
             half = circle.at((low + high) / 2.0)[1 - along] - centre[1 - along]
             if half * side * profile.side < 0.0:
-                found += [(circle, (0.0, low)), (circle, (high, TURN))]
+                found += [(circle, (0.0, low)), (circle, (high, FULL_TURN))]
             else:
                 found.append((circle, (low, high)))
         return found
@@ -285,11 +286,11 @@ class SurfaceOfRevolution:
 
     def _stretches(self) -> list[tuple[float, float]]:
         if self.sector is None:
-            return [(0.0, TURN)]
+            return [(0.0, FULL_TURN)]
         start, sweep = self.sector
-        if start + sweep <= TURN:
+        if start + sweep <= FULL_TURN:
             return [(start, start + sweep)]
-        return [(start, TURN), (0.0, start + sweep - TURN)]
+        return [(start, FULL_TURN), (0.0, start + sweep - FULL_TURN)]
 
     def _vector(self, flat: tuple[float, float], along: float) -> Vector:
         first, second = IN_PLANE[self.axis]

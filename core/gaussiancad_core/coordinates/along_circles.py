@@ -6,12 +6,13 @@ cylinder's circle, but files give it as a spline, which misses the circle by its
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
 from gaussiancad_core.coordinates.point_chains import Chain
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.tolerances import TELLING
+from gaussiancad_core.geometry.whole_curves import Circle
 
 
-def arc_along(chain: Chain, circle: CircleCurve, near: float) -> tuple[float, float] | None:
+def arc_along(chain: Chain, circle: Circle, near: float) -> tuple[float, float] | None:
     """The (start, sweep) in radians of the part of a circle that a chain is.
 
     Args:
@@ -30,7 +31,7 @@ def arc_along(chain: Chain, circle: CircleCurve, near: float) -> tuple[float, fl
     if not ((steps >= 0.0).all() or (steps <= 0.0).all()):
         return None
     low, high = sorted((float(angles[0]), float(angles[-1])))
-    sweep = min(high - low, TURN)
+    sweep = min(high - low, FULL_TURN)
     if circle.radius * (1.0 - np.cos(min(sweep, np.pi) / 2.0)) < TELLING * near:
         return None
-    return low % TURN, sweep
+    return low % FULL_TURN, sweep

@@ -11,15 +11,6 @@ from math import hypot, pi
 import numpy as np
 
 from gaussiancad_core.coordinates.along_circles import arc_along
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    LineCurve,
-    PlaneCurve,
-    Point,
-    axis_line,
-    line_through,
-)
 from gaussiancad_core.coordinates.chords import find_chords
 from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces
 from gaussiancad_core.coordinates.coordinate_clustering import (
@@ -49,7 +40,15 @@ from gaussiancad_core.coordinates.split_arcs import is_piece, with_pieces_of_arc
 from gaussiancad_core.coordinates.tangents import touched_circles
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import TELLING
+from gaussiancad_core.geometry.whole_curves import (
+    Circle,
+    Line,
+    LineOrCircle,
+    axis_line,
+    line_through,
+)
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, plane_points, role_plane
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -144,7 +143,7 @@ class _Line:
 @dataclass(frozen=True)
 class _Circle:
     role: Role
-    circle: CircleCurve
+    circle: Circle
     low: float
     sweep: float
     linetype: Linetype
@@ -279,7 +278,7 @@ def _tells_line(line: _Line, tolerance: float) -> bool:
 
 
 def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:
-    rise = arc.radius * scale * (1.0 - np.cos(min(arc.sweep, TURN) / 2.0))
+    rise = arc.radius * scale * (1.0 - np.cos(min(arc.sweep, FULL_TURN) / 2.0))
     return bool(rise > TELLING * tolerance) or is_quarter(arc, tolerance / scale)
 
 
@@ -290,9 +289,9 @@ def _circle(arc: Arc, role: Role, scale: float) -> _Circle:
     ends = (arc.start_angle, arc.start_angle + arc.sweep)
     mirrored = signs[0] * signs[1] < 0
     first = ends[1] if mirrored else ends[0]
-    low = np.arctan2(signs[1] * np.sin(first), signs[0] * np.cos(first)) % TURN
-    curve = CircleCurve((float(centre[0]), float(centre[1])), arc.radius * scale)
-    return _Circle(role, curve, float(low), min(arc.sweep, TURN), arc.linetype, arc.confidence)
+    low = np.arctan2(signs[1] * np.sin(first), signs[0] * np.cos(first)) % FULL_TURN
+    curve = Circle((float(centre[0]), float(centre[1])), arc.radius * scale)
+    return _Circle(role, curve, float(low), min(arc.sweep, FULL_TURN), arc.linetype, arc.confidence)
 
 
 def _snap(
@@ -379,7 +378,7 @@ def _parallel_axis(line: _Line, tolerance: float) -> int | None:
 def _supports(plane: _Plane, known: Adjusted, tolerance: float) -> tuple[Carrier, ...]:
     snap, lines = known.snap, known.lines[plane.normal]
     circles = [(snap.circle(plane.normal, c.circle) or c.circle, c) for c in plane.circles]
-    curves: list[PlaneCurve] = []
+    curves: list[LineOrCircle] = []
     strokes: list[tuple[int, DrawnInterval]] = []
     for circle, stroke in circles:
         if circle not in curves:
@@ -405,7 +404,7 @@ def _supports(plane: _Plane, known: Adjusted, tolerance: float) -> tuple[Carrier
     return carriers_with_intervals(curves, strokes, grid, tolerance)
 
 
-def _line_stretch(curve: LineCurve, line: _Line) -> DrawnInterval:
+def _line_stretch(curve: Line, line: _Line) -> DrawnInterval:
     low, high = sorted((curve.parameter(line.start), curve.parameter(line.end)))
     return DrawnInterval(line.role, (low, high), line.linetype, line.confidence)
 
@@ -416,7 +415,7 @@ def _arc_stretch(arc: _Circle) -> DrawnInterval:
 
 def _collinear(lines: list[_Line], tolerance: float) -> list[list[_Line]]:
     """Slanted strokes in groups that lie on one line."""
-    groups: list[tuple[LineCurve, list[_Line]]] = []
+    groups: list[tuple[Line, list[_Line]]] = []
     for line in sorted(lines, key=lambda stroke: -stroke.length):
         line_curve, length = line_through(line.start, line.end), line.length
         for curve, group in groups:

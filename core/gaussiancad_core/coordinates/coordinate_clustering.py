@@ -12,7 +12,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.circle_constraints import circle_relations
 from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces, constrained_places
 from gaussiancad_core.coordinates.design_step import NominalStep, nominal_step
@@ -22,6 +21,7 @@ from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, sol
 from gaussiancad_core.coordinates.round_numbers import round_numbers
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.geometry.tolerances import MOVED
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -71,7 +71,7 @@ class CircleReading:
     """
 
     normal: Axis
-    circle: CircleCurve
+    circle: Circle
     weight: float
 
 
@@ -96,7 +96,7 @@ class Snapped:
 
     values: dict[Axis, tuple[float, ...]]
     weights: dict[tuple[Axis, float], float]
-    circles: tuple[tuple[Axis, CircleCurve], ...]
+    circles: tuple[tuple[Axis, Circle], ...]
     circle_weights: tuple[float, ...]
     reach: float
     step: NominalStep | None = None
@@ -128,9 +128,9 @@ class Snapped:
         groups[len(extents)] = [circle.radius for _, circle in self.circles]
         return sum(map(self.step.odd, groups.values(), (*extents, 0.0)))
 
-    def circle(self, normal: Axis, reading: CircleCurve) -> CircleCurve | None:
+    def circle(self, normal: Axis, reading: Circle) -> Circle | None:
         """The circle that a reading is one of."""
-        best: tuple[float, CircleCurve] | None = None
+        best: tuple[float, Circle] | None = None
         for axis, circle in self.circles:
             off = _circle_distance(circle, reading)
             if axis is normal and off <= 2.0 * self.reach and (best is None or off < best[0]):
@@ -213,7 +213,7 @@ def snapped(
             key = axis, float(numbers[column])
             weights[key] = weights.get(key, 0.0) + variables.weights[column]
     circles_out = tuple(
-        (normal, CircleCurve((float(numbers[x]), float(numbers[y])), float(numbers[radius])))
+        (normal, Circle((float(numbers[x]), float(numbers[y])), float(numbers[radius])))
         for normal, x, y, radius in items
     )
     circle_weights = tuple(variables.weights[radius] for *_, radius in items)
@@ -338,7 +338,7 @@ def _mean(cluster: list[CoordinateReading]) -> tuple[float, float]:
     return sum(reading.value * reading.weight for reading in cluster) / total, total
 
 
-def _circle_distance(one: CircleCurve, other: CircleCurve) -> float:
+def _circle_distance(one: Circle, other: Circle) -> float:
     return max(
         abs(one.centre[0] - other.centre[0]),
         abs(one.centre[1] - other.centre[1]),
@@ -363,7 +363,7 @@ def _merged_circles(circles: Sequence[CircleReading], near: float) -> list[Circl
         weights = np.array([reading.weight for reading in group])
         rows = np.array([(*r.circle.centre, r.circle.radius) for r in group])
         x, y, radius = (weights[:, None] * rows).sum(0) / weights.sum()
-        circle = CircleCurve((float(x), float(y)), float(radius))
+        circle = Circle((float(x), float(y)), float(radius))
         merged.append(CircleReading(group[0].normal, circle, float(weights.sum())))
     return merged
 

@@ -12,8 +12,9 @@ from math import hypot, sqrt
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.coordinates.carrier_curves import LineCurve, Point, line_through, meetings
 from gaussiancad_core.coordinates.linear_constraints import Numbers, Terms
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Line, line_through, meetings
 
 
 @dataclass(frozen=True)
@@ -177,6 +178,6 @@ def crossings(slants: Sequence[Slant]) -> Iterator[Point]:
                 yield point
 
 
-def _is_within(line: LineCurve, slant: Slant, point: Point) -> bool:
+def _is_within(line: Line, slant: Slant, point: Point) -> bool:
     low, high = sorted((line.parameter(slant.start), line.parameter(slant.end)))
     return low < line.parameter(point) < high

@@ -12,8 +12,8 @@ from math import hypot
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.coordinates.point_chains import chain_distances
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.lines.strokes import Polyline
 from gaussiancad_core.model.views import Segment

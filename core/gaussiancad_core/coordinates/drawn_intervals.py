@@ -15,8 +15,9 @@ from math import inf
 import numpy as np
 
 from gaussiancad_core.coordinates.ambiguous_linetypes import UNSURE
-from gaussiancad_core.coordinates.carrier_curves import TURN, LineCurve, PlaneCurve, Point, meetings
 from gaussiancad_core.coordinates.joints import joints_of
+from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.whole_curves import Line, LineOrCircle, meetings
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
@@ -59,7 +60,7 @@ class Carrier:
         intervals: of each view of the plane.
     """
 
-    curve: PlaneCurve
+    curve: LineOrCircle
     intervals: dict[Role, tuple[Interval, ...]]
 
     def drawn(self, reach: float = 1e-4) -> list[tuple[float, float]]:
@@ -138,9 +139,9 @@ class DrawnInterval:
 
 
 def carriers_with_intervals(
-    curves: Sequence[PlaneCurve],
+    curves: Sequence[LineOrCircle],
     strokes: Sequence[tuple[int, DrawnInterval]],
-    grid: Sequence[PlaneCurve],
+    grid: Sequence[LineOrCircle],
     tolerance: float,
 ) -> tuple[Carrier, ...]:
     """Curves with what is drawn on them.
@@ -176,7 +177,7 @@ def carriers_with_intervals(
 
 
 def _joined(
-    curve: PlaneCurve,
+    curve: LineOrCircle,
     ends: tuple[float, float],
     joints: tuple[float | None, float | None],
     stations: list[float],
@@ -189,10 +190,10 @@ def _joined(
         joints: of both ends, None where there is none.
         stations: where the curve meets others of the plane.
     """
-    if not isinstance(curve, LineCurve):
-        if ends[1] - ends[0] >= TURN:
+    if not isinstance(curve, Line):
+        if ends[1] - ends[0] >= FULL_TURN:
             return ends
-        stations = [station + turn for turn in (-TURN, 0.0, TURN) for station in stations]
+        stations = [station + turn for turn in (-FULL_TURN, 0.0, FULL_TURN) for station in stations]
     low, high = (
         end if joint is None or _is_nearer(stations, end, joint) else joint
         for end, joint in zip(ends, joints, strict=True)
@@ -207,20 +208,20 @@ def _is_nearer(stations: list[float], end: float, joint: float) -> bool:
 
 
 def _slid(
-    curve: PlaneCurve,
+    curve: LineOrCircle,
     ends: tuple[float, float],
     seen: tuple[list[float], float],
-    others: Sequence[PlaneCurve],
+    others: Sequence[LineOrCircle],
     tolerance: float,
 ) -> tuple[float, float]:
     """A stroke's ends, those that lie at no station led to where a curve that runs along is met:
     an arc of a large radius passes into its tangent many tolerances before or after it seems to."""
     stations, slack = seen
     every = stations
-    if not isinstance(curve, LineCurve):
-        if ends[1] - ends[0] >= TURN:
+    if not isinstance(curve, Line):
+        if ends[1] - ends[0] >= FULL_TURN:
             return ends
-        every = [station + turn for turn in (-TURN, 0.0, TURN) for station in stations]
+        every = [station + turn for turn in (-FULL_TURN, 0.0, FULL_TURN) for station in stations]
     found = []
     for end in ends:
         near = [value for value in every if abs(value - end) * curve.speed <= _SLIDES * tolerance]
@@ -241,21 +242,21 @@ def _slid(
 
 
 def _settled(
-    curve: PlaneCurve, ends: tuple[float, float], stations: list[float], slack: float
+    curve: LineOrCircle, ends: tuple[float, float], stations: list[float], slack: float
 ) -> list[tuple[float, float]]:
     """A stroke's ends at stations; arcs are cut where angles begin again."""
     low, high = ends
-    if isinstance(curve, LineCurve):
+    if isinstance(curve, Line):
         return [(nearest_station(stations, low, slack), nearest_station(stations, high, slack))]
-    if high - low >= TURN - slack:
-        return [(0.0, TURN)]
-    around = [s + turn for turn in (-TURN, 0.0, TURN) for s in stations]
+    if high - low >= FULL_TURN - slack:
+        return [(0.0, FULL_TURN)]
+    around = [s + turn for turn in (-FULL_TURN, 0.0, FULL_TURN) for s in stations]
     low, high = nearest_station(around, low, slack), nearest_station(around, high, slack)
-    turns = np.floor(low / TURN + 1e-12) * TURN
+    turns = np.floor(low / FULL_TURN + 1e-12) * FULL_TURN
     low, high = max(0.0, low - turns), high - turns
-    if high <= TURN + 1e-12:
-        return [(low, min(high, TURN))]
-    return [(low, TURN), (0.0, high - TURN)]
+    if high <= FULL_TURN + 1e-12:
+        return [(low, min(high, FULL_TURN))]
+    return [(low, FULL_TURN), (0.0, high - FULL_TURN)]
 
 
 def _filled(carrier: Carrier, others: Sequence[Carrier], tolerance: float) -> Carrier:
@@ -299,7 +300,7 @@ def _neighbours(intervals: Sequence[Interval]) -> Iterator[tuple[Interval, Inter
         yield from ((one, two) for one, two in pairwise(this_spans) if two.low - one.high > 1e-9)
 
 
-def _places(curve: PlaneCurve, low: float, high: float, step: float) -> list[float]:
+def _places(curve: LineOrCircle, low: float, high: float, step: float) -> list[float]:
     count = int((high - low) * curve.speed / step) + 2
     return [low + (high - low) * (k + 0.5) / count for k in range(count)]
 
@@ -311,7 +312,7 @@ def _runs_by(other: Carrier, role: Role, point: Point, near: float) -> bool:
     return other.linetype_at(role, other.curve.parameter(point), near) is not None
 
 
-def stations_on(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
+def stations_on(curve: LineOrCircle, others: list[LineOrCircle]) -> list[float]:
     """Parameters where a curve meets others, ascending; it never meets itself."""
     return sorted({curve.parameter(point) for other in others for point in meetings(curve, other)})
 

@@ -11,13 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    LineCurve,
-    Point,
-    line_through,
-)
 from gaussiancad_core.coordinates.circle_constraints import circle_relations
 from gaussiancad_core.coordinates.coordinate_clustering import CERTAIN, Snapped
 from gaussiancad_core.coordinates.corner_equations import (
@@ -31,7 +24,9 @@ from gaussiancad_core.coordinates.corner_equations import (
 )
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, Relation, solved
 from gaussiancad_core.coordinates.tangents import touched_circles, touching_circles
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING, MOVED
+from gaussiancad_core.geometry.whole_curves import Circle, Line, line_through
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -84,7 +79,7 @@ class PlaneReading:
     normal: Axis
     slants: tuple[Slant, ...]
     ends: tuple[Point, ...]
-    arcs: tuple[tuple[CircleCurve, float, float], ...] = ()
+    arcs: tuple[tuple[Circle, float, float], ...] = ()
 
     def moved(self, a: float, b: float) -> "PlaneReading":
         """The same, so many units farther along both coordinates."""
@@ -99,7 +94,7 @@ class PlaneReading:
             ),
             ends=tuple(at(end) for end in self.ends),
             arcs=tuple(
-                (CircleCurve(at(circle.centre), circle.radius), low, sweep)
+                (Circle(at(circle.centre), circle.radius), low, sweep)
                 for circle, low, sweep in self.arcs
             ),
         )
@@ -128,7 +123,7 @@ class Adjusted:
     """
 
     snap: Snapped
-    lines: dict[Axis, tuple[LineCurve, ...]]
+    lines: dict[Axis, tuple[Line, ...]]
 
 
 def adjusted(
@@ -255,23 +250,21 @@ class _Network:
                 ):
                     yield OnCircle(corner.a, corner.b, at)
 
-    def _drawn_arcs(self, plane: PlaneReading) -> dict[CircleCurve, list[tuple[float, float]]]:
+    def _drawn_arcs(self, plane: PlaneReading) -> dict[Circle, list[tuple[float, float]]]:
         """First angles and sweeps of the arcs of each of a plane's circles."""
-        found: dict[CircleCurve, list[tuple[float, float]]] = {}
+        found: dict[Circle, list[tuple[float, float]]] = {}
         for read, low, sweep in plane.arcs:
             circle = self._snap.circle(plane.normal, read)
             if circle is not None:
                 found.setdefault(circle, []).append((low, sweep))
         return found
 
-    def _is_drawn(
-        self, arcs: Sequence[tuple[float, float]], circle: CircleCurve, point: Point
-    ) -> bool:
+    def _is_drawn(self, arcs: Sequence[tuple[float, float]], circle: Circle, point: Point) -> bool:
         """Whether a circle, of which these arcs are told, is drawn right beside a point of it."""
         room = MEETING * self._tolerance / circle.radius
         at = circle.parameter(point)
         return not arcs or any(
-            (at - low + room) % TURN <= sweep + 2.0 * room for low, sweep in arcs
+            (at - low + room) % FULL_TURN <= sweep + 2.0 * room for low, sweep in arcs
         )
 
     def on_facet(self, facet: Facet) -> Iterator[Relation]:
@@ -294,7 +287,7 @@ class _Network:
         for places in known:
             yield OnFacet(places, first, frame, origin)
 
-    def _is_on(self, corner: "_Corner", curve: LineCurve | CircleCurve, *, loose: bool) -> bool:
+    def _is_on(self, corner: "_Corner", curve: Line | Circle, *, loose: bool) -> bool:
         off = curve.distance(corner.point)
         return off <= (_ON_LOOSELY if loose else _ON) * self._tolerance
 
@@ -343,7 +336,7 @@ class _Network:
         circles = tuple(
             (
                 normal,
-                CircleCurve((float(numbers[at]), float(numbers[at + 1])), float(numbers[at + 2])),
+                Circle((float(numbers[at]), float(numbers[at + 1])), float(numbers[at + 2])),
             )
             for (normal, _), at in zip(self._snap.circles, self._circles, strict=True)
         )
@@ -368,17 +361,17 @@ class _Corner:
     loose: bool
 
 
-def _circle(numbers: Numbers, at: int) -> CircleCurve:
+def _circle(numbers: Numbers, at: int) -> Circle:
     x, y, radius = (float(number) for number in numbers[at : at + 3])
-    return CircleCurve((x, y), radius)
+    return Circle((x, y), radius)
 
 
-def _is_extreme(circle: CircleCurve, point: Point) -> bool:
+def _is_extreme(circle: Circle, point: Point) -> bool:
     """Whether a circle runs along an axis at a point: then one coordinate tells nothing of it."""
     return min(abs(component) for component in circle.normal(circle.parameter(point))) < _EXTREME
 
 
-def _moved(slant: Slant, low: float, high: float) -> LineCurve:
+def _moved(slant: Slant, low: float, high: float) -> Line:
     """The line with offsets at its ends, to the left of its way."""
     (dx, dy), _ = direction_of(slant)
     start = slant.start[0] - dy * low, slant.start[1] + dx * low

@@ -10,11 +10,12 @@ from math import hypot
 import numpy as np
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, PlaneCurve, meetings
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, meetings
 
 
 def joints_of(
-    curves: Sequence[PlaneCurve], strokes: Sequence[tuple[int, tuple[float, float]]], reach: float
+    curves: Sequence[LineOrCircle], strokes: Sequence[tuple[int, tuple[float, float]]], reach: float
 ) -> list[tuple[float | None, float | None]]:
     """Of each stroke the parameters of the joints at its low and its high end.
 
@@ -45,9 +46,9 @@ def joints_of(
     return list(zip(joints[::2], joints[1::2], strict=True))
 
 
-def _parameter_near(curve: PlaneCurve, point: tuple[float, float], near: float) -> float:
+def _parameter_near(curve: LineOrCircle, point: tuple[float, float], near: float) -> float:
     """A point's parameter on a curve, on circles the one nearest to another parameter."""
     at = curve.parameter(point)
-    if not isinstance(curve, CircleCurve):
+    if not isinstance(curve, Circle):
         return at
-    return min((at - TURN, at, at + TURN), key=lambda turned: abs(turned - near))
+    return min((at - FULL_TURN, at, at + FULL_TURN), key=lambda turned: abs(turned - near))

@@ -10,13 +10,8 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    CircleCurve,
-    PlaneCurve,
-    Point,
-    line_through,
-    meetings,
-)
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, line_through, meetings
 
 Chain = tuple[Point, ...]
 
@@ -86,12 +81,12 @@ def through_points(
     return tuple((float(a), float(b)) for _, (a, b) in placed)
 
 
-def crossings_with_curves(chain: Chain, curves: Sequence[PlaneCurve]) -> list[float]:
+def crossings_with_curves(chain: Chain, curves: Sequence[LineOrCircle]) -> list[float]:
     """First coordinates at which a chain crosses whole lines and circles."""
     points = np.array(chain)
     found: list[float] = []
     for curve in curves:
-        if isinstance(curve, CircleCurve):
+        if isinstance(curve, Circle):
             sides = np.hypot(*(points - np.array(curve.centre)).T) - curve.radius
         else:
             sides = (points - np.array(curve.point)) @ np.array(curve.normal(0.0))

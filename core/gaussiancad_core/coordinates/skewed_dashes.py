@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from math import atan2, dist, pi
 
-from gaussiancad_core.coordinates.carrier_curves import TURN
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.views import Arc, Segment
 
@@ -67,7 +67,7 @@ def _runs_around(dash: Segment, arc: Arc, tolerance: float) -> bool:
     if arc.linetype is not dash.linetype or away > _TOUCHING * tolerance:
         return False
     angles = [
-        (atan2(y - arc.centre[1], x - arc.centre[0]) - arc.start_angle) % TURN
+        (atan2(y - arc.centre[1], x - arc.centre[0]) - arc.start_angle) % FULL_TURN
         for x, y in (dash.start, dash.end)
     ]
     return max(angles) <= arc.sweep and max(angles) - min(angles) < pi

@@ -11,8 +11,8 @@ from math import hypot, pi
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import TURN
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.tolerances import MEETING
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.views import Arc, Segment
@@ -81,7 +81,7 @@ def _with_pieces(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...
 
 def _may_be_piece(stroke: Curve, strokes: Sequence[Curve], tolerance: float) -> bool:
     if isinstance(stroke, Arc):
-        rise = stroke.radius * (1.0 - np.cos(min(stroke.sweep, TURN) / 2.0))
+        rise = stroke.radius * (1.0 - np.cos(min(stroke.sweep, FULL_TURN) / 2.0))
         return bool(rise <= MEETING * tolerance) and not _has_twin(stroke, strokes, tolerance)
     return isinstance(stroke, Segment) and stroke.length > 0.0
 
@@ -101,7 +101,7 @@ def _piece(stroke: Curve, arcs: Sequence[Arc], tolerance: float) -> Arc | None:
         angles = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))
         low, high = sorted((float(angles[0]), float(angles[-1])))
         if high - low <= _TURN and _touches((low, high), arc, tolerance):
-            best = Arc(arc.centre, arc.radius, low % TURN, high - low, stroke.linetype)
+            best = Arc(arc.centre, arc.radius, low % FULL_TURN, high - low, stroke.linetype)
             least = float(ends)
     return best
 
@@ -109,5 +109,5 @@ def _piece(stroke: Curve, arcs: Sequence[Arc], tolerance: float) -> Arc | None:
 def _touches(angles: tuple[float, float], arc: Arc, tolerance: float) -> bool:
     """Whether one of the ends of a piece lies on the drawn part of its circle."""
     slack = tolerance / arc.radius
-    after = [(angle - arc.start_angle + slack) % TURN for angle in angles]
+    after = [(angle - arc.start_angle + slack) % FULL_TURN for angle in angles]
     return min(after) <= arc.sweep + 2.0 * slack

@@ -4,15 +4,16 @@ from collections.abc import Iterator, Sequence
 from itertools import permutations
 from math import hypot
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 
 _NEAR_END = 6.0
 """Reaches within which a circle's touching point lies from the line's end, at least."""
 
 
 def touched_circles(
-    rough: LineCurve, ends: tuple[Point, Point], circles: Sequence[CircleCurve], reach: float
-) -> tuple[CircleCurve | None, CircleCurve | None]:
+    rough: Line, ends: tuple[Point, Point], circles: Sequence[Circle], reach: float
+) -> tuple[Circle | None, Circle | None]:
     """The circle that a line touches at each of its ends, None where there is none.
 
     Args:
@@ -25,10 +26,8 @@ def touched_circles(
     return one, None if other is one else other
 
 
-def _touched(
-    rough: LineCurve, end: Point, circles: Sequence[CircleCurve], reach: float
-) -> CircleCurve | None:
-    best: tuple[float, CircleCurve] | None = None
+def _touched(rough: Line, end: Point, circles: Sequence[Circle], reach: float) -> Circle | None:
+    best: tuple[float, Circle] | None = None
     for circle in circles:
         miss = abs(rough.distance(circle.centre) - circle.radius)
         x, y = rough.at(rough.parameter(circle.centre))
@@ -41,8 +40,8 @@ def _touched(
 
 
 def touching_circles(
-    circles: Sequence[CircleCurve], ends: Sequence[Point], reach: float
-) -> Iterator[tuple[CircleCurve, CircleCurve, bool]]:
+    circles: Sequence[Circle], ends: Sequence[Point], reach: float
+) -> Iterator[tuple[Circle, Circle, bool]]:
     """Pairs of circles that pass smoothly into each other where strokes end.
 
     Args:

@@ -14,10 +14,10 @@ from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.feature_model import Extrusion, Sketch, Turning
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.kernel.booleans import fused, unified, without
 from gaussiancad_core.kernel.brep import subshapes, volume
 

@@ -4,9 +4,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from math import atan2, hypot, pi
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
 from gaussiancad_core.features.sketch_cells import Cells, Piece
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import SHORTEST
+from gaussiancad_core.geometry.whole_curves import Circle
 
 _ROUNDED = 9
 """Decimal places."""
@@ -43,12 +44,12 @@ class Edge:
         if self.centre is None:
             return 0.0
         if self.is_circle:
-            return TURN
+            return FULL_TURN
         first, last = (
             atan2(point[1] - self.centre[1], point[0] - self.centre[0])
             for point in (self.start, self.end)
         )
-        return (last - first) % TURN if self.is_ccw else (first - last) % TURN
+        return (last - first) % FULL_TURN if self.is_ccw else (first - last) % FULL_TURN
 
     def heading(self, at_start: bool) -> Point:
         """Unit vector in which it runs at its start or end."""
@@ -80,7 +81,7 @@ class _Directed:
         at = self.piece.low if at_start == is_forward else self.piece.high
         (dx, dy) = curve.normal(at)
         # Along a line the normal is its direction turned to the left; of a circle it points out.
-        tangent = (-dy, dx) if isinstance(curve, CircleCurve) else (dy, -dx)
+        tangent = (-dy, dx) if isinstance(curve, Circle) else (dy, -dx)
         way = 1.0 if is_forward else -1.0
         return atan2(way * tangent[1], way * tangent[0])
 
@@ -127,7 +128,7 @@ def area_of(loop: Loop) -> float:
 def _directed(piece: Piece, inside: set[int]) -> _Directed:
     low, high = piece.curve.at(piece.low), piece.curve.at(piece.high)
     # A circle's normal points out of it, so its left is inside only when it runs counter-clockwise.
-    is_circle = isinstance(piece.curve, CircleCurve)
+    is_circle = isinstance(piece.curve, Circle)
     is_forward = (piece.right in inside) if is_circle else (piece.left in inside)
     return _Directed(piece, *((low, high) if is_forward else (high, low)), is_forward)
 
@@ -139,7 +140,7 @@ def _meet(one: Point, other: Point) -> bool:
 def _turn(one: _Directed, other: _Directed) -> float:
     """Radians to the left from the end of one to the start of another, -pi to pi."""
     angle = other.heading(at_start=True) - one.heading(at_start=False)
-    return (angle + pi) % TURN - pi
+    return (angle + pi) % FULL_TURN - pi
 
 
 def _loop(chain: Sequence[_Directed]) -> Loop:
@@ -151,7 +152,7 @@ def _loop(chain: Sequence[_Directed]) -> Loop:
             runs.append([link])
     if len(runs) > 1 and _go_on(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]
-    if len(runs) == 1 and isinstance(runs[0][0].piece.curve, CircleCurve):
+    if len(runs) == 1 and isinstance(runs[0][0].piece.curve, Circle):
         return (_circle(runs[0][0]),)
     edges = [_edge(run) for run in runs]
     # Each ends where the next one starts, to the last digit.
@@ -167,7 +168,7 @@ def _go_on(one: _Directed, other: _Directed) -> bool:
 def _edge(run: Sequence[_Directed]) -> Edge:
     start, end = _rounded(run[0].start), _rounded(run[-1].end)
     curve = run[0].piece.curve
-    if not isinstance(curve, CircleCurve):
+    if not isinstance(curve, Circle):
         return Edge(start, end)
     centre, radius = _rounded(curve.centre), round(curve.radius, _ROUNDED)
     return Edge(start, end, centre, radius, run[0].is_forward)
@@ -175,7 +176,7 @@ def _edge(run: Sequence[_Directed]) -> Edge:
 
 def _circle(link: _Directed) -> Edge:
     curve = link.piece.curve
-    if not isinstance(curve, CircleCurve):
+    if not isinstance(curve, Circle):
         raise ValueError("the piece is no circle")
     centre, radius = _rounded(curve.centre), round(curve.radius, _ROUNDED)
     start = (centre[0] + radius, centre[1])

@@ -14,18 +14,12 @@ from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_CurveType
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    LineCurve,
-    PlaneCurve,
-    Point,
-    line_through,
-)
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, u_range
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import COMPUTED
+from gaussiancad_core.geometry.whole_curves import Circle, Line, LineOrCircle, line_through
 from gaussiancad_core.kernel.brep import edges_of
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
@@ -48,7 +42,7 @@ class Stretch:
         low, high: parameters; of circles from 0 to 2 pi.
     """
 
-    curve: PlaneCurve
+    curve: LineOrCircle
     low: float
     high: float
 
@@ -112,7 +106,7 @@ def _edge_points(face: TopoDS_Face) -> Points:
 def supports_of(stretches: Iterable[Stretch]) -> list[Carrier]:
     """Stretches by the curves that they lie on; curves within :data:`SAME` of each other are
     one."""
-    found: list[tuple[PlaneCurve, list[Interval]]] = []
+    found: list[tuple[LineOrCircle, list[Interval]]] = []
     for stretch in sorted(stretches, key=lambda one: -_length(one)):
         for curve, spans in found:
             if _is_same(curve, stretch):
@@ -137,15 +131,15 @@ def arc(centre: Point, radius: float, ends: tuple[Point, Point], middle: Point) 
     where both ends are one, nothing where it is a point."""
     if radius < SAME:
         return []
-    circle = CircleCurve(centre, radius)
+    circle = Circle(centre, radius)
     start, end, between = (circle.parameter(point) for point in (*ends, middle))
     if hypot(ends[0][0] - ends[1][0], ends[0][1] - ends[1][1]) < SAME:
-        return [Stretch(circle, 0.0, TURN)]
+        return [Stretch(circle, 0.0, FULL_TURN)]
     if not _is_between(start, between, end):
         start, end = end, start
     if start < end:
         return [Stretch(circle, start, end)]
-    pieces = [Stretch(circle, start, TURN), Stretch(circle, 0.0, end)]
+    pieces = [Stretch(circle, start, FULL_TURN), Stretch(circle, 0.0, end)]
     return [piece for piece in pieces if _length(piece) > SAME]
 
 
@@ -187,30 +181,30 @@ def _direction(points: Points) -> Points:
 
 def _is_between(start: float, angle: float, end: float) -> bool:
     """Whether an angle is met on the way up from one to another."""
-    return (angle - start) % TURN <= (end - start) % TURN
+    return (angle - start) % FULL_TURN <= (end - start) % FULL_TURN
 
 
 def _length(stretch: Stretch) -> float:
     return (stretch.high - stretch.low) * stretch.curve.speed
 
 
-def _is_same(curve: PlaneCurve, stretch: Stretch) -> bool:
+def _is_same(curve: LineOrCircle, stretch: Stretch) -> bool:
     """Whether a stretch lies on a curve."""
     other = stretch.curve
-    if isinstance(curve, CircleCurve):
+    if isinstance(curve, Circle):
         return (
-            isinstance(other, CircleCurve)
+            isinstance(other, Circle)
             and hypot(curve.centre[0] - other.centre[0], curve.centre[1] - other.centre[1]) < SAME
             and abs(curve.radius - other.radius) < SAME
         )
-    if not isinstance(other, LineCurve):
+    if not isinstance(other, Line):
         return False
     return all(curve.distance(other.at(at)) < SAME for at in (stretch.low, stretch.high))
 
 
-def _spans(curve: PlaneCurve, stretch: Stretch) -> Iterator[Interval]:
+def _spans(curve: LineOrCircle, stretch: Stretch) -> Iterator[Interval]:
     """A stretch by the parameters of the curve that it lies on."""
-    if isinstance(curve, CircleCurve):
+    if isinstance(curve, Circle):
         low, high = stretch.low, stretch.high
     else:
         ends = (stretch.curve.at(at) for at in (stretch.low, stretch.high))

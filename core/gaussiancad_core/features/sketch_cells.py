@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.coordinates.carrier_curves import PlaneCurve
+from gaussiancad_core.geometry.whole_curves import LineOrCircle
 from gaussiancad_core.solid.cell_outlines import pieces_of
 
 Points = npt.NDArray[np.float64]
@@ -36,7 +36,7 @@ class Piece:
         left, right: the cells on the side of its normal, and on the other one.
     """
 
-    curve: PlaneCurve
+    curve: LineOrCircle
     support: int
     low: float
     high: float

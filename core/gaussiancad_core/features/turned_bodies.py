@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import Arrangement
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.frames import frame_across
 from gaussiancad_core.features.inside_rays import Rays
 from gaussiancad_core.features.loops import Edge, Loop
@@ -25,6 +24,7 @@ from gaussiancad_core.features.sample_points import Samples
 from gaussiancad_core.features.sketch_cells import OFF_CENTRE, Cells, edge_count, length_of
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, TurnAxis, regions_of
+from gaussiancad_core.geometry.points import Point
 
 Vector = npt.NDArray[np.float64]
 Points = npt.NDArray[np.float64]

@@ -6,7 +6,6 @@ from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.gp import gp_Pnt, gp_Trsf
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.feature_model import (
     EdgeBreak,
     Extrusion,
@@ -16,6 +15,7 @@ from gaussiancad_core.features.feature_model import (
     Turning,
 )
 from gaussiancad_core.features.loops import Edge
+from gaussiancad_core.geometry.points import Point
 
 
 def scaled_shape(shape: TopoDS_Shape, factor: float) -> TopoDS_Shape:

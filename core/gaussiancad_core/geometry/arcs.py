@@ -10,7 +10,6 @@ import numpy as np
 
 from gaussiancad_core.geometry.chains import chain_distances
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Circle
 from gaussiancad_core.geometry.points import (
     FULL_TURN,
     Box,
@@ -20,6 +19,7 @@ from gaussiancad_core.geometry.points import (
     wrapped,
 )
 from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.geometry.whole_curves import Circle
 
 _CLOSED = FULL_TURN * (1.0 - 1e-9)
 """Radians from which a sweep is the whole curve: a full turn, but for rounding."""

@@ -11,8 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import Arrangement
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
 from gaussiancad_core.coordinates.point_chains import Chain
+from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.whole_curves import Circle
 
 _TOUCHING = 2e-6
 """Units within which an end lies on a curve."""
@@ -29,7 +30,7 @@ def bridges(arrangement: Arrangement, chains: Sequence[Chain], reach: float) -> 
     found: list[Chain] = []
     for number, (index, low, high) in enumerate(arrangement.stretches):
         curve = arrangement.carriers[index].curve
-        if isinstance(curve, CircleCurve) and high - low > TURN - 1e-9:
+        if isinstance(curve, Circle) and high - low > FULL_TURN - 1e-9:
             continue
         for end in (curve.at(low), curve.at(high)):
             found += _bridge(end, _feet(arrangement, chains, end, number, None), reach, found)
@@ -77,9 +78,12 @@ def _feet(
 def _clamped(at: float, low: float, high: float, curve: object) -> float:
     if low <= at <= high:
         return at
-    if not isinstance(curve, CircleCurve):
+    if not isinstance(curve, Circle):
         return min(max(at, low), high)
-    to_low, to_high = ((at - low + np.pi) % TURN - np.pi, (at - high + np.pi) % TURN - np.pi)
+    to_low, to_high = (
+        (at - low + np.pi) % FULL_TURN - np.pi,
+        (at - high + np.pi) % FULL_TURN - np.pi,
+    )
     return low if abs(to_low) < abs(to_high) else high
 
 

@@ -16,11 +16,11 @@ import numpy.typing as npt
 
 from gaussiancad_core.cells.cell_complex import BODY
 from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve, axis_line, meetings
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.coordinates.curve_ends import with_common_ends
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.tolerances import COMPUTED, SAME_READ, TELLING
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, axis_line, meetings
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.lines.strokes import Polyline
@@ -78,7 +78,7 @@ class _Surface(NamedTuple):
     coordinate: int
     place: int
     key: tuple[int, int]
-    curve: PlaneCurve
+    curve: LineOrCircle
     drawn: list[tuple[float, float]]
     reach: tuple[float, float]
 
@@ -153,7 +153,7 @@ class _Sights:
             for index in IN_PLANE[self._normal]
         ]
         # Planes meet in straight lines.
-        curved = any(isinstance(surface.curve, CircleCurve) for surface in self._surfaces)
+        curved = any(isinstance(surface.curve, Circle) for surface in self._surfaces)
         self._any_round = curved or bool(bodies)
 
     def curve(self, stroke: Curve) -> Polyline | None:
@@ -202,7 +202,7 @@ class _Sights:
         points = stroke.sample(stroke.length / count)
         return plane_points(points, self._role, self._scale)
 
-    def _runs_on(self, points: Points, rims: Sequence[PlaneCurve]) -> bool:
+    def _runs_on(self, points: Points, rims: Sequence[LineOrCircle]) -> bool:
         """Whether points lie on one of a body's outlines or circles."""
         return any(
             all(rim.distance((float(a), float(b))) <= self._tolerance for a, b in points)
@@ -326,7 +326,7 @@ class _Sights:
                 if _is_on(curve, point, surface.drawn)
             )
             for depth in hits:
-                upper = isinstance(curve, CircleCurve) and depth > curve.centre[1 - place]
+                upper = isinstance(curve, Circle) and depth > curve.centre[1 - place]
                 found[(*surface.key, int(upper))] = depth
         for index, body in enumerate(self._bodies):
             hits = sorted(depth for depth, _ in body.crossings(self._normal, a, b))
@@ -336,16 +336,16 @@ class _Sights:
 
 
 def _reach(
-    curve: PlaneCurve, drawn: Sequence[tuple[float, float]], place: int
+    curve: LineOrCircle, drawn: Sequence[tuple[float, float]], place: int
 ) -> tuple[float, float]:
     """The least and the most of a coordinate that stretches of a curve have."""
-    if isinstance(curve, CircleCurve):
+    if isinstance(curve, Circle):
         return curve.centre[place] - curve.radius, curve.centre[place] + curve.radius
     ends = [curve.at(at)[place] for stretch in drawn for at in stretch]
     return min(ends, default=inf) - COMPUTED, max(ends, default=-inf) + COMPUTED
 
 
-def _is_on(curve: PlaneCurve, point: tuple[float, float], drawn: Sequence[tuple]) -> bool:
+def _is_on(curve: LineOrCircle, point: tuple[float, float], drawn: Sequence[tuple]) -> bool:
     at = curve.parameter(point)
     return any(low <= at <= high for low, high in drawn)
 

@@ -4,8 +4,9 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import combinations, islice
 from math import pi
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, LineCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -24,7 +25,7 @@ Band = tuple[float, float, float, float]
 
 def missing_circles(
     carriers: PartCarriers, normal: Axis, near: float
-) -> Iterator[tuple[CircleCurve, float, float]]:
+) -> Iterator[tuple[Circle, float, float]]:
     """Circles of a plane of whose cylinders both other planes show the sides.
 
     A square pocket has such sides as well, but is drawn.  Where no view draws any circle there are
@@ -36,7 +37,7 @@ def missing_circles(
         near: units within which coordinates are one.
     """
     if not any(
-        isinstance(carrier.curve, CircleCurve)
+        isinstance(carrier.curve, Circle)
         for plane in carriers.planes.values()
         for carrier in plane.carriers
     ):
@@ -45,24 +46,24 @@ def missing_circles(
     one = [*islice(_bands(carriers.planes[second], first, near), _MOST_BANDS)]
     other = [*islice(_bands(carriers.planes[first], second, near), _MOST_BANDS)]
     plane = carriers.planes[normal]
-    drawn = [s.curve for s in plane.carriers if isinstance(s.curve, CircleCurve)]
-    found: list[CircleCurve] = []
+    drawn = [s.curve for s in plane.carriers if isinstance(s.curve, Circle)]
+    found: list[Circle] = []
     for a, radius, *ends in one:
         for b, width, *others in other:
             apart = (radius - width, ends[0] - others[0], ends[1] - others[1])
             if max(map(abs, apart)) > near:
                 continue
-            circle = CircleCurve((a, b), radius)
+            circle = Circle((a, b), radius)
             known = any(_alike(circle, other, near) for other in (*drawn, *found))
             if not known and _sides(plane, circle, near) < _SQUARE:
                 found.append(circle)
     for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
-        yield circle, 0.0, TURN
+        yield circle, 0.0, FULL_TURN
 
 
 def sectioned_circles(
     carriers: PartCarriers, normal: Axis, cuts: Collection[tuple[Axis, float]], near: float
-) -> Iterator[tuple[CircleCurve, float, float]]:
+) -> Iterator[tuple[Circle, float, float]]:
     """Circles of a plane that sections through the centre of a drawn one show: grooves, and bores
     that are wider inside.
 
@@ -73,8 +74,8 @@ def sectioned_circles(
         near: units within which coordinates are one.
     """
     plane = carriers.planes[normal]
-    drawn = [s.curve for s in plane.carriers if isinstance(s.curve, CircleCurve)]
-    found: list[CircleCurve] = []
+    drawn = [s.curve for s in plane.carriers if isinstance(s.curve, Circle)]
+    found: list[Circle] = []
     for axis, at in cuts:
         if axis is normal:
             continue
@@ -83,7 +84,7 @@ def sectioned_circles(
         through = [curve.centre for curve in drawn if abs(curve.centre[along] - at) <= near]
         for middle, radius, *_ in islice(_bands(carriers.planes[axis], across, near), _MOST_BANDS):
             for centre in through:
-                circle = CircleCurve(centre, radius)
+                circle = Circle(centre, radius)
                 known = any(_alike(circle, other, near) for other in (*drawn, *found))
                 coaxial = abs(centre[1 - along] - middle) <= near and not known
                 ends = (middle - radius, middle + radius)
@@ -92,11 +93,11 @@ def sectioned_circles(
                 if _sides(plane, circle, near) < _SQUARE:
                     found.append(circle)
     for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
-        yield circle, 0.0, TURN
+        yield circle, 0.0, FULL_TURN
 
 
 def _shows(
-    circles: Sequence[CircleCurve],
+    circles: Sequence[Circle],
     along: int,
     at: float,
     places: tuple[float, float],
@@ -117,7 +118,7 @@ def _bands(plane: PlaneCarriers, across: Axis, near: float) -> Iterator[Band]:
     lines = []
     for carrier in plane.carriers:
         curve = carrier.curve
-        if isinstance(curve, LineCurve) and curve.axis == place:
+        if isinstance(curve, Line) and curve.axis == place:
             start = curve.point[1 - place]
             for low, high in carrier.drawn():
                 lines.append((curve.point[place], start + low, start + high))
@@ -127,7 +128,7 @@ def _bands(plane: PlaneCarriers, across: Axis, near: float) -> Iterator[Band]:
             yield (a + b) / 2.0, (b - a) / 2.0, low, high
 
 
-def _sides(plane: PlaneCarriers, circle: CircleCurve, near: float) -> int:
+def _sides(plane: PlaneCarriers, circle: Circle, near: float) -> int:
     """How many sides of the square around a circle are drawn where they touch it."""
     places = [circle.at(quarter * pi / 2.0) for quarter in range(4)]
     found = 0
@@ -141,6 +142,6 @@ def _sides(plane: PlaneCarriers, circle: CircleCurve, near: float) -> int:
     return found
 
 
-def _alike(one: CircleCurve, other: CircleCurve, near: float) -> bool:
+def _alike(one: Circle, other: Circle, near: float) -> bool:
     (x, y), (u, v) = one.centre, other.centre
     return max(abs(x - u), abs(y - v), abs(one.radius - other.radius)) <= near

@@ -14,16 +14,11 @@ from itertools import chain, pairwise
 from types import MappingProxyType
 
 from gaussiancad_core.cells.arrangement import Arrangement, distinct
-from gaussiancad_core.coordinates.carrier_curves import (
-    CircleCurve,
-    LineCurve,
-    PlaneCurve,
-    Point,
-    axis_line,
-)
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import SHORTEST
+from gaussiancad_core.geometry.whole_curves import Circle, Line, LineOrCircle, axis_line
 from gaussiancad_core.hypotheses.missing_circles import missing_circles, sectioned_circles
 from gaussiancad_core.hypotheses.missing_slants import missing_slants
 from gaussiancad_core.hypotheses.open_corners import joining
@@ -34,7 +29,7 @@ from gaussiancad_core.model.views import Linetype
 _APART = 0.05
 """Units from all other lines that one is at least at which nothing is drawn."""
 
-Stretch = tuple[PlaneCurve, float, float]
+Stretch = tuple[LineOrCircle, float, float]
 """A curve and its parameters from a low to a high one."""
 
 
@@ -157,7 +152,7 @@ def _lines_by_depth(neighbour: _Beside, near: float) -> dict[int, list[tuple[flo
     found: dict[int, list[tuple[float, float]]] = defaultdict(list)
     for carrier in neighbour.plane.carriers:
         curve = carrier.curve
-        if isinstance(curve, LineCurve) and curve.axis == neighbour.depth:
+        if isinstance(curve, Line) and curve.axis == neighbour.depth:
             start = curve.point[neighbour.along]
             at = round(curve.point[neighbour.depth] / near)
             found[at] += [(start + low, start + high) for low, high in carrier.drawn()]
@@ -176,7 +171,7 @@ def _extremes(neighbour: _Beside) -> Iterator[float]:
     """Where circles reach farthest: in the view across nothing else may be there."""
     for carrier in neighbour.plane.carriers:
         curve = carrier.curve
-        if isinstance(curve, CircleCurve):
+        if isinstance(curve, Circle):
             yield curve.centre[neighbour.along] - curve.radius
             yield curve.centre[neighbour.along] + curve.radius
 
@@ -192,7 +187,7 @@ def _depths_at(
     }
     for carrier in neighbour.plane.carriers:
         curve = carrier.curve
-        if isinstance(curve, CircleCurve):
+        if isinstance(curve, Circle):
             away = abs(curve.centre[neighbour.along] - value)
             if abs(away - curve.radius) <= near:
                 # The edge of a cylinder's outline is no line of the view across, its sides are.
@@ -228,7 +223,7 @@ def _divided(plane: PlaneCarriers, found: Iterable[Stretch]) -> PlaneCarriers:
             number = len(carriers) - 1
         line_curve = carriers[number].curve
         ends = (low, high)
-        if isinstance(line_curve, LineCurve) and isinstance(curve, LineCurve):
+        if isinstance(line_curve, Line) and isinstance(curve, Line):
             first, last = sorted(line_curve.parameter(curve.at(end)) for end in (low, high))
             ends = first, last
         slack = SHORTEST / line_curve.speed
@@ -238,7 +233,7 @@ def _divided(plane: PlaneCarriers, found: Iterable[Stretch]) -> PlaneCarriers:
     return replace(plane, carriers=tuple(carriers), lost=tuple(lost))
 
 
-def _same(one: PlaneCurve, other: PlaneCurve) -> bool:
-    if isinstance(one, CircleCurve) or isinstance(other, CircleCurve):
+def _same(one: LineOrCircle, other: LineOrCircle) -> bool:
+    if isinstance(one, Circle) or isinstance(other, Circle):
         return one == other
     return one.direction == other.direction and one.distance(other.point) < 1e-5

@@ -3,8 +3,9 @@
 from collections.abc import Iterator, Sequence
 from itertools import islice
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle, Line, line_through
 from gaussiancad_core.hypotheses.suppressed_slants import shows, slanted_edges
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS
@@ -18,7 +19,7 @@ _MOST = 16
 
 def missing_slants(
     carriers: PartCarriers, corners: Sequence[Point], normal: Axis, near: float
-) -> Iterator[tuple[LineCurve, float, float]]:
+) -> Iterator[tuple[Line, float, float]]:
     """Slanted lines of a plane between corners that are drawn there.
 
     Args:
@@ -61,7 +62,7 @@ def _mirrored(carriers: PartCarriers, normal: Axis) -> Iterator[tuple[Point, Poi
     slanted = [
         (carrier.curve.at(low), carrier.curve.at(high))
         for carrier in plane.carriers
-        if isinstance(carrier.curve, LineCurve) and carrier.curve.axis is None
+        if isinstance(carrier.curve, Line) and carrier.curve.axis is None
         for low, high in carrier.drawn()
     ]
     for coordinate, index in enumerate(IN_PLANE[normal]):
@@ -75,7 +76,7 @@ def _mirrored(carriers: PartCarriers, normal: Axis) -> Iterator[tuple[Point, Poi
 def _centres(plane: PlaneCarriers, axis: Axis) -> set[float]:
     """Coordinates of the centres of circles."""
     place = IN_PLANE[plane.normal].index(axis.value)
-    circles = (s.curve for s in plane.carriers if isinstance(s.curve, CircleCurve))
+    circles = (s.curve for s in plane.carriers if isinstance(s.curve, Circle))
     return {round(circle.centre[place], 6) for circle in circles}
 
 

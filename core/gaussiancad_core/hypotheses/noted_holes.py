@@ -10,13 +10,13 @@ from itertools import pairwise
 from math import cos, sin
 
 from gaussiancad_core.cells.cell_complex import Cell, Space
-from gaussiancad_core.coordinates.carrier_curves import TURN, Point
 from gaussiancad_core.coordinates.carriers import PartCarriers
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import RolePlane, role_plane
 
-_ANGLES = tuple((k + 0.317) * TURN / 12 for k in range(12))
+_ANGLES = tuple((k + 0.317) * FULL_TURN / 12 for k in range(12))
 """Where columns around a centre are looked up."""
 
 _BESIDE = 0.4

@@ -15,9 +15,9 @@ from scipy.spatial import ConvexHull
 
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.space_corners import SpatialEdges, spatial_edges
-from gaussiancad_core.coordinates.carrier_curves import LineCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.geometry.tolerances import TELLING
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -182,7 +182,7 @@ def _known_planes(carriers: PartCarriers) -> list[Plane]:
     for view, plane in carriers.planes.items():
         for carrier in plane.carriers:
             curve = carrier.curve
-            if isinstance(curve, LineCurve) and curve.axis is None:
+            if isinstance(curve, Line) and curve.axis is None:
                 normal = np.zeros(3)
                 normal[list(IN_PLANE[view])] = curve.normal(0.0)
                 point = np.zeros(3)

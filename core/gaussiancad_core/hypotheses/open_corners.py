@@ -5,17 +5,16 @@ from dataclasses import dataclass
 from itertools import combinations, islice
 from math import hypot, pi
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    LineCurve,
-    PlaneCurve,
-    Point,
+from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.coordinates.drawn_intervals import Carrier
+from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.whole_curves import (
+    Circle,
+    Line,
+    LineOrCircle,
     axis_line,
     line_through,
 )
-from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
-from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -41,7 +40,7 @@ class _End:
 
 def joining(
     carriers: PartCarriers, normal: Axis, near: float
-) -> Iterator[tuple[PlaneCurve, float, float]]:
+) -> Iterator[tuple[LineOrCircle, float, float]]:
     """Curves of a plane, with stretches, that join open ends with each other.
 
     Straight along the axes; slanted where both other planes draw lines over all of it; by a quarter
@@ -85,7 +84,7 @@ def joining(
         yield _straight(start, end, near)
 
 
-def _straight(start: Point, end: Point, near: float) -> tuple[LineCurve, float, float]:
+def _straight(start: Point, end: Point, near: float) -> tuple[Line, float, float]:
     """The line from point to point; along an axis where it nearly is."""
     off = [abs(a - b) for a, b in zip(start, end, strict=True)]
     coordinate = off.index(min(off))
@@ -102,7 +101,7 @@ def _open_ends(plane: PlaneCarriers, near: float) -> list[_End]:
     for carrier in plane.carriers:
         curve = carrier.curve
         for low, high in carrier.drawn():
-            if isinstance(curve, CircleCurve) and high - low > TURN - 1e-6:
+            if isinstance(curve, Circle) and high - low > FULL_TURN - 1e-6:
                 continue
             for at, sign in ((low, -1.0), (high, 1.0)):
                 point = curve.at(at)
@@ -111,7 +110,7 @@ def _open_ends(plane: PlaneCarriers, near: float) -> list[_End]:
                 if _goes_round(carrier, at):
                     continue
                 way = None
-                if isinstance(curve, LineCurve):
+                if isinstance(curve, Line):
                     way = sign * curve.direction[0], sign * curve.direction[1]
                 if all(hypot(*_between(known.point, point)) > near for known in found):
                     found.append(_End(point, way))
@@ -120,10 +119,10 @@ def _open_ends(plane: PlaneCarriers, near: float) -> list[_End]:
 
 def _goes_round(carrier: Carrier, at: float) -> bool:
     """Whether an arc ends only where angles begin again."""
-    if not isinstance(carrier.curve, CircleCurve) or 1e-6 < at < TURN - 1e-6:
+    if not isinstance(carrier.curve, Circle) or 1e-6 < at < FULL_TURN - 1e-6:
         return False
     drawn = carrier.drawn()
-    return any(low < 1e-6 for low, _ in drawn) and any(high > TURN - 1e-6 for _, high in drawn)
+    return any(low < 1e-6 for low, _ in drawn) and any(high > FULL_TURN - 1e-6 for _, high in drawn)
 
 
 def _is_on(carrier: Carrier, point: Point, near: float) -> bool:
@@ -131,7 +130,7 @@ def _is_on(carrier: Carrier, point: Point, near: float) -> bool:
     if curve.distance(point) > near:
         return False
     at, slack = curve.parameter(point), near / curve.speed
-    turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
+    turns = (0.0, FULL_TURN, -FULL_TURN) if isinstance(curve, Circle) else (0.0,)
     return any(
         low - slack <= at + turn <= high + slack for low, high in carrier.drawn() for turn in turns
     )
@@ -166,7 +165,7 @@ def _turn(one: _End, other: _End) -> bool:
     return one.way[0] * x + one.way[1] * y > 0.0 > other.way[0] * x + other.way[1] * y
 
 
-def _rounded(one: _End, other: _End, near: float) -> Iterator[tuple[CircleCurve, float, float]]:
+def _rounded(one: _End, other: _End, near: float) -> Iterator[tuple[Circle, float, float]]:
     """The arc that both lines lead into."""
     if one.way is None or other.way is None:
         return
@@ -189,17 +188,17 @@ def _rounded(one: _End, other: _End, near: float) -> Iterator[tuple[CircleCurve,
 
 def _arc(
     centre: Point, radius: float, start: Point, end: Point
-) -> Iterator[tuple[CircleCurve, float, float]]:
+) -> Iterator[tuple[Circle, float, float]]:
     """The shorter way from a point of a circle to another one, cut where angles begin again."""
-    circle = CircleCurve(centre, radius)
+    circle = Circle(centre, radius)
     low, high = sorted((circle.parameter(start), circle.parameter(end)))
     if high - low <= pi:
         yield circle, low, high
         return
     if low > 1e-9:
         yield circle, 0.0, low
-    if high < TURN - 1e-9:
-        yield circle, high, TURN
+    if high < FULL_TURN - 1e-9:
+        yield circle, high, FULL_TURN
 
 
 def _is_edge(carriers: PartCarriers, normal: Axis, start: Point, end: Point, near: float) -> bool:
@@ -214,7 +213,7 @@ def _is_edge(carriers: PartCarriers, normal: Axis, start: Point, end: Point, nea
 
 
 def _covers(carrier: Carrier, place: int, low: float, high: float, near: float) -> bool:
-    if not isinstance(carrier.curve, LineCurve):
+    if not isinstance(carrier.curve, Line):
         return False
     for stretch in carrier.drawn():
         first, last = sorted(carrier.curve.at(at)[place] for at in stretch)

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, LineProfile, Profile
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import nearest_value
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
+from gaussiancad_core.geometry.whole_curves import Circle
 
 _STEEP = 0.05
 """Share of a line's change of radius that is left of it at least: a cone that would become a
@@ -37,7 +37,7 @@ class ProfileEnds:
         cls, heights: Sequence[float], concentric: Sequence[Carrier], near: float
     ) -> "ProfileEnds":
         """What edges across an axis and circles about it say."""
-        circles = [s.curve.radius for s in concentric if isinstance(s.curve, CircleCurve)]
+        circles = [s.curve.radius for s in concentric if isinstance(s.curve, Circle)]
         return cls(tuple(heights), (0.0, *circles), near)
 
     def met_by(self, profile: Profile) -> Profile:

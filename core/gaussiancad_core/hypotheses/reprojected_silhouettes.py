@@ -12,13 +12,6 @@ from math import hypot
 
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
-from gaussiancad_core.coordinates.carrier_curves import (
-    LineCurve,
-    PlaneCurve,
-    Point,
-    axis_line,
-    line_through,
-)
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import (
     Carrier,
@@ -26,7 +19,9 @@ from gaussiancad_core.coordinates.drawn_intervals import (
     nearest_station,
     stations_on,
 )
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import MEETING, ON_CURVE, SAME_READ
+from gaussiancad_core.geometry.whole_curves import Line, LineOrCircle, axis_line, line_through
 from gaussiancad_core.hypotheses.oblique_planes import SHORT
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -58,10 +53,10 @@ def retraced(
 
 def _edges(
     plane: PlaneCarriers, half_spaces: Sequence[HalfSpace], reach: float, short: float
-) -> dict[int, LineCurve]:
+) -> dict[int, Line]:
     """The longest edge of a half space along each slanted line that misses it a little."""
     longest: dict[int, float] = {}
-    found: dict[int, LineCurve] = {}
+    found: dict[int, Line] = {}
     for body in half_spaces:
         for outline in body.outlines(plane.normal):
             for start, end in zip(outline, (*outline[1:], outline[0]), strict=True):
@@ -80,17 +75,17 @@ def _edges(
 
 def _outlines(
     plane: PlaneCarriers, bodies: Sequence[SurfaceOfRevolution], near: float, short: float
-) -> dict[int, LineCurve]:
+) -> dict[int, Line]:
     """The nearest outline of a body along each slanted line that misses it a little."""
     nearest: dict[int, float] = {}
-    found: dict[int, LineCurve] = {}
+    found: dict[int, Line] = {}
     for body in bodies:
         for line, (low, high) in body.rims(plane.normal):
-            if not isinstance(line, LineCurve) or line.axis is not None:
+            if not isinstance(line, Line) or line.axis is not None:
                 continue
             for index, carrier in enumerate(plane.carriers):
                 ends = _ends(carrier)
-                if not isinstance(carrier.curve, LineCurve) or not ends:
+                if not isinstance(carrier.curve, Line) or not ends:
                     continue
                 within = all(low - short <= line.parameter(end) <= high + short for end in ends)
                 off = max(line.distance(end) for end in ends)
@@ -99,7 +94,7 @@ def _outlines(
     return _missed(plane, found)
 
 
-def _missed(plane: PlaneCarriers, lines: dict[int, LineCurve]) -> dict[int, LineCurve]:
+def _missed(plane: PlaneCarriers, lines: dict[int, Line]) -> dict[int, Line]:
     """Those of the lines that supports miss."""
     return {
         index: line
@@ -111,7 +106,7 @@ def _missed(plane: PlaneCarriers, lines: dict[int, LineCurve]) -> dict[int, Line
 def _length_along(carrier: Carrier, start: Point, end: Point, reach: float, short: float) -> float:
     """Length of a segment that a slanted line is drawn along; 0 if it is not."""
     curve = carrier.curve
-    if not isinstance(curve, LineCurve) or curve.axis is not None:
+    if not isinstance(curve, Line) or curve.axis is not None:
         return 0.0
     if max(curve.distance(start), curve.distance(end)) > reach:
         return 0.0
@@ -135,13 +130,13 @@ class _Ends:
         short: units by which a line that moved may end too early or too late at a corner.
     """
 
-    grid: Sequence[PlaneCurve]
+    grid: Sequence[LineOrCircle]
     corners: Sequence[Point]
     reach: float
     short: float
 
 
-def _moved(plane: PlaneCarriers, lines: dict[int, LineCurve], ends: _Ends) -> PlaneCarriers:
+def _moved(plane: PlaneCarriers, lines: dict[int, Line], ends: _Ends) -> PlaneCarriers:
     """The plane with other lines; whatever ends at a line that moved ends there still."""
     if not lines:
         return plane
@@ -167,13 +162,13 @@ def _moved(plane: PlaneCarriers, lines: dict[int, LineCurve], ends: _Ends) -> Pl
 
 def _span(
     interval: Interval,
-    old: PlaneCurve,
-    new: PlaneCurve,
+    old: LineOrCircle,
+    new: LineOrCircle,
     known: tuple[list[float], list[float]],
     ends: _Ends,
 ) -> Interval:
     """A span between corners of half spaces, or where the line meets others, or as it was."""
-    if not isinstance(old, LineCurve):
+    if not isinstance(old, Line):
         # Circles stay; so do the places where their angles begin again.
         return interval
     corners, stations = known

@@ -16,10 +16,11 @@ from gaussiancad_core.cells.surfaces_of_revolution import (
     Profile,
     SurfaceOfRevolution,
 )
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.tolerances import COMPUTED
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.hypotheses.profile_ends import ProfileEnds, with_continuations
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -37,7 +38,7 @@ _THIN = 0.05
 """Units of height or radius that a profile has at least."""
 
 
-_Round = tuple[CircleCurve, Carrier]
+_Round = tuple[Circle, Carrier]
 """A circle, and the support whose curve it is."""
 
 
@@ -139,7 +140,7 @@ def _ends_at_circles(profile: Profile, concentric: list[_Round], near: float) ->
 def _centres(plane: PlaneCarriers, near: float) -> list[tuple[float, float]]:
     centres: list[tuple[float, float]] = []
     for carrier in plane.carriers:
-        if isinstance(carrier.curve, CircleCurve):
+        if isinstance(carrier.curve, Circle):
             a, b = carrier.curve.centre
             if not any(abs(a - x) <= near and abs(b - y) <= near for x, y in centres):
                 centres.append((a, b))
@@ -150,7 +151,7 @@ def _concentric(plane: PlaneCarriers, centre: tuple[float, float], near: float) 
     return [
         (carrier.curve, carrier)
         for carrier in plane.carriers
-        if isinstance(carrier.curve, CircleCurve)
+        if isinstance(carrier.curve, Circle)
         and abs(carrier.curve.centre[0] - centre[0]) <= near
         and abs(carrier.curve.centre[1] - centre[1]) <= near
     ]
@@ -171,8 +172,8 @@ def _sectors(
     found: list[Sector | None] = []
     for circle, carrier in rims:
         arcs = carrier.drawn()
-        if len(arcs) > 1 and arcs[0][0] < COMPUTED and arcs[-1][1] > TURN - COMPUTED:
-            arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
+        if len(arcs) > 1 and arcs[0][0] < COMPUTED and arcs[-1][1] > FULL_TURN - COMPUTED:
+            arcs = [*arcs[1:-1], (arcs[-1][0], FULL_TURN + arcs[0][1])]
         found += [sector_of(circle, arc, plane.carriers, near) for arc in arcs]
     return [None] if None in found else found
 
@@ -189,7 +190,7 @@ def _profiles(
         if carrier.curve.axis is not None:
             continue
         for low, high in carrier.drawn():
-            if isinstance(carrier.curve, CircleCurve):
+            if isinstance(carrier.curve, Circle):
                 yield from _arcs(carrier.curve, (low, high), (along, middle), near)
             else:
                 yield from _line(carrier, (low, high), (along, middle), near)
@@ -215,7 +216,7 @@ def _line(
 
 
 def _arcs(
-    circle: CircleCurve,
+    circle: Circle,
     stretch: tuple[float, float],
     frame: tuple[int, float],
     near: float,

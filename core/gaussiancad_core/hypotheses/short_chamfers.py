@@ -11,10 +11,11 @@ from dataclasses import dataclass, replace
 from itertools import pairwise, permutations
 from math import hypot, pi
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import SAME_READ
+from gaussiancad_core.geometry.whole_curves import Circle, Line, line_through
 from gaussiancad_core.hypotheses.suppressed_slants import LEAST, MOST, shows
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -77,7 +78,7 @@ class _Side:
     def slants(self) -> Iterator[tuple[Point, Point]]:
         """Both ends of each slanted line: distances from the axis, and heights."""
         for carrier in self.plane.carriers:
-            if isinstance(carrier.curve, LineCurve) and carrier.curve.axis is None:
+            if isinstance(carrier.curve, Line) and carrier.curve.axis is None:
                 for stretch in carrier.drawn():
                     one, other = (carrier.curve.at(at) for at in stretch)
                     yield self._seen(one), self._seen(other)
@@ -144,7 +145,7 @@ def _round_edges(plane: PlaneCarriers, near: float) -> Iterator[tuple[Point, lis
     left = [
         carrier.curve
         for carrier in plane.carriers
-        if isinstance(carrier.curve, CircleCurve)
+        if isinstance(carrier.curve, Circle)
         and sum(high - low for low, high in carrier.drawn()) > _WHOLE
     ]
     while left:

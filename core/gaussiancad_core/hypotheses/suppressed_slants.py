@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from itertools import combinations, islice
 from math import hypot
 
-from gaussiancad_core.coordinates.carrier_curves import LineCurve, Point, line_through
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import (
     Carrier,
@@ -19,7 +18,9 @@ from gaussiancad_core.coordinates.drawn_intervals import (
     nearest_station,
     stations_on,
 )
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import MEETING, SAME_READ
+from gaussiancad_core.geometry.whole_curves import Line, line_through
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -94,7 +95,7 @@ def _edges(plane: PlaneCarriers, over: Axis, most: float) -> Iterator[_Edge]:
     """Edges over an axis that rise by no more than ``most``."""
     place = IN_PLANE[plane.normal].index(over.value)
     for carrier in plane.carriers:
-        if not isinstance(carrier.curve, LineCurve) or carrier.curve.axis is not None:
+        if not isinstance(carrier.curve, Line) or carrier.curve.axis is not None:
             continue
         cuts = stations_on(carrier.curve, [other.curve for other in plane.carriers])
         for start, end in carrier.drawn():

@@ -7,9 +7,10 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.cells.cell_complex import Cell, Crossing
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import MEETING
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -44,7 +45,7 @@ def _stretches(plane: PlaneCarriers) -> Iterator[tuple[Point, Point, Point]]:
     for carrier in plane.carriers:
         curve = carrier.curve
         for low, high in carrier.drawn():
-            if isinstance(curve, CircleCurve) and high - low > TURN - 1e-3:
+            if isinstance(curve, Circle) and high - low > FULL_TURN - 1e-3:
                 x, y = curve.centre
                 yield curve.centre, (x - curve.radius, y), (x + curve.radius, y)
                 continue

@@ -11,18 +11,11 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import hypot
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    LineCurve,
-    PlaneCurve,
-    Point,
-    axis_line,
-    meetings,
-)
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, stations_on
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING
+from gaussiancad_core.geometry.whole_curves import Circle, Line, LineOrCircle, axis_line, meetings
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -84,7 +77,7 @@ def _smooth(carriers: PartCarriers, normal: Axis, along: int, near: float) -> It
     circles = []
     for carrier in shown:
         curve = carrier.curve
-        if not isinstance(curve, CircleCurve):
+        if not isinstance(curve, Circle):
             continue
         circles.append(curve)
         if any(
@@ -97,10 +90,10 @@ def _smooth(carriers: PartCarriers, normal: Axis, along: int, near: float) -> It
             yield point[1 - facing]
 
 
-def _touching(carrier: Carrier, circles: list[CircleCurve], near: float) -> Iterator[Point]:
+def _touching(carrier: Carrier, circles: list[Circle], near: float) -> Iterator[Point]:
     """Where a straight line touches circles that it ends at."""
     line = carrier.curve
-    if not isinstance(line, LineCurve):
+    if not isinstance(line, Line):
         return
     for circle in circles:
         foot = line.parameter(circle.centre)
@@ -129,8 +122,8 @@ def _free_ends(plane: PlaneCarriers, near: float) -> list[_FreeEnd]:
 def _ends(carrier: Carrier) -> list[float]:
     """Where what is drawn on a support ends; a circle's angle only begins again at zero."""
     ends = [end for stretch in carrier.drawn() for end in stretch]
-    round_ones = {end for end in ends if min(end, TURN - end) < COMPUTED}
-    if isinstance(carrier.curve, CircleCurve) and len(round_ones) > 1:
+    round_ones = {end for end in ends if min(end, FULL_TURN - end) < COMPUTED}
+    if isinstance(carrier.curve, Circle) and len(round_ones) > 1:
         return [end for end in ends if end not in round_ones]
     return ends
 
@@ -144,7 +137,7 @@ def _reaches(carrier: Carrier, point: Point, near: float) -> bool:
 
 
 def _with_edge(
-    plane: PlaneCarriers, line: PlaneCurve, free: list[_FreeEnd], near: float
+    plane: PlaneCarriers, line: LineOrCircle, free: list[_FreeEnd], near: float
 ) -> PlaneCarriers:
     """The plane with the stretches of a line that begin or end where strokes end in the open."""
     ends = [end for end in free if line.distance(end.point) < near]
@@ -186,7 +179,9 @@ def _with_edge(
     return replace(plane, carriers=tuple(found))
 
 
-def _led_to(carriers: list[Carrier], end: _FreeEnd, line: PlaneCurve, near: float) -> float | None:
+def _led_to(
+    carriers: list[Carrier], end: _FreeEnd, line: LineOrCircle, near: float
+) -> float | None:
     """Where an open end is on a line once its stroke ends there exactly; None if it never does."""
     carrier = carriers[end.carrier]
     met = [

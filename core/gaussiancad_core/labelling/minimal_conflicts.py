@@ -17,10 +17,10 @@ import numpy.typing as npt
 from ortools.sat.python import cp_model
 
 from gaussiancad_core.cells.edge_fragments import SHARE, Piece
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.coordinates.stroke_finder import StrokeFinder
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.hypotheses.open_outlines import find_gaps
 from gaussiancad_core.labelling.cell_labelling import SLIGHT
 from gaussiancad_core.labelling.clauses import Labels, Model, every

@@ -12,7 +12,6 @@ from gaussiancad_core.cells.cell_complex import Space
 from gaussiancad_core.cells.edge_fragments import Piece, find_pieces
 from gaussiancad_core.cells.grid_rows import count_pieces, find_rows
 from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
-from gaussiancad_core.coordinates.carrier_curves import Point, axis_line
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers, find_carriers
 from gaussiancad_core.coordinates.coordinate_clustering import nearest_value
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
@@ -20,7 +19,9 @@ from gaussiancad_core.coordinates.geometric_constraints import Facet
 from gaussiancad_core.coordinates.point_chains import Chain, through_points
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import ASIDE
+from gaussiancad_core.geometry.whole_curves import axis_line
 from gaussiancad_core.hypotheses.bridges import bridges
 from gaussiancad_core.hypotheses.missing_edges import as_if_drawn, with_missing_edges
 from gaussiancad_core.hypotheses.noted_holes import floors, kept_notes

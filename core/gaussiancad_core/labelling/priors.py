@@ -14,8 +14,9 @@ from shapely import contains_xy
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space, Surface
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, Point
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.hypotheses.noted_holes import Kept
 from gaussiancad_core.hypotheses.symmetry import is_symmetric, mirror_images
 from gaussiancad_core.labelling.visibility_rules import Transition
@@ -251,14 +252,14 @@ def _as_drawn(plane: PlaneCarriers) -> Arrangement:
     return Arrangement(carriers, [chain for _, chain, _ in plane.chains])
 
 
-def _turned(plane: PlaneCarriers, near: float) -> list[CircleCurve]:
+def _turned(plane: PlaneCarriers, near: float) -> list[Circle]:
     """Circles that no view of a plane draws, about the centre of one that is drawn, within
     ``near``: where other views draw the sides of what may be round or square, a turned part is
     round."""
     circles = [
         (carrier.curve, carrier.intervals)
         for carrier in plane.carriers
-        if isinstance(carrier.curve, CircleCurve)
+        if isinstance(carrier.curve, Circle)
     ]
     circles.sort(key=lambda circle: circle[0].radius)
     drawn = [curve.centre for curve, intervals in circles if intervals]
@@ -269,24 +270,24 @@ def _turned(plane: PlaneCarriers, near: float) -> list[CircleCurve]:
     ]
 
 
-def _in_corner(point: Point, circle: CircleCurve) -> bool:
+def _in_corner(point: Point, circle: Circle) -> bool:
     """Whether a point is outside of a circle and in the square around it."""
     away = [abs(value - centre) for value, centre in zip(point, circle.centre, strict=True)]
     return max(away) < circle.radius < hypot(*away)
 
 
-def _beyond(point: Point, circle: CircleCurve) -> Point:
+def _beyond(point: Point, circle: Circle) -> Point:
     """Where the way from a circle's centre through a point leaves the square around it."""
     (x, y), (a, b) = point, circle.centre
     far = (circle.radius + _OUT) / max(abs(x - a), abs(y - b))
     return a + far * (x - a), b + far * (y - b)
 
 
-def _is_ringed(point: Point, beyond: Point, circle: CircleCurve, plane: PlaneCarriers) -> bool:
+def _is_ringed(point: Point, beyond: Point, circle: Circle, plane: PlaneCarriers) -> bool:
     """Whether a larger circle about the same centre runs between a point and one beyond it."""
     near, far = dist(point, circle.centre), dist(beyond, circle.centre)
     return any(
-        isinstance(carrier.curve, CircleCurve)
+        isinstance(carrier.curve, Circle)
         and dist(carrier.curve.centre, circle.centre) <= _MIDDLE
         and near < carrier.curve.radius < far
         for carrier in plane.carriers
@@ -310,7 +311,7 @@ def _undrawn(carriers: PartCarriers, space: Space) -> Iterator[frozenset[Transit
         for normal, plane in carriers.planes.items()
         for number, carrier in enumerate(plane.carriers)
         # Of lost circles other views draw the sides.
-        if not carrier.intervals and not isinstance(carrier.curve, CircleCurve)
+        if not carrier.intervals and not isinstance(carrier.curve, Circle)
     }
     if not blank:
         return

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import shapely
 
 from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space
-from gaussiancad_core.coordinates.carrier_curves import Point
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.labelling.visibility_rules import Group, Rule
 from gaussiancad_core.model.axes import Role, Vector
 from gaussiancad_core.model.projection_planes import lifted, role_plane

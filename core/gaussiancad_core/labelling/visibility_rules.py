@@ -18,7 +18,7 @@ from gaussiancad_core.cells.crossing_kernels import CLEAR, GROUP
 from gaussiancad_core.cells.edge_fragments import Piece
 from gaussiancad_core.cells.sight_lines import Keys, SightLines
 from gaussiancad_core.coordinates.ambiguous_linetypes import is_unsure
-from gaussiancad_core.coordinates.carrier_curves import Point
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.tolerances import ASIDE
 from gaussiancad_core.lines.two_rays import linetype_between
 from gaussiancad_core.model.axes import Role

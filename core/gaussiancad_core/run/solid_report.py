@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.conflict_lines import Conflict
 from gaussiancad_core.model.axes import Axis, Role

@@ -5,7 +5,7 @@ What runs along the axis in a view from beside is the side of a cylinder, or of 
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
@@ -58,7 +58,7 @@ def circles_about(
     for radius in radii:
         if near < radius < widest and all(abs(radius - value) > near for value in kept):
             kept.append(radius)
-    return [whole_circle(CircleCurve(middle, value), False) for value in kept]
+    return [whole_circle(Circle(middle, value), False) for value in kept]
 
 
 def _sides(lines: Sequence[PlaneLine], across: int, grid: float) -> Iterator[float]:

@@ -11,9 +11,9 @@ from math import copysign
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR
@@ -36,7 +36,7 @@ class Places:
     """
 
     values: Mapping[Axis, Floats]
-    circles: Mapping[Axis, Sequence[CircleCurve]]
+    circles: Mapping[Axis, Sequence[Circle]]
     size: tuple[float, float, float]
     grid: float
     carriers: PartCarriers
@@ -70,8 +70,8 @@ class Places:
         nearest = float(known[np.abs(known - at).argmin()])
         return nearest if abs(nearest - at) <= near * self.grid else at
 
-    def _circle(self, circle: CircleCurve, normal: Axis) -> CircleCurve:
-        def away(other: CircleCurve) -> float:
+    def _circle(self, circle: Circle, normal: Axis) -> Circle:
+        def away(other: Circle) -> float:
             apart = np.hypot(*np.subtract(circle.centre, other.centre))
             return max(float(apart), abs(circle.radius - other.radius))
 
@@ -91,9 +91,9 @@ def find_places(views: DrawnViews, grid: float) -> Places:
     values = {axis: np.array(this_values) / scale for axis, this_values in carriers.values.items()}
     circles = {
         axis: [
-            CircleCurve((x / scale, y / scale), curve.radius / scale)
+            Circle((x / scale, y / scale), curve.radius / scale)
             for carrier in plane.carriers
-            if isinstance(curve := carrier.curve, CircleCurve)
+            if isinstance(curve := carrier.curve, Circle)
             for x, y in [curve.centre]
         ]
         for axis, plane in carriers.planes.items()

@@ -15,8 +15,8 @@ import numpy.typing as npt
 import shapely
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, meetings
 from gaussiancad_core.sketch.grid_tolerances import MEETING
+from gaussiancad_core.geometry.whole_curves import Circle, meetings
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, whole_circle
 
 _CLOSE, _REACH = 0.45, 1.6
@@ -64,7 +64,7 @@ def with_whole_circles(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLin
     return found
 
 
-def _is_same_circle(one: CircleCurve, other: CircleCurve, grid: float) -> bool:
+def _is_same_circle(one: Circle, other: Circle, grid: float) -> bool:
     apart = np.hypot(*np.subtract(one.centre, other.centre))
     return bool(
         apart < _SAME_CENTRE * grid and abs(one.radius - other.radius) < _SAME_RADIUS * grid
@@ -76,7 +76,7 @@ def _merged(arcs: Sequence[PlaneLine]) -> PlaneLine:
     x, y = np.average([arc.arc.centre for arc in arcs], axis=0, weights=weights).tolist()
     radius = float(np.average([arc.arc.radius for arc in arcs], weights=weights))
     visible = any(arc.is_visible for arc in arcs)
-    return whole_circle(CircleCurve((x, y), radius), visible, arcs[0].stroke)
+    return whole_circle(Circle((x, y), radius), visible, arcs[0].stroke)
 
 
 def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine]:

@@ -11,8 +11,8 @@ from math import inf
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import IN_PLANE, RolePlane, role_plane
@@ -41,7 +41,7 @@ class CrossHole:
     """
 
     axis: Axis
-    circle: CircleCurve
+    circle: Circle
     intervals: tuple[_Interval, ...]
     depth: float | None
     role: Role
@@ -125,7 +125,7 @@ def _circles(lines: Sequence[PlaneLine], size: Sequence[float], grid: float) -> 
 
 def _walls(
     lines: _Lines,
-    hole: tuple[Axis, CircleCurve],
+    hole: tuple[Axis, Circle],
     grid: float,
     cuts: Container[Role],
     *,
@@ -178,9 +178,7 @@ def _span(line: PlaneLine, grid: float) -> _Interval:
     return low, high
 
 
-def _depth(
-    noted: Sequence[NotedHole], role: Role, circle: CircleCurve, grid: float
-) -> float | None:
+def _depth(noted: Sequence[NotedHole], role: Role, circle: Circle, grid: float) -> float | None:
     """How deep a note says that the hole of a circle is, infinite for through; None without one."""
     signs = role_plane(role).signs
     for hole in noted:
@@ -194,7 +192,7 @@ def _depth(
     return None
 
 
-def _is_around(circle: CircleCurve, lines: Sequence[PlaneLine], grid: float) -> bool:
+def _is_around(circle: Circle, lines: Sequence[PlaneLine], grid: float) -> bool:
     """Whether a smaller circle lies about the same centre: nothing tells then how deep it is."""
     return any(
         line.circle is not None
@@ -206,7 +204,7 @@ def _is_around(circle: CircleCurve, lines: Sequence[PlaneLine], grid: float) -> 
 
 
 def _opened(
-    lines: _Lines, hole: tuple[Axis, CircleCurve], interval: _Interval, grid: float
+    lines: _Lines, hole: tuple[Axis, Circle], interval: _Interval, grid: float
 ) -> _Interval:
     """An interval, longer by the hole's diameter at an end that no line closes: in round outlines
     walls end where the middle of the hole goes on."""
@@ -234,9 +232,7 @@ def _is_floor(line: PlaneLine, role: Role, hole: CrossHole, grid: float) -> bool
     )
 
 
-def _is_across(
-    line: PlaneLine, role: Role, place: tuple[Axis, CircleCurve, float], grid: float
-) -> bool:
+def _is_across(line: PlaneLine, role: Role, place: tuple[Axis, Circle, float], grid: float) -> bool:
     """Whether a line lies across a hole at a place along it, over most of its width."""
     normal, circle, at = place
     axes = IN_PLANE[role_plane(role).normal]

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, PlaneCurve, line_through
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, line_through
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import plane_points
@@ -45,7 +45,7 @@ class PlaneLine:
 
     points: Floats
     is_visible: bool
-    circle: CircleCurve | None = None
+    circle: Circle | None = None
     is_closed: bool = False
     stroke: int | None = None
 
@@ -60,7 +60,7 @@ class PlaneLine:
         return len(self.points) == 2
 
     @property
-    def arc(self) -> CircleCurve:
+    def arc(self) -> Circle:
         """The circle that a round one runs along.
 
         Raises:
@@ -71,7 +71,7 @@ class PlaneLine:
         return self.circle
 
     @property
-    def curve(self) -> PlaneCurve | None:
+    def curve(self) -> LineOrCircle | None:
         """The whole line or circle that it runs along; None of another curve."""
         if self.circle is not None:
             return self.circle
@@ -92,7 +92,7 @@ class PlaneLine:
 
     def swapped(self) -> "PlaneLine":
         """The same with the two coordinates exchanged."""
-        circle = self.circle and CircleCurve(self.circle.centre[::-1], self.circle.radius)
+        circle = self.circle and Circle(self.circle.centre[::-1], self.circle.radius)
         return replace(self, points=self.points[:, ::-1].copy(), circle=circle)
 
 
@@ -112,12 +112,12 @@ def plane_lines(strokes: Iterable[Curve], role: Role) -> list[PlaneLine]:
         circle, closed = None, False
         if isinstance(stroke, Arc):
             x, y = plane_points(np.array(stroke.centre), role, 1.0).tolist()
-            circle, closed = CircleCurve((x, y), stroke.radius), stroke.is_full
+            circle, closed = Circle((x, y), stroke.radius), stroke.is_full
         found.append(PlaneLine(points, is_visible, circle, closed, number))
     return found
 
 
-def whole_circle(circle: CircleCurve, is_visible: bool, stroke: int | None = None) -> PlaneLine:
+def whole_circle(circle: Circle, is_visible: bool, stroke: int | None = None) -> PlaneLine:
     """A circle as a line; its first point is its last."""
     angles = np.linspace(0.0, 2.0 * pi, round(2.0 * pi / CHORD) + 1)
     points = np.array(circle.centre) + circle.radius * np.stack(
@@ -127,7 +127,7 @@ def whole_circle(circle: CircleCurve, is_visible: bool, stroke: int | None = Non
     return PlaneLine(points, is_visible, circle, True, stroke)
 
 
-def arc_between(circle: CircleCurve, ends: tuple[Floats, Floats], sweep: float) -> Floats:
+def arc_between(circle: Circle, ends: tuple[Floats, Floats], sweep: float) -> Floats:
     """(n, 2) points of an arc, the first and last the places of the circle nearest to two ends.
 
     Args:
@@ -164,6 +164,6 @@ def _points(stroke: Curve) -> Floats:
         return np.array([stroke.start, stroke.end])
     if isinstance(stroke, Arc):
         if stroke.is_full:
-            return whole_circle(CircleCurve(stroke.centre, stroke.radius), True).points
+            return whole_circle(Circle(stroke.centre, stroke.radius), True).points
         return stroke.sample(stroke.length / max(2, ceil(stroke.sweep / CHORD)) * (1.0 + 1e-9))
     return stroke.sample(stroke.length / _CHORDS)

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.sketch.grid_tolerances import NEAR
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.sketch.line_costs import HIDDEN
 from gaussiancad_core.sketch.plan_regions import OUTSIDE, is_disc
 from gaussiancad_core.sketch.slab_plan import Plan
@@ -79,11 +79,11 @@ def rings_of(plan: Plan) -> tuple[Ring, ...]:
     return tuple(found)
 
 
-def _circle_of(ring: shapely.LinearRing, plan: Plan) -> CircleCurve | None:
+def _circle_of(ring: shapely.LinearRing, plan: Plan) -> Circle | None:
     """The circle of the plan's lines along which a round ring runs."""
     middle, radius = ring.centroid, ring.length / (2.0 * np.pi)
 
-    def away(curve: CircleCurve) -> float:
+    def away(curve: Circle) -> float:
         off = float(np.hypot(curve.centre[0] - middle.x, curve.centre[1] - middle.y))
         return max(off, abs(curve.radius - radius))
 

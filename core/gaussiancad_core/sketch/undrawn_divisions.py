@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR, SHORTEST_LEVEL
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.sketch.plane_lines import PlaneLine, whole_circle
 
 _MOST = 8
@@ -84,7 +84,7 @@ def _distinct(places: Sequence[float], near: float) -> Iterator[float]:
 
 def _circles(
     plan: Sequence[PlaneLine], untold: Sequence[Sequence[float]], near: float
-) -> Iterator[CircleCurve]:
+) -> Iterator[Circle]:
     """Circles about centres of the plan."""
     centres: list[tuple[float, float]] = []
     for line in plan:
@@ -109,4 +109,4 @@ def _circles(
                 value for value in first if min(abs(value - other) for other in second) <= near
             ]
             second = []
-        yield from (CircleCurve(centre, value) for value in _distinct([*first, *second], near))
+        yield from (Circle(centre, value) for value in _distinct([*first, *second], near))

@@ -28,7 +28,8 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.kernel.brep import ShapeTable, bounding_box, faces_of, subshapes, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.kernel.surface_crossings import normal_at
@@ -182,12 +183,12 @@ def _swept_face(patch: SweptPatch) -> TopoDS_Face:
     start, end, near, far = patch.rectangle
     first, second = IN_PLANE[patch.axis]
     depth = _VECTORS[patch.axis.value]
-    if isinstance(patch.curve, CircleCurve):
+    if isinstance(patch.curve, Circle):
         up = np.cross(_VECTORS[first], _VECTORS[second])
         way = float(np.sign(up @ depth))
         origin = lifted(patch.axis, *patch.curve.centre, 0.0)
         low, high = (near, far) if way > 0.0 else (-far, -near)
-        if end - start > TURN - 1e-6:
+        if end - start > FULL_TURN - 1e-6:
             start, end = 0.0, 2.0 * pi
         # A seam within the patch is moved opposite: what crosses it is found less well.
         seam = (start + end) / 2.0 - pi if start < 0.0 else 0.0

@@ -13,13 +13,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    PlaneCurve,
-    Point,
-    line_through,
-)
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
 from gaussiancad_core.evidence.mask_outlines import (
@@ -28,7 +21,9 @@ from gaussiancad_core.evidence.mask_outlines import (
     plane_field,
     signed_distance,
 )
+from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import ASIDE, SHORTEST
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, line_through
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, role_plane
 from gaussiancad_core.model.views import Linetype, View, ViewSet
@@ -162,16 +157,16 @@ def pieces_of(arrangement: Arrangement) -> Iterator[tuple[int, float, float]]:
         cuts = {low, high}
         for corner in corners[_on(curve, corners)]:
             at = curve.parameter((float(corner[0]), float(corner[1])))
-            turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
+            turns = (0.0, FULL_TURN, -FULL_TURN) if isinstance(curve, Circle) else (0.0,)
             cuts.update(at + turn for turn in turns if low < at + turn < high)
         for start, end in pairwise(sorted(cuts)):
             if (end - start) * curve.speed > _ON_CURVE:
                 yield index, start, end
 
 
-def _on(curve: PlaneCurve, points: Points) -> npt.NDArray[np.bool_]:
+def _on(curve: LineOrCircle, points: Points) -> npt.NDArray[np.bool_]:
     """(n,) which of (n, 2) points lie on a curve."""
-    if isinstance(curve, CircleCurve):
+    if isinstance(curve, Circle):
         away = np.hypot(*(points - np.array(curve.centre)).T) - curve.radius
     else:
         away = (points - np.array(curve.point)) @ np.array(curve.normal(0.0))

@@ -9,14 +9,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    PlaneCurve,
-    axis_line,
-    meetings,
-)
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.tolerances import ASIDE, SHORTEST
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, axis_line, meetings
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.solid.labelled_cells import LabelledSpace
@@ -60,7 +55,7 @@ class SweptPatch:
     """
 
     axis: Axis
-    curve: PlaneCurve
+    curve: LineOrCircle
     rectangle: Rectangle
 
 
@@ -99,7 +94,7 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
             curve = plane.carriers[index].curve
             gap = 2.0 * SHORTEST / curve.speed
             # Only slants and circles are swept.
-            closed = isinstance(curve, CircleCurve)
+            closed = isinstance(curve, Circle)
             items = _around(united(rectangles, gap), gap) if closed else united(rectangles, gap)
             patches += [SweptPatch(normal, curve, rectangle) for rectangle in items]
     for key, rectangles in flat.items():
@@ -110,7 +105,7 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
 def _differences(
     space: LabelledSpace,
     normal: Axis,
-    curve: PlaneCurve,
+    curve: LineOrCircle,
     stretch: tuple[float, float],
     narrow: float,
 ) -> Iterator[Rectangle]:
@@ -139,7 +134,7 @@ def _nearest(values: list[float], at: float, otherwise: float) -> float:
 
 
 def _pieces(
-    space: LabelledSpace, normal: Axis, curve: PlaneCurve, stretch: tuple[float, float]
+    space: LabelledSpace, normal: Axis, curve: LineOrCircle, stretch: tuple[float, float]
 ) -> Iterator[tuple[float, float]]:
     cuts = {*stretch}
     for coordinate, index in enumerate(IN_PLANE[normal]):
@@ -214,7 +209,7 @@ def _around(rectangles: list[Rectangle], gap: float) -> list[Rectangle]:
     """
     current = list(rectangles)
     for last in rectangles:
-        before = (last[0] - TURN, last[1] - TURN, *last[2:])
+        before = (last[0] - FULL_TURN, last[1] - FULL_TURN, *last[2:])
         others = [
             r for r in current if r is not last and before[1] >= -gap and _touch(r, before, gap)
         ]

@@ -19,8 +19,8 @@ from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, line_through, meetings
 from gaussiancad_core.geometry.tolerances import COMPUTED
+from gaussiancad_core.geometry.whole_curves import Circle, line_through, meetings
 from gaussiancad_core.kernel.booleans import unified
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -248,7 +248,7 @@ def _corner(
     curves = [
         line_through(tuple(points[0].tolist()), tuple(points[1].tolist()))
         if arc is None
-        else CircleCurve(arc.centre, arc.radius)
+        else Circle(arc.centre, arc.radius)
         for points, arc in (one, other)
     ]
     places = np.array(meetings(*curves)).reshape(-1, 2)

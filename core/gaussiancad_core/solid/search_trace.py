@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 
-from gaussiancad_core.coordinates.carrier_curves import Point
+from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.labelling.visibility_rules import Rule
 from gaussiancad_core.model.axes import Role, Vector
 from gaussiancad_core.model.projection_planes import role_plane

@@ -10,22 +10,22 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.cells.arrangement import CHAIN, OUTSIDE, Arrangement, distinct
 from gaussiancad_core.cells.arrangement_kernels import locate, traces
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    PlaneCurve,
+from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import (
+    Circle,
+    LineOrCircle,
     axis_line,
     line_through,
     meetings,
 )
-from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
 Point = tuple[float, float]
 
 
-def _support(curve: PlaneCurve, *stretches: tuple[float, float]) -> Carrier:
+def _support(curve: LineOrCircle, *stretches: tuple[float, float]) -> Carrier:
     intervals = tuple(Interval(low, high, Linetype.VISIBLE, 1.0) for low, high in stretches)
     return Carrier(curve, {Role.FRONT: intervals})
 
@@ -40,7 +40,7 @@ def _ring(*corners: Point) -> list[Carrier]:
 
 
 def _circle(x: float, y: float, radius: float) -> Carrier:
-    return _support(CircleCurve((x, y), radius), (0.0, TURN))
+    return _support(Circle((x, y), radius), (0.0, FULL_TURN))
 
 
 def _grid(xs: list[float], ys: list[float]) -> list[Carrier]:
@@ -75,7 +75,7 @@ def test_a_grid_has_a_region_for_each_field(xs: list[float], ys: list[float]) ->
 _ROUND = st.tuples(st.integers(0, 60), st.integers(0, 60), st.integers(2, 30))
 
 
-def _faces_by_euler(circles: list[CircleCurve]) -> int:
+def _faces_by_euler(circles: list[Circle]) -> int:
     """Faces of circles in general position: E - V + C + 1, each circle at least a vertex."""
     points: list[Point] = []
     on: list[set[int]] = [set() for _ in circles]
@@ -111,7 +111,7 @@ def _faces_by_euler(circles: list[CircleCurve]) -> int:
 def test_circles_have_as_many_regions_as_euler_says(rows: list[tuple[int, int, int]]) -> None:
     # Factors that no equations tie: circles cross or miss, and never just touch.
     circles = [
-        CircleCurve((x * 1.1 + k * 0.0371, y * 1.3 + k * 0.0513), r * 1.07 + k * 0.0297)
+        Circle((x * 1.1 + k * 0.0371, y * 1.3 + k * 0.0513), r * 1.07 + k * 0.0297)
         for k, (x, y, r) in enumerate(rows)
     ]
     for i, one in enumerate(circles):
@@ -120,7 +120,7 @@ def test_circles_have_as_many_regions_as_euler_says(rows: list[tuple[int, int, i
             near, far = abs(one.radius - other.radius), one.radius + other.radius
             if min(abs(away - near), abs(away - far)) < 0.01:
                 return
-    arrangement = Arrangement([_support(circle, (0.0, TURN)) for circle in circles])
+    arrangement = Arrangement([_support(circle, (0.0, FULL_TURN)) for circle in circles])
     assert arrangement.regions == _faces_by_euler(circles)
     rng = np.random.default_rng(0)
     seen: dict[int, set[tuple[bool, ...]]] = {}
@@ -138,7 +138,7 @@ def test_circles_have_as_many_regions_as_euler_says(rows: list[tuple[int, int, i
 @given(st.lists(st.floats(1.0, 20.0), min_size=3, max_size=9), st.floats(0.0, 1.0))
 def test_locate_agrees_with_the_even_odd_test(radii: list[float], turn: float) -> None:
     count = len(radii)
-    angles = [(k + turn) * TURN / count for k in range(count)]
+    angles = [(k + turn) * FULL_TURN / count for k in range(count)]
     corners = [
         (30.0 + r * float(np.cos(t)), 30.0 + r * float(np.sin(t)))
         for r, t in zip(radii, angles, strict=True)
@@ -171,7 +171,7 @@ _SHEET = [
     _segment((60, 0), (100, 45)),
     _segment((60, 60), (90, 10)),
     _segment((60, 0), (60, 60)),
-    _support(CircleCurve((80, 60), 9.0), (pi, TURN)),
+    _support(Circle((80, 60), 9.0), (pi, FULL_TURN)),
 ]
 
 
@@ -185,7 +185,7 @@ def test_a_mixed_sheet_has_as_many_regions_as_euler_says(sheet: Arrangement) -> 
     edges = 0
     for place, (index, low, high) in enumerate(sheet.stretches):
         curve = sheet.carriers[index].curve
-        opened = not isinstance(curve, CircleCurve) or high - low < TURN - 1e-9
+        opened = not isinstance(curve, Circle) or high - low < FULL_TURN - 1e-9
         apart = [curve.at(low), curve.at(high)] if opened else []
         for other in range(len(sheet.stretches)):
             if other != place:
@@ -213,8 +213,8 @@ def _shared(sheet: Arrangement, one: int, other: int) -> list[Point]:
     ]
 
 
-def _turns(curve: PlaneCurve) -> tuple[float, ...]:
-    return (0.0, TURN) if isinstance(curve, CircleCurve) else (0.0,)
+def _turns(curve: LineOrCircle) -> tuple[float, ...]:
+    return (0.0, FULL_TURN) if isinstance(curve, Circle) else (0.0,)
 
 
 def _apart(points: list[Point]) -> list[Point]:

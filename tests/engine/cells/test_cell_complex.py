@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.cell_complex import BODY, Space, parallel
-from gaussiancad_core.coordinates.carrier_curves import axis_line
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.whole_curves import axis_line
 from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.revolution_kernels import MOST, crossings
 from gaussiancad_core.cells.sight_lines import body_table
-from gaussiancad_core.coordinates.carrier_curves import LineCurve
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
 
@@ -81,6 +81,6 @@ def test_rims_are_the_creases_that_a_view_sees_slanted() -> None:
             continue
         found = []
         for curve, (low, high) in body.rims(normal):
-            assert isinstance(curve, LineCurve) and curve.axis is None
+            assert isinstance(curve, Line) and curve.axis is None
             found.append({tuple(np.round(curve.at(t), 9).tolist()) for t in (low, high)})
         assert ends in found

@@ -5,15 +5,16 @@ from math import pi
 import pytest
 
 from gaussiancad_core.cells.sectors import sector_of
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, PlaneCurve, line_through
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, line_through
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
-_ARC = CircleCurve((20.0, 20.0), 10.0)
+_ARC = Circle((20.0, 20.0), 10.0)
 
 
-def _drawn(curve: PlaneCurve, low: float, high: float) -> Carrier:
+def _drawn(curve: LineOrCircle, low: float, high: float) -> Carrier:
     return Carrier(curve, {Role.TOP: (Interval(low, high, Linetype.VISIBLE, 1.0),)})
 
 
@@ -53,8 +54,8 @@ def test_a_tangent_that_is_drawn_elsewhere_is_no_side() -> None:
 
 
 def test_an_arc_that_goes_on_in_another_one_ends_where_that_begins() -> None:
-    small = CircleCurve((27.0, 20.0), 3.0)
-    waist = [_RIM, _drawn(small, 1.5 * pi, TURN), _LEVEL]
+    small = Circle((27.0, 20.0), 3.0)
+    waist = [_RIM, _drawn(small, 1.5 * pi, FULL_TURN), _LEVEL]
     assert sector_of(_ARC, (0.0, pi / 2.0), waist, 0.02) == (0.0, pi / 2.0)
 
 

@@ -15,7 +15,7 @@ from gaussiancad_core.cells.surfaces_of_revolution import (
     Profile,
     SurfaceOfRevolution,
 )
-from gaussiancad_core.coordinates.carrier_curves import TURN
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
 
@@ -48,7 +48,7 @@ def _arcs(draw: st.DrawFn) -> ArcProfile:
     )
 
 
-_SECTOR = st.tuples(st.floats(0.0, TURN), st.floats(0.2, pi))
+_SECTOR = st.tuples(st.floats(0.0, FULL_TURN), st.floats(0.2, pi))
 _BODY = st.builds(
     SurfaceOfRevolution,
     st.sampled_from(Axis),
@@ -77,7 +77,7 @@ def _holds(body: SurfaceOfRevolution, point: tuple[float, ...]) -> bool:
     if body.sector is None:
         return below != _rounds_a_cylinder(body.profile)
     start, sweep = body.sector
-    turned = (np.arctan2(b, a) - start) % TURN
+    turned = (np.arctan2(b, a) - start) % FULL_TURN
     towards_axis = isinstance(body.profile, ArcProfile) and body.profile.side < 0
     return bool(turned < sweep and below == towards_axis)
 
@@ -188,8 +188,8 @@ def test_rims_are_the_outlines(normal: Axis, body: SurfaceOfRevolution) -> None:
         assert {curve.radius for curve, _ in rims} == {r for r in radii if r > 1e-3}
         for curve, (low, high) in rims:
             assert curve.centre == body.centre
-            assert 0.0 <= low < high <= TURN + 1e-12
-        sweep = TURN if body.sector is None else body.sector[1]
+            assert 0.0 <= low < high <= FULL_TURN + 1e-12
+        sweep = FULL_TURN if body.sector is None else body.sector[1]
         stated = sum(high - low for _, (low, high) in rims)
         rounds = sum(profile.radius(z) > 1e-3 for z in (profile.low, profile.high))
         assert stated == pytest.approx(sweep * rounds)

@@ -9,10 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, LineCurve
 from gaussiancad_core.coordinates.carriers import PlaneCarriers, find_carriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import UNITS
@@ -92,13 +93,13 @@ def test_collinear_strokes_are_one_support_in_any_order(
         pieces += _chain(*(reversed(ends) if flips[k] else ends))
     plane = _front([*_box(50, 20)[:2], *pieces, *_box(50, 20)[3:]])
     assert len(plane.carriers) == 4
-    (top,) = (s for s in plane.carriers if s.curve == LineCurve((0.0, 40.0), (1.0, 0.0)))
+    (top,) = (s for s in plane.carriers if s.curve == Line((0.0, 40.0), (1.0, 0.0)))
     assert top.drawn() == [(0.0, pytest.approx(100.0))]
 
 
 def test_visible_lines_cover_hidden_ones_and_gaps_are_blank() -> None:
     intervals = (Interval(0.0, 30.0, _HIDDEN, 1.0), Interval(20.0, 50.0, _VISIBLE, 1.0))
-    carrier = Carrier(LineCurve((0.0, 0.0), (1.0, 0.0)), {Role.FRONT: intervals})
+    carrier = Carrier(Line((0.0, 0.0), (1.0, 0.0)), {Role.FRONT: intervals})
     linetypes = [carrier.linetype_at(Role.FRONT, at) for at in (10.0, 25.0, 40.0, 60.0)]
     assert linetypes == [_HIDDEN, _VISIBLE, _VISIBLE, None]
     assert carrier.linetype_at(Role.REAR, 25.0) is None
@@ -109,7 +110,7 @@ def test_a_dashed_line_behind_a_visible_one_is_one_support() -> None:
     hidden = Segment((0.0, 8.0), (50.0, 8.0), _HIDDEN)
     visible = Segment((10.0, 8.0), (20.0, 8.0), _VISIBLE)
     plane = _front([*_box(50, 20), hidden, visible])
-    (carrier,) = (s for s in plane.carriers if s.curve == LineCurve((0.0, 16.0), (1.0, 0.0)))
+    (carrier,) = (s for s in plane.carriers if s.curve == Line((0.0, 16.0), (1.0, 0.0)))
     linetypes = [carrier.linetype_at(Role.FRONT, at) for at in (10.0, 30.0, 60.0)]
     assert linetypes == [_HIDDEN, _VISIBLE, _HIDDEN]
 
@@ -120,7 +121,7 @@ _OPPOSITE = [(Role.FRONT, Role.REAR), (Role.RIGHT, Role.LEFT), (Role.TOP, Role.B
 @pytest.mark.parametrize(("role", "opposite"), _OPPOSITE)
 @given(
     st.tuples(st.floats(5.0, 45.0), st.floats(5.0, 15.0)),
-    st.floats(0.0, TURN, exclude_max=True),
+    st.floats(0.0, FULL_TURN, exclude_max=True),
     st.floats(0.5, 6.0),
 )
 def test_opposite_views_tell_the_same_curves(
@@ -154,28 +155,28 @@ def test_opposite_views_tell_the_same_curves(
         assert kinds[0] == kinds[1]
 
 
-@given(st.floats(0.0, TURN, exclude_max=True), st.floats(0.3, 6.2))
+@given(st.floats(0.0, FULL_TURN, exclude_max=True), st.floats(0.3, 6.2))
 def test_an_arc_is_drawn_where_it_is(start: float, sweep: float) -> None:
     (carrier,) = _front([Arc((25.0, 10.0), 8.0, start, sweep, _VISIBLE)]).carriers
-    assert isinstance(carrier.curve, CircleCurve)
+    assert isinstance(carrier.curve, Circle)
     assert carrier.curve.centre == pytest.approx((50.0, 20.0), abs=1e-9)
     assert carrier.curve.radius == pytest.approx(16.0, abs=1e-6)
     intervals = carrier.intervals[Role.FRONT]
-    assert all(0.0 <= interval.low < interval.high <= TURN for interval in intervals)
+    assert all(0.0 <= interval.low < interval.high <= FULL_TURN for interval in intervals)
     assert sum(interval.high - interval.low for interval in intervals) == pytest.approx(
         sweep, abs=1e-2
     )
     for share in (0.05, 0.5, 0.95):
-        at = (start + share * sweep) % TURN
+        at = (start + share * sweep) % FULL_TURN
         assert carrier.linetype_at(Role.FRONT, at) is _VISIBLE
     if sweep < 5.5:
-        assert carrier.linetype_at(Role.FRONT, (start + sweep + 0.3) % TURN) is None
+        assert carrier.linetype_at(Role.FRONT, (start + sweep + 0.3) % FULL_TURN) is None
 
 
 def test_both_halves_of_a_circle_are_one_whole_circle() -> None:
     halves = [Arc((25.0, 10.0), 5.0, k * pi, pi, _VISIBLE) for k in range(2)]
     (carrier,) = _front(halves).carriers
-    assert carrier.drawn() == [(0.0, pytest.approx(TURN))]
+    assert carrier.drawn() == [(0.0, pytest.approx(FULL_TURN))]
 
 
 @given(st.lists(st.floats(-0.02, 0.02), min_size=40, max_size=40))
@@ -211,7 +212,7 @@ def test_collinear_slants_are_one_line_through_the_values_of_their_ends() -> Non
 
 def test_a_slant_that_touches_circles_is_their_tangent() -> None:
     # A link: two rounds of 8 and 4 mm, and the tangent over them read half a pixel too low.
-    arcs = [Arc((10, 10), 8, 0.0, TURN, _VISIBLE), Arc((42, 10), 4, 0.0, TURN, _VISIBLE)]
+    arcs = [Arc((10, 10), 8, 0.0, FULL_TURN, _VISIBLE), Arc((42, 10), 4, 0.0, FULL_TURN, _VISIBLE)]
     lean = np.arcsin(4 / 32)
     ends = [
         (10 + 8 * np.sin(lean), 10 + 8 * np.cos(lean)),
@@ -219,7 +220,7 @@ def test_a_slant_that_touches_circles_is_their_tangent() -> None:
     ]
     read = [(float(x), float(y) - 0.03) for x, y in ends]
     plane = _front([*arcs, *_chain(*read)], tolerance=0.06)
-    (slant,) = (s for s in plane.carriers if isinstance(s.curve, LineCurve))
+    (slant,) = (s for s in plane.carriers if isinstance(s.curve, Line))
     assert slant.curve.distance((20.0, 20.0)) == pytest.approx(16.0, abs=1e-6)
     assert slant.curve.distance((84.0, 20.0)) == pytest.approx(8.0, abs=1e-6)
 
@@ -269,7 +270,7 @@ def test_values_are_shared_by_the_planes(sample_views: Callable[[str], DrawnView
 )
 def test_flat_quarters_between_the_axes_tell_their_circle(arc: Arc, is_given: bool) -> None:
     plane = _front([*_box(50, 20), arc], tolerance=0.2)
-    circles = [s for s in plane.carriers if isinstance(s.curve, CircleCurve)]
+    circles = [s for s in plane.carriers if isinstance(s.curve, Circle)]
     assert (len(circles), len(plane.chains)) == ((1, 0) if is_given else (0, 1))
 
 

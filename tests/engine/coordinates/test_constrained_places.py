@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
     CoordinateReading,
@@ -21,6 +20,7 @@ from gaussiancad_core.evidence.dimension_constraints import (
     RadiusDimension,
     Told,
 )
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 
 _TOLERANCE, _REACH = 0.4, 0.3
@@ -52,7 +52,7 @@ def test_what_numbers_lead_to_from_the_end_is_known(order: list[int], count: int
 
 def test_a_bore_is_known_by_its_edges_and_a_shaft_by_its_radius() -> None:
     def circle(x: float, radius: float) -> CircleReading:
-        return CircleReading(Axis.Z, CircleCurve((x, 20.0), radius), 40.0)
+        return CircleReading(Axis.Z, Circle((x, 20.0), radius), 40.0)
 
     circles = [circle(12.31, 5.0), circle(40.0, 8.0)]
     stated = (_length(0.0, 12.31), RadiusDimension(Axis.Z, (40.0, 20.0), 8.0, 8.0))

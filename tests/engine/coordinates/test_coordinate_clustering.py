@@ -5,13 +5,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
     CoordinateReading,
     snapped,
     with_lone_values,
 )
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import UNITS
 
@@ -23,7 +23,7 @@ _LEVELS = st.lists(st.integers(0, 100), min_size=1, max_size=6, unique=True)
 
 
 def _circle(x: float, y: float, radius: float, normal: Axis = Axis.Y) -> CircleReading:
-    return CircleReading(normal, CircleCurve((x, y), radius), radius)
+    return CircleReading(normal, Circle((x, y), radius), radius)
 
 
 @given(_LEVELS, st.lists(st.tuples(_ERROR, st.floats(0.1, 100.0)), min_size=1, max_size=4))
@@ -91,7 +91,7 @@ def test_arcs_of_one_circle_are_one(x: float, y: float, radius: float) -> None:
     ((_, circle),) = snap.circles
     assert all(snap.circle(Axis.Y, reading.circle) is circle for reading in circles)
     assert snap.circle(Axis.Z, circles[0].circle) is None
-    assert snap.circle(Axis.Y, CircleCurve((30.0, 40.0), 11.0)) is None
+    assert snap.circle(Axis.Y, Circle((30.0, 40.0), 11.0)) is None
 
 
 def test_circles_of_one_axis_in_two_planes_share_its_coordinate() -> None:
@@ -232,7 +232,7 @@ def test_circles_between_two_multiples_of_the_step_are_known(sides: bool, known:
         readings += [
             CoordinateReading(axis, read(at), 50.0) for axis in (Axis.X, Axis.Z) for at in (12, 30)
         ]
-    circle = CircleReading(Axis.Y, CircleCurve((read(21), read(21)), read(9)), 50.0)
+    circle = CircleReading(Axis.Y, Circle((read(21), read(21)), read(9)), 50.0)
     snap = snapped(readings, [circle], _TOLERANCE)
     assert snap.step is not None and snap.step.length == pytest.approx(step)
     assert snap.nominal == known

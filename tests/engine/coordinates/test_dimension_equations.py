@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
     CoordinateReading,
@@ -18,6 +17,7 @@ from gaussiancad_core.evidence.dimension_constraints import (
     LengthDimension,
     RadiusDimension,
 )
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 
 _TOLERANCE, _REACH = 0.4, 0.3
@@ -77,7 +77,7 @@ def test_numbers_that_do_not_fit_tell_nothing(
 def test_a_radius_counts_for_all_circles_that_are_drawn_as_large() -> None:
     read = {10.0: 4.06, 30.0: 4.02, 50.0: 4.4}
     circles = [
-        CircleReading(Axis.Y, CircleCurve((x, 20.0), radius), radius) for x, radius in read.items()
+        CircleReading(Axis.Y, Circle((x, 20.0), radius), radius) for x, radius in read.items()
     ]
     readings = [CoordinateReading(Axis.X, 0.0, 50.0), CoordinateReading(Axis.X, 60.0, 50.0)]
     stated = DimensionConstraints((RadiusDimension(Axis.Y, (10.1, 20.0), 4.06, 4.0),), _REACH)
@@ -92,7 +92,7 @@ def test_a_radius_counts_for_all_circles_that_are_drawn_as_large() -> None:
 
 def test_numbers_that_do_not_add_up_undo_nothing() -> None:
     """Rounded links of a chain, and a bore whose sides other lines show."""
-    circle = CircleReading(Axis.Y, CircleCurve((30.0, 20.0), 8.02), 8.0)
+    circle = CircleReading(Axis.Y, Circle((30.0, 20.0), 8.02), 8.0)
     readings = [CoordinateReading(Axis.X, at, 50.0) for at in (0.02, 22.0, 37.95, 60.1)]
     pairs = [(0.0, 22.0, 22.1), (22.0, 38.0, 16.0), (38.0, 60.1, 21.9), (0.0, 60.1, 60.05)]
     stated = DimensionConstraints(tuple(LengthDimension(Axis.X, *pair) for pair in pairs), _REACH)
@@ -119,7 +119,7 @@ def test_what_is_round_only_by_its_number_is_told(drawn: float, unread: bool) ->
 
 def test_what_lies_between_the_sides_of_a_shaft_is_its_diameter() -> None:
     # No line of the axis' view is there: the number belongs to the circle.
-    circle = CircleReading(Axis.Y, CircleCurve((20.0, 20.0), 8.1), 8.0)
+    circle = CircleReading(Axis.Y, Circle((20.0, 20.0), 8.1), 8.0)
     readings = [CoordinateReading(Axis.X, at, 50.0) for at in (0.0, 40.0)]
     stated = (
         LengthDimension(Axis.X, 11.9, 28.1, 16.0),

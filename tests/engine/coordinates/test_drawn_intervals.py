@@ -4,18 +4,13 @@ from math import pi
 
 import pytest
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    PlaneCurve,
-    axis_line,
-    line_through,
-)
 from gaussiancad_core.coordinates.drawn_intervals import (
     Carrier,
     DrawnInterval,
     carriers_with_intervals,
 )
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, axis_line, line_through
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
@@ -24,7 +19,7 @@ _TOLERANCE = 0.2
 
 
 def _supports(
-    curves: list[PlaneCurve], drawn: list[tuple[int, float, float, Role]]
+    curves: list[LineOrCircle], drawn: list[tuple[int, float, float, Role]]
 ) -> tuple[Carrier, ...]:
     strokes = [
         (index, DrawnInterval(role, (low, high), _HIDDEN, 1.0)) for index, low, high, role in drawn
@@ -53,7 +48,7 @@ def test_a_gap_that_leads_away_from_the_other_line_stays() -> None:
 
 
 def test_strokes_end_where_lines_meet() -> None:
-    curves: list[PlaneCurve] = [axis_line(0, 50.0), axis_line(1, 20.0), axis_line(1, 70.0)]
+    curves: list[LineOrCircle] = [axis_line(0, 50.0), axis_line(1, 20.0), axis_line(1, 70.0)]
     line, *_ = _supports(curves, [(0, 20.3, 69.5, _FRONT)])
     assert line.drawn() == [(pytest.approx(20.0), pytest.approx(70.0))]
 
@@ -61,18 +56,18 @@ def test_strokes_end_where_lines_meet() -> None:
 @pytest.mark.parametrize(("off", "met"), [(4.0, True), (-4.0, True), (60.0, False)])
 def test_a_wide_arc_and_its_tangent_end_where_they_touch(off: float, met: bool) -> None:
     """They part so slowly that neither's end is seen; far beyond, they are clearly apart."""
-    arc = CircleCurve((-900.0, 50.0), 1000.0)
-    curves: list[PlaneCurve] = [arc, axis_line(0, 100.0)]
+    arc = Circle((-900.0, 50.0), 1000.0)
+    curves: list[LineOrCircle] = [arc, axis_line(0, 100.0)]
     drawn = [(0, -0.2, off / 1000.0, _FRONT), (1, 50.0 + off, 300.0, _FRONT)]
     wide, line = _supports(curves, drawn)
     ends = [end for interval in wide.drawn() for end in interval]
-    assert any(end % TURN == pytest.approx(0.0 if met else off / 1000.0) for end in ends)
+    assert any(end % FULL_TURN == pytest.approx(0.0 if met else off / 1000.0) for end in ends)
     assert line.drawn()[0][0] == pytest.approx(50.0 if met else 50.0 + off)
 
 
 def test_an_arc_does_not_go_on_to_a_tangent_that_nothing_is_drawn_on() -> None:
     """Where another coordinate lies just at its extreme, its end is its end."""
-    arc = CircleCurve((0.0, 50.0), 15.6)
+    arc = Circle((0.0, 50.0), 15.6)
     ends = (-0.073, 2.0)
     drawn = [(0, DrawnInterval(_FRONT, ends, _HIDDEN, 1.0))]
     (item,) = carriers_with_intervals([arc], drawn, [axis_line(0, 15.6)], _TOLERANCE)
@@ -81,7 +76,7 @@ def test_an_arc_does_not_go_on_to_a_tangent_that_nothing_is_drawn_on() -> None:
 
 def test_arcs_end_where_they_touch_though_another_view_has_a_value_beside_it() -> None:
     """The value is nearer to one of the ends as read: they would end apart."""
-    small, large = CircleCurve((30.0, 20.0), 4.0), CircleCurve((20.0, 20.0), 6.0)
+    small, large = Circle((30.0, 20.0), 4.0), Circle((20.0, 20.0), 6.0)
     strokes = [
         (0, DrawnInterval(_FRONT, (pi / 2.0, pi + 0.0001), _HIDDEN, 1.0)),
         (1, DrawnInterval(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0)),
@@ -92,7 +87,7 @@ def test_arcs_end_where_they_touch_though_another_view_has_a_value_beside_it() -
 
 
 def test_an_arc_that_nothing_ends_at_ends_at_a_value_of_another_view() -> None:
-    arc = CircleCurve((20.0, 20.0), 6.0)
+    arc = Circle((20.0, 20.0), 6.0)
     strokes = [(0, DrawnInterval(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0))]
     (one,) = carriers_with_intervals([arc], strokes, [axis_line(1, 20.0035)], 0.006)
     assert arc.at(one.drawn()[0][0])[1] == pytest.approx(20.0035)
@@ -104,7 +99,7 @@ def test_pieces_of_an_arc_that_nearly_touch_are_one(
     gap: float, pieces: int, other: Linetype
 ) -> None:
     """Nothing else ends where they do: through the crack the outside would flow into the part."""
-    arc = CircleCurve((40.0, 60.0), 40.0)
+    arc = Circle((40.0, 60.0), 40.0)
     strokes = [
         (0, DrawnInterval(_FRONT, (0.3, 1.0), Linetype.VISIBLE, 1.0)),
         (0, DrawnInterval(_FRONT, (1.0 + gap / 40.0, 1.7), other, 1.0)),

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, LineCurve, Point, meetings
 from gaussiancad_core.coordinates.coordinate_clustering import (
     CircleReading,
     CoordinateReading,
@@ -18,6 +17,8 @@ from gaussiancad_core.coordinates.coordinate_clustering import (
 )
 from gaussiancad_core.coordinates.corner_equations import Slant
 from gaussiancad_core.coordinates.geometric_constraints import Facet, PlaneReading, adjusted
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle, Line, meetings
 from gaussiancad_core.model.axes import Axis
 
 _TOLERANCE = 0.2
@@ -53,8 +54,8 @@ def test_the_edge_of_two_chamfers_runs_through_both(errors: list[float]) -> None
     lines = {axis: line[0] for axis, line in found.lines.items()}
     for t in (0.0, 0.4, 1.0):
         z = 76.0 + 24.0 * t
-        ((x, _),) = meetings(lines[Axis.Y], LineCurve((0.0, z), (1.0, 0.0)))
-        ((y, _),) = meetings(lines[Axis.X], LineCurve((0.0, z), (1.0, 0.0)))
+        ((x, _),) = meetings(lines[Axis.Y], Line((0.0, z), (1.0, 0.0)))
+        ((y, _),) = meetings(lines[Axis.X], Line((0.0, z), (1.0, 0.0)))
         assert lines[Axis.Z].distance((x, y)) < 1e-7
     for axis, value in snap.values.items():
         assert found.snap.values[axis] == pytest.approx(value, abs=_TOLERANCE)
@@ -67,7 +68,7 @@ def test_the_edge_of_a_flat_on_a_cylinder_is_where_they_meet(
     x = radius * cos(share)
     z = radius * sin(share)
     readings = [(Axis.X, x + wide), (Axis.Z, z + high)]
-    circle = CircleReading(Axis.Y, CircleCurve((0.0, 0.0), radius), 1e4)
+    circle = CircleReading(Axis.Y, Circle((0.0, 0.0), radius), 1e4)
     snap = _snap(readings, [circle])
     plane = PlaneReading(Axis.Y, (), ((x, z),))
     found = adjusted(snap, [plane], _TOLERANCE).snap
@@ -87,8 +88,8 @@ def test_a_rough_common_tangent_becomes_an_exact_one(
 ) -> None:
     first, second = radii
     away = first + second + 25.0
-    one = CircleCurve((5.0, -3.0), first)
-    other = CircleCurve((5.0 + away * cos(angle), -3.0 + away * sin(angle)), second)
+    one = Circle((5.0, -3.0), first)
+    other = Circle((5.0 + away * cos(angle), -3.0 + away * sin(angle)), second)
     side = -1.0 if flip else 1.0
     start, end = _touching(one, other, (side, side if outer else -side))
     along = np.subtract(end, start) / hypot(*np.subtract(end, start))
@@ -113,9 +114,9 @@ def test_arcs_that_pass_smoothly_into_each_other_touch(
     first, second = radii
     assume(not inside or first > second + 4.0)
     away = (first - second if inside else first + second) + errors[2]
-    one = CircleCurve((5.0, -3.0), first)
+    one = Circle((5.0, -3.0), first)
     centre = 5.0 + away * cos(angle) + errors[0], -3.0 + away * sin(angle) + errors[1]
-    circles = [CircleReading(Axis.Y, circle, 10.0) for circle in (one, CircleCurve(centre, second))]
+    circles = [CircleReading(Axis.Y, circle, 10.0) for circle in (one, Circle(centre, second))]
     plane = PlaneReading(Axis.Y, (), (one.at(angle),))
     found = adjusted(_snap([], circles), [plane], _TOLERANCE).snap
     (_, large), (_, small) = found.circles
@@ -124,9 +125,7 @@ def test_arcs_that_pass_smoothly_into_each_other_touch(
     assert between == pytest.approx(abs(sizes[0] - sizes[1]) if inside else sum(sizes), abs=1e-7)
 
 
-def _touching(
-    one: CircleCurve, other: CircleCurve, sides: tuple[float, float]
-) -> tuple[Point, Point]:
+def _touching(one: Circle, other: Circle, sides: tuple[float, float]) -> tuple[Point, Point]:
     """Touching points of a common tangent with normal n: n . c = d + side r for both circles."""
     dx, dy = other.centre[0] - one.centre[0], other.centre[1] - one.centre[1]
     away = hypot(dx, dy)
@@ -142,7 +141,7 @@ def _touching(
 
 def test_a_corner_is_on_a_circle_only_where_it_is_drawn() -> None:
     """A bore's wall ends where a round end would go on, had the part no flat sides."""
-    circle = CircleCurve((50.0, 50.0), 50.0)
+    circle = Circle((50.0, 50.0), 50.0)
     x, z = 50.0 - 50.0 * sin(0.7) + 0.3 * _TOLERANCE, 50.0 + 50.0 * cos(0.7)
     snap = _snap([(Axis.X, x), (Axis.Z, z)], [CircleReading(Axis.Y, circle, 1e4)])
     low = PlaneReading(Axis.Y, (), ((x, z),), ((circle, pi, pi),))
@@ -197,7 +196,7 @@ def test_the_extents_stay() -> None:
 def test_what_follows_from_rounded_numbers_is_no_multiple_of_their_step() -> None:
     # A flat 20 off the axis of a cylinder of radius 32 ends at 36 +- 24.98: near a multiple of .5.
     half = (32.0**2 - 20.0**2) ** 0.5
-    circles = [CircleReading(Axis.X, CircleCurve((36.01, 36.0), r), 6.0 * r) for r in (32.01, 36.0)]
+    circles = [CircleReading(Axis.X, Circle((36.01, 36.0), r), 6.0 * r) for r in (32.01, 36.0)]
     readings = [(axis, at) for axis in (Axis.Y, Axis.Z) for at in (0.0, 72.0)]
     readings += [(Axis.X, 4.5 * k) for k in range(22)] + [(Axis.X, 100.0)]
     # Two views show the flat, one the edges at which it ends.
@@ -215,12 +214,12 @@ def test_what_follows_from_rounded_numbers_is_no_multiple_of_their_step() -> Non
 
 def test_what_a_plane_shows_moves_as_a_whole() -> None:
     slant = Slant((1.0, 2.0), (5.0, 7.0), 3.0)
-    circle = CircleCurve((4.0, 6.0), 2.0)
+    circle = Circle((4.0, 6.0), 2.0)
     shown = PlaneReading(Axis.Y, (slant,), ((1.0, 2.0), (9.0, 9.0)), ((circle, 0.5, 1.5),))
     assert shown.moved(0.5, -1.0) == PlaneReading(
         Axis.Y,
         (Slant((1.5, 1.0), (5.5, 6.0), 3.0),),
         ((1.5, 1.0), (9.5, 8.0)),
-        ((CircleCurve((4.5, 5.0), 2.0), 0.5, 1.5),),
+        ((Circle((4.5, 5.0), 2.0), 0.5, 1.5),),
     )
     assert shown.moved(0.0, 0.0) == shown

@@ -4,10 +4,11 @@ from math import pi
 
 import pytest
 
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, axis_line
 from gaussiancad_core.coordinates.joints import joints_of
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, axis_line
 
-_SMALL, _LARGE = CircleCurve((30.0, 20.0), 4.0), CircleCurve((20.0, 20.0), 6.0)
+_SMALL, _LARGE = Circle((30.0, 20.0), 4.0), Circle((20.0, 20.0), 6.0)
 """They touch at (26, 20)."""
 
 _REACH = 0.03
@@ -21,9 +22,9 @@ def test_two_arcs_that_end_at_one_place_end_where_they_touch() -> None:
 
 
 def test_the_parameter_of_a_joint_is_of_the_turn_in_which_the_arc_ends() -> None:
-    strokes = [(0, (pi / 2.0, pi)), (1, (1.5 * pi, TURN + 0.001))]
+    strokes = [(0, (pi / 2.0, pi)), (1, (1.5 * pi, FULL_TURN + 0.001))]
     _, (_, large) = joints_of([_SMALL, _LARGE], strokes, _REACH)
-    assert large == pytest.approx(TURN)
+    assert large == pytest.approx(FULL_TURN)
 
 
 def test_strokes_that_end_apart_have_no_joint() -> None:
@@ -37,6 +38,6 @@ def test_pieces_of_one_line_have_no_joint() -> None:
 
 
 def test_curves_that_miss_each_other_have_no_joint() -> None:
-    apart = CircleCurve((20.0, 20.0), 5.99)
+    apart = Circle((20.0, 20.0), 5.99)
     strokes = [(0, (pi / 2.0, pi)), (1, (0.0, pi / 2.0))]
     assert joints_of([_SMALL, apart], strokes, _REACH) == [(None, None), (None, None)]

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, axis_line, line_through
 from gaussiancad_core.coordinates.point_chains import (
     chain_distances,
     crossings_with_chain,
@@ -16,6 +15,7 @@ from gaussiancad_core.coordinates.point_chains import (
     single_runs,
     through_points,
 )
+from gaussiancad_core.geometry.whole_curves import Circle, axis_line, line_through
 
 _POINTS = st.lists(
     st.tuples(st.integers(-200, 200), st.integers(-200, 200)),
@@ -97,7 +97,7 @@ def test_crossings_with_a_line_lie_on_both(chain: npt.NDArray[np.float64], level
 def test_crossings_with_a_circle_and_a_slant() -> None:
     chain = ((-10.0, 3.0), (10.0, 3.0))
     through = ((-10.0, 3.0), (0.0, 3.0), (10.0, 3.0))
-    circle = CircleCurve((0.0, 0.0), 5.0)
+    circle = Circle((0.0, 0.0), 5.0)
     assert sorted(crossings_with_curves(through, [circle])) == pytest.approx([-4.0, 4.0])
     slant = line_through((-4.0, 0.0), (4.0, 8.0))
     assert crossings_with_curves(chain, [slant]) == pytest.approx([-1.0])

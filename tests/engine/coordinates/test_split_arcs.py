@@ -6,10 +6,10 @@ from math import asin, atan, cos, hypot, pi, sin
 
 import pytest
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.coordinates.split_arcs import is_piece, with_pieces_of_arcs
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.lines.line_points import Curve
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -121,5 +121,5 @@ def test_chords_tell_no_planes_and_leave_their_circle_whole() -> None:
     (plane,) = find_carriers(_views(*box, *hole)).planes.values()
     curves = [carrier.curve for carrier in plane.carriers]
     assert len(curves) == len(box) + 1
-    (circle,) = (s for s in plane.carriers if isinstance(s.curve, CircleCurve))
+    (circle,) = (s for s in plane.carriers if isinstance(s.curve, Circle))
     assert sum(high - low for low, high in circle.drawn()) == pytest.approx(2.0 * pi)

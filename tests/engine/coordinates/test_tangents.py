@@ -5,8 +5,9 @@ from math import cos, hypot, pi, sin
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve, Point, line_through
 from gaussiancad_core.coordinates.tangents import touched_circles, touching_circles
+from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle, line_through
 
 _ANGLE = st.floats(0.0, 2.0 * pi)
 _RADIUS = st.floats(2.0, 20.0)
@@ -20,7 +21,7 @@ def _assume_not_straightened(start: Point, end: Point) -> None:
     assume(all(abs(part) < 1e-12 or abs(part) > 2e-6 for part in (dx, dy)))
 
 
-def _ends(one: CircleCurve, other: CircleCurve, sides: tuple[float, float]) -> tuple[Point, Point]:
+def _ends(one: Circle, other: Circle, sides: tuple[float, float]) -> tuple[Point, Point]:
     """Touching points of a common tangent with normal n: n . c = d + side r for both circles."""
     dx, dy = other.centre[0] - one.centre[0], other.centre[1] - one.centre[1]
     away = hypot(dx, dy)
@@ -45,8 +46,8 @@ def test_a_rough_common_tangent_touches_both(
 ) -> None:
     (first, second), (low, high) = radii, errors
     away = first + second + 25.0
-    one = CircleCurve((5.0, -3.0), first)
-    other = CircleCurve((5.0 + away * cos(angle), -3.0 + away * sin(angle)), second)
+    one = Circle((5.0, -3.0), first)
+    other = Circle((5.0 + away * cos(angle), -3.0 + away * sin(angle)), second)
     side = -1.0 if flip else 1.0
     start, end = _ends(one, other, (side, side if outer else -side))
     _assume_not_straightened(start, end)
@@ -64,7 +65,7 @@ def test_a_rough_common_tangent_touches_both(
 def test_an_end_that_touches_nothing_is_told(
     radius: float, angle: float, length: float, error: float, swap: bool
 ) -> None:
-    circle = CircleCurve((1.0, 2.0), radius)
+    circle = Circle((1.0, 2.0), radius)
     touch = circle.at(angle)
     nx, ny = circle.normal(angle)
     free = touch[0] - length * ny, touch[1] + length * nx
@@ -77,7 +78,7 @@ def test_an_end_that_touches_nothing_is_told(
 
 @given(_RADIUS, _ANGLE, st.floats(0.5, 10.0))
 def test_a_line_that_misses_by_more_is_no_tangent(radius: float, angle: float, miss: float) -> None:
-    circle = CircleCurve((0.0, 0.0), radius)
+    circle = Circle((0.0, 0.0), radius)
     nx, ny = circle.normal(angle)
     x, y = circle.at(angle)
     start = x + miss * nx, y + miss * ny
@@ -87,7 +88,7 @@ def test_a_line_that_misses_by_more_is_no_tangent(radius: float, angle: float, m
 
 @given(_RADIUS, _ANGLE)
 def test_a_line_that_touches_far_from_its_ends_is_left(radius: float, angle: float) -> None:
-    circle = CircleCurve((0.0, 0.0), radius)
+    circle = Circle((0.0, 0.0), radius)
     nx, ny = circle.normal(angle)
     x, y = circle.at(angle)
     half = 40.0
@@ -97,13 +98,13 @@ def test_a_line_that_touches_far_from_its_ends_is_left(radius: float, angle: flo
 
 def test_the_nearer_of_two_circles_is_touched() -> None:
     ends = (0.0, 10.02), (50.0, 10.0)
-    near, far = CircleCurve((0.0, 0.0), 10.0), CircleCurve((0.0, 0.0), 9.9)
+    near, far = Circle((0.0, 0.0), 10.0), Circle((0.0, 0.0), 9.9)
     found = touched_circles(line_through(*ends), ends, [far, near], _REACH)
     assert found == (near, None)
 
 
 def test_one_circle_is_touched_once() -> None:
-    circle, ends = CircleCurve((0.0, 0.0), 10.0), ((-1.0, 10.0), (1.0, 10.0))
+    circle, ends = Circle((0.0, 0.0), 10.0), ((-1.0, 10.0), (1.0, 10.0))
     assert touched_circles(line_through(*ends), ends, [circle], _REACH) == (circle, None)
 
 
@@ -113,8 +114,8 @@ def test_circles_touch_where_an_end_lies_on_both(
 ) -> None:
     assume(not inside or one > other + 3.0)
     away = (one - other if inside else one + other) + error
-    first = CircleCurve((5.0, -3.0), one)
-    second = CircleCurve((5.0 + away * cos(angle), -3.0 + away * sin(angle)), other)
+    first = Circle((5.0, -3.0), one)
+    second = Circle((5.0 + away * cos(angle), -3.0 + away * sin(angle)), other)
     end = first.at(angle)
     ((larger, smaller, lies_inside),) = touching_circles([first, second], [end], _REACH)
     assert {larger, smaller} == {first, second} and larger.radius >= smaller.radius

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, Point
 from gaussiancad_core.features.loops import area_of, loops_of
 from gaussiancad_core.features.plane_curves import Stretch, segment, supports_of
 from gaussiancad_core.features.sketch_cells import Cells, edge_count
+from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.whole_curves import Circle
 
 
 def _polygon(*corners: Point) -> list[Stretch]:
@@ -19,7 +20,7 @@ def _polygon(*corners: Point) -> list[Stretch]:
 
 
 def _circle(centre: Point, radius: float) -> list[Stretch]:
-    return [Stretch(CircleCurve(centre, radius), 0.0, TURN)]
+    return [Stretch(Circle(centre, radius), 0.0, FULL_TURN)]
 
 
 def _box(width: float, height: float) -> list[Stretch]:

@@ -9,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from benchmarks.features.feature_sketches import Freedom, freedom, solved
-from gaussiancad_core.coordinates.carrier_curves import Point
 from gaussiancad_core.features.constraints import (
     Constraint,
     Kind,
@@ -18,6 +17,7 @@ from gaussiancad_core.features.constraints import (
     constraints_of,
 )
 from gaussiancad_core.features.loops import Edge, Loop, area_of
+from gaussiancad_core.geometry.points import Point
 
 
 def _polygon(*corners: Point) -> Loop:

@@ -6,15 +6,16 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, PlaneCurve, axis_line
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.coordinates.point_chains import chain_distances
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, axis_line
 from gaussiancad_core.hypotheses.bridges import bridges
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 
 
-def _support(curve: PlaneCurve, *stretches: tuple[float, float]) -> Carrier:
+def _support(curve: LineOrCircle, *stretches: tuple[float, float]) -> Carrier:
     intervals = tuple(Interval(low, high, Linetype.VISIBLE, 1.0) for low, high in stretches)
     return Carrier(curve, {Role.FRONT: intervals})
 
@@ -72,8 +73,8 @@ def test_chains_are_led_to_each_other() -> None:
 
 
 def test_whole_circles_have_no_ends_and_arcs_reach_across_the_start_of_angles() -> None:
-    circle = CircleCurve((0.0, 0.0), 5.0)
-    assert bridges(Arrangement([_support(circle, (0.0, TURN))]), [], 1.0) == []
+    circle = Circle((0.0, 0.0), 5.0)
+    assert bridges(Arrangement([_support(circle, (0.0, FULL_TURN))]), [], 1.0) == []
     arc = _support(circle, (0.002, pi / 2))
     wall = _support(axis_line(0, 0.0), (0.0, 5.0))
     floor = _support(axis_line(1, 0.0), (0.0, 5.0))

@@ -6,9 +6,10 @@ from math import pi
 import pytest
 
 from gaussiancad_core.cells.arrangement import Arrangement
-from gaussiancad_core.coordinates.carrier_curves import TURN, CircleCurve, LineCurve
 from gaussiancad_core.coordinates.carriers import PlaneCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.hypotheses.missing_edges import with_missing_edges
 from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.model.axes import Axis, Role
@@ -83,7 +84,7 @@ def test_other_lines_are_not_made_up() -> None:
     views = _views((*_STEPPED, stray), _TOP, _RIGHT)
     plane = _plane(views, Axis.Y)
     lines = [plane.carriers[number].curve for number, _, _ in plane.lost]
-    assert all(isinstance(line, LineCurve) and line.axis is not None for line in lines)
+    assert all(isinstance(line, Line) and line.axis is not None for line in lines)
     values = {line.point[line.axis] for line in lines}
     assert values <= {0.0, 20.0, 40.0, 50.0, 100.0}
 
@@ -92,22 +93,22 @@ def test_a_circle_is_where_both_other_views_show_its_sides() -> None:
     def hidden(*points: Point) -> tuple[Segment, ...]:
         return _path(*points, linetype=Linetype.HIDDEN)
 
-    bore = Arc((70.0, 30.0), 10.0, 0.0, TURN, Linetype.VISIBLE)
-    other = Arc((20.0, 30.0), 5.0, 0.0, TURN, Linetype.VISIBLE)
+    bore = Arc((70.0, 30.0), 10.0, 0.0, FULL_TURN, Linetype.VISIBLE)
+    other = Arc((20.0, 30.0), 5.0, 0.0, FULL_TURN, Linetype.VISIBLE)
     front = (*_STEPPED, *hidden((60, 0), (60, 20)), *hidden((80, 0), (80, 20)))
     right = (*_RIGHT, *hidden((20, 0), (20, 20)), *hidden((40, 0), (40, 20)))
     plane = _plane(_views(front, (*_TOP, other), right), Axis.Z)
     circles = [plane.carriers[number].curve for number, _, _ in plane.lost]
-    assert CircleCurve((70.0, 30.0), 10.0) in circles
+    assert Circle((70.0, 30.0), 10.0) in circles
     for drawn in ((*_TOP, other, bore), (*_TOP, other, *_square()), _TOP):
         plane = _plane(_views(front, drawn, right), Axis.Z)
         lost = [plane.carriers[number].curve for number, _, _ in plane.lost]
-        assert CircleCurve((70.0, 30.0), 10.0) not in lost
+        assert Circle((70.0, 30.0), 10.0) not in lost
 
 
 def test_the_side_of_a_bore_is_where_its_circle_reaches_farthest() -> None:
     """At the one that is lacking there is no other line in any view."""
-    bore = Arc((70.0, 30.0), 10.0, 0.0, TURN, Linetype.VISIBLE)
+    bore = Arc((70.0, 30.0), 10.0, 0.0, FULL_TURN, Linetype.VISIBLE)
     sides = _path((80, 0), (80, 20), linetype=Linetype.HIDDEN)
     across = (
         *_path((20, 0), (20, 20), linetype=Linetype.HIDDEN),
@@ -122,7 +123,7 @@ def _upright(plane: PlaneCarriers) -> list[tuple[float, float, float]]:
     found = []
     for number, low, high in plane.lost:
         curve = plane.carriers[number].curve
-        if isinstance(curve, LineCurve) and curve.axis == 0:
+        if isinstance(curve, Line) and curve.axis == 0:
             (x, start), (_, end) = curve.at(low), curve.at(high)
             found.append((round(x, 6), round(start, 6), round(end, 6)))
     return found
@@ -130,7 +131,7 @@ def _upright(plane: PlaneCarriers) -> list[tuple[float, float, float]]:
 
 def test_the_other_side_of_a_cone_tells_where_a_slanted_line_is() -> None:
     size = (60.0, 60.0, 50.0)
-    rims = tuple(Arc((30.0, 30.0), r, 0.0, TURN, Linetype.VISIBLE) for r in (30.0, 10.0))
+    rims = tuple(Arc((30.0, 30.0), r, 0.0, FULL_TURN, Linetype.VISIBLE) for r in (30.0, 10.0))
     whole = _path((0, 0), (60, 0), (40, 50), (20, 50), (0, 0))
     strokes = {Role.FRONT: whole[:3], Role.TOP: rims, Role.RIGHT: whole}
     plane = _plane(DrawnViews(strokes, size, 1.2e-4), Axis.Y)
@@ -151,7 +152,7 @@ def test_the_arc_of_a_rounded_corner_is_where_both_lines_lead_into_it() -> None:
     arcs = [
         (plane.carriers[number].curve, low, high)
         for number, low, high in plane.lost
-        if isinstance(plane.carriers[number].curve, CircleCurve)
+        if isinstance(plane.carriers[number].curve, Circle)
     ]
     ((circle, low, high),) = arcs
     assert circle.centre == pytest.approx((90.0, 50.0)) and circle.radius == pytest.approx(10.0)

@@ -4,8 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, LineProfile
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.hypotheses.profile_ends import ProfileEnds
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
@@ -14,7 +14,7 @@ NEAR = 0.1
 WHOLE = {Role.TOP: (Interval(0.0, 6.2831, Linetype.VISIBLE, 1.0),)}
 ENDS = ProfileEnds.of(
     (0.0, 20.0, 24.0),
-    [Carrier(CircleCurve((5.0, 5.0), radius), WHOLE) for radius in (4.0, 7.0)],
+    [Carrier(Circle((5.0, 5.0), radius), WHOLE) for radius in (4.0, 7.0)],
     NEAR,
 )
 OFF = st.floats(-0.09, 0.09)

@@ -6,9 +6,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from gaussiancad_core.coordinates.carrier_curves import LineCurve
 from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.hypotheses.oblique_planes import find_half_spaces
 from gaussiancad_core.hypotheses.reprojected_silhouettes import retraced
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
@@ -35,10 +35,10 @@ def _supports(misread: float, tolerance: float) -> PartCarriers:
     return find_carriers(DrawnViews(strokes, (100.0, 80.0, 60.0), tolerance))
 
 
-def _slant(carriers: PartCarriers, axis: Axis) -> tuple[LineCurve, list[tuple[float, float]]]:
+def _slant(carriers: PartCarriers, axis: Axis) -> tuple[Line, list[tuple[float, float]]]:
     """The slanted line of a view, and its two ends."""
     (found,) = (s for s in carriers.planes[axis].carriers if s.curve.axis is None)
-    assert isinstance(found.curve, LineCurve)
+    assert isinstance(found.curve, Line)
     ((low, high),) = found.drawn()
     return found.curve, [found.curve.at(low), found.curve.at(high)]
 

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gaussiancad_core.cells.surfaces_of_revolution import ArcProfile, LineProfile
-from gaussiancad_core.coordinates.carrier_curves import TURN
 from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -31,7 +31,7 @@ def _frustum(low: float, high: float, height: float) -> DrawnViews:
         (wide - high, height),
         (wide - low, 0.0),
     )
-    rounds = [Arc((wide, wide), r, 0.0, TURN, Linetype.VISIBLE) for r in (low, high)]
+    rounds = [Arc((wide, wide), r, 0.0, FULL_TURN, Linetype.VISIBLE) for r in (low, high)]
     strokes = {Role.FRONT: side, Role.RIGHT: side, Role.TOP: rounds}
     return exact_views(strokes, (2 * wide, 2 * wide, height))
 
@@ -71,7 +71,7 @@ def test_arcs_as_far_from_another_circle_in_both_views_are_not_about_it() -> Non
     outline = _chain((0, 0), (60, 0), (60, 20), (0, 20), (0, 0))
     dome = Arc((15.0, 0.0), 5.0, 0.0, pi, Linetype.HIDDEN)
     rounds = [
-        Arc((at, at), radius, 0.0, TURN, Linetype.HIDDEN)
+        Arc((at, at), radius, 0.0, FULL_TURN, Linetype.HIDDEN)
         for at, radius in ((15.0, 5.0), (40.0, 4.0))
     ]
     top = _chain((0, 0), (60, 0), (60, 60), (0, 60), (0, 0))
@@ -139,7 +139,7 @@ def test_an_arc_that_crosses_the_axis_between_its_ends_is_no_profile(
     strokes = {
         Role.FRONT: [*side, waist],
         Role.RIGHT: [*side, waist],
-        Role.TOP: [*top, Arc((30.0, 30.0), off, 0.0, TURN, Linetype.HIDDEN)],
+        Role.TOP: [*top, Arc((30.0, 30.0), off, 0.0, FULL_TURN, Linetype.HIDDEN)],
     }
     found = find_bodies(find_carriers(exact_views(strokes, (60.0, 60.0, 40.0))))
     assert len(found) == bodies
@@ -154,7 +154,7 @@ def test_a_fillet_at_which_no_circle_is_drawn_goes_on_from_its_cone() -> None:
         Arc((10.0, 10.0), 4.0, 0.0, pi / 2.0, Linetype.VISIBLE),
     ]
     drawn = [*flange, *cone, *fillets]
-    rounds = [Arc((30.0, 30.0), r, 0.0, TURN, Linetype.VISIBLE) for r in (10.0, 30.0)]
+    rounds = [Arc((30.0, 30.0), r, 0.0, FULL_TURN, Linetype.VISIBLE) for r in (10.0, 30.0)]
     strokes = {Role.FRONT: drawn, Role.RIGHT: drawn, Role.TOP: rounds}
     bodies = find_bodies(find_carriers(exact_views(strokes, (60.0, 60.0, 20.0))))
     below, fillet = sorted((body.profile for body in bodies), key=lambda item: item.low)

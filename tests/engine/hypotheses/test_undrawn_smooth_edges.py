@@ -15,9 +15,9 @@ from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Vec
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.coordinates.carrier_curves import axis_line
 from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.whole_curves import axis_line
 from gaussiancad_core.hypotheses.undrawn_smooth_edges import with_smooth_edges
 from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.labelling.cell_labelling import Effort, Search

@@ -5,7 +5,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from gaussiancad_core.coordinates.carrier_curves import CircleCurve
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.sketch.closing_outlines import tidied
 from gaussiancad_core.sketch.plan_regions import MOST_CELLS, OUTSIDE, find_regions
 from gaussiancad_core.sketch.plane_lines import PlaneLine, arc_between, whole_circle
@@ -40,7 +40,7 @@ def test_a_line_is_led_on_to_what_it_ends_before() -> None:
 
 
 def test_three_quarters_about_one_centre_are_a_circle() -> None:
-    circle = CircleCurve((5.0, 5.0), 3.0)
+    circle = Circle((5.0, 5.0), 3.0)
     arcs = [
         PlaneLine(
             arc_between(circle, tuple(np.array(circle.at(at)) for at in (low, low + 1.9)), 1.9),
@@ -55,7 +55,7 @@ def test_three_quarters_about_one_centre_are_a_circle() -> None:
 
 
 def test_the_longer_way_round_an_arc_stays() -> None:
-    circle = CircleCurve((0.0, 0.0), 1.0)
+    circle = Circle((0.0, 0.0), 1.0)
     ends = np.array([1.0, 0.0]), np.array([0.0, 1.0])
     short, long = (arc_between(circle, ends, sweep) for sweep in (0.5 * pi, -1.5 * pi))
     assert short[len(short) // 2] == pytest.approx(np.array([1.0, 1.0]) / np.sqrt(2.0), abs=0.1)
@@ -63,7 +63,7 @@ def test_the_longer_way_round_an_arc_stays() -> None:
 
 
 def test_borders_know_how_they_are_drawn() -> None:
-    hole = whole_circle(CircleCurve((10.0, 5.0), 2.0), False)
+    hole = whole_circle(Circle((10.0, 5.0), 2.0), False)
     regions = find_regions([*_rectangle(0.0), hole], [], 0.1)
     between = next(border for border in regions.borders if border.other != OUTSIDE)
     assert between.length == pytest.approx(4.0 * pi, rel=1e-2)

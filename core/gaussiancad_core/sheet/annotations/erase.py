@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet

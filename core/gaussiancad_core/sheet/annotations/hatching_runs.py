@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along

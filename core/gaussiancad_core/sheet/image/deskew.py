@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.geometry.chains import LineSegment as StraightLine
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.shape_growth import Grown
 

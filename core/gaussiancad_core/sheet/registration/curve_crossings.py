@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.registration.stroke_carriers import Round, Slant
 
 Point = tuple[float, float]

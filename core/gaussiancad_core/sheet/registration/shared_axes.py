@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
 from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.views import Ellipse, Segment, Stroke
 from gaussiancad_core.sheet.registration.axis_clusters import (

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.registration.stroke_precision import Precision
 

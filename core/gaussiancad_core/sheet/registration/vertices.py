@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Arc, Segment, Stroke
 from gaussiancad_core.sheet.registration.curve_crossings import crossings, meeting, nearest
 from gaussiancad_core.sheet.registration.stroke_carriers import (

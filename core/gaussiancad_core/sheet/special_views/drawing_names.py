@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.annotations.erase import SHOWS, Told
 from gaussiancad_core.sheet.annotations.inked_shapes import points_along
 from gaussiancad_core.sheet.reading_options import Box

@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.annotations.erase import Told
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet

@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.special_views.symbol_shape import (

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark

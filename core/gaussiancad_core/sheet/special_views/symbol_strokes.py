@@ -11,8 +11,8 @@ from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.files.vectors import StrokeRole, VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
-from gaussiancad_core.geometry.infinite_curves import Circle
 from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.sheet.special_views.symbol_shape import (
     AXES,
     Ends,

@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.annotations.erase import Told

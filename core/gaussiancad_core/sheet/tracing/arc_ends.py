@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 
 _WIDE_PX = 40.0
 """Radius of such arcs at least: others leave a line within a few px."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Line, WholeCurve
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 
 _LEAST_SINE, _MOST_SINE = 0.05, 0.6
@@ -34,7 +34,7 @@ Dashed = tuple[Line, Sequence[Run]]
 
 
 def own_runs(
-    geometry: Geometry,
+    geometry: WholeCurve,
     runs: Sequence[Run],
     lines: Sequence[tuple[Line, Sequence[Run]]],
     rhythm: Rhythm,

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.special import ndtr
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.close_strands import Strand, find_bundles, scaled
@@ -73,7 +73,7 @@ def with_close_fits(
         Linetype.VISIBLE: visible_pen(sheet.weight, ended, sheet.stroke_width),
         Linetype.HIDDEN: dash_pen(ended, sheet),
     }
-    better: dict[Geometry, Geometry] = {}
+    better: dict[WholeCurve, WholeCurve] = {}
     for bundle in bundles:
         items = {strand.geometry for strand in bundle}
         others = [placed for placed in ended if placed[0] not in items]
@@ -84,7 +84,7 @@ def with_close_fits(
     ]
 
 
-def _as_long(before: Geometry, after: Geometry, piece: Piece) -> Piece:
+def _as_long(before: WholeCurve, after: WholeCurve, piece: Piece) -> Piece:
     if isinstance(before, Circle) and isinstance(after, Circle):
         return scaled(piece, after.radius / before.radius)
     return piece

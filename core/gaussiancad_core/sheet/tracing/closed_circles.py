@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
@@ -23,7 +23,7 @@ _STEP, _DARK = 0.5, 0.5
 
 
 def is_closed_by_others(
-    geometry: Geometry,
+    geometry: WholeCurve,
     change: tuple[Sequence[Piece], Sequence[Piece]],
     lines: Sequence[tuple[Line, Sequence[Run]]],
     sheet: CleanSheet,

@@ -7,7 +7,7 @@ so does a rounder one where it is the flank of a groove between two others.
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.whole_curves import Circle
 
 Floats = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.intp]

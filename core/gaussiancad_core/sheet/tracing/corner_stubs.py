@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 
 Placed = tuple[Line | Circle | WholeEllipse, Piece]

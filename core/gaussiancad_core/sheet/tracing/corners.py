@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.whole_curves import Circle
 
 Floats = npt.NDArray[np.float64]
 

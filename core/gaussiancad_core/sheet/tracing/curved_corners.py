@@ -12,7 +12,7 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
@@ -182,7 +182,7 @@ def _corners(placed: Sequence[Placed]) -> list[_CurvedCorner]:
     return sorted(found, key=lambda curved_corner: -lengths[curved_corner.line.index])
 
 
-def _both(index: int, geometry: Geometry, piece: Piece) -> list[_End]:
+def _both(index: int, geometry: WholeCurve, piece: Piece) -> list[_End]:
     at = np.array([piece.start, piece.end])
     places, ways = geometry.points_at(at), geometry.tangents_at(at)
     return [_End(index, True, places[0], ways[0]), _End(index, False, places[1], -ways[1])]

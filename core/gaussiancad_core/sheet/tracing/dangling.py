@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
@@ -101,7 +101,7 @@ def _met(
     return min(short or near, key=lambda place: abs(place - at), default=at)
 
 
-def _is_far(line: Line, at: float, other: Geometry, stretch: Piece) -> bool:
+def _is_far(line: Line, at: float, other: WholeCurve, stretch: Piece) -> bool:
     """Whether a stroke is nowhere near a place: most are not."""
     x, y = line.at(at)
     if not isinstance(other, Line):

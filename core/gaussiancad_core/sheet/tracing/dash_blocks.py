@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run, runs_of_ink
 from gaussiancad_core.sheet.tracing.ink_shapes import sample

@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Geometry
+from gaussiancad_core.geometry.whole_curves import WholeCurve
 from gaussiancad_core.sheet.tracing.ink_runs import InkField, Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 
@@ -32,7 +32,7 @@ _AROUND_PX = 2.5
 
 _INK = 0.35
 
-Drawn = tuple[InkField, Geometry, Sequence[Run]]
+Drawn = tuple[InkField, WholeCurve, Sequence[Run]]
 
 
 def paired_rhythm(drawn: Sequence[Drawn], stroke_width: float) -> Rhythm | None:
@@ -74,7 +74,7 @@ def _is_pair(one: Run, other: Run, stroke_width: float) -> bool:
     )
 
 
-def _is_free(field: InkField, geometry: Geometry, end: float, start: float) -> bool:
+def _is_free(field: InkField, geometry: WholeCurve, end: float, start: float) -> bool:
     """Whether there is no ink around two ends that face each other."""
     half = field.stroke_width / 2.0
     adjacent = half + np.array([1.5, _AROUND_PX])
@@ -92,7 +92,7 @@ def _is_free(field: InkField, geometry: Geometry, end: float, start: float) -> b
 
 def _has_ink(
     field: InkField,
-    geometry: Geometry,
+    geometry: WholeCurve,
     along: npt.NDArray[np.float64],
     across: npt.NDArray[np.float64],
 ) -> bool:

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
@@ -76,7 +76,7 @@ class Explained:
         """The marks for a shape that runs close beside another, or for any other."""
         return self.upon if close else self.around
 
-    def add(self, geometry: Geometry, piece: Piece, close: bool = False) -> None:
+    def add(self, geometry: WholeCurve, piece: Piece, close: bool = False) -> None:
         """Mark the ink of a piece, in place, a little longer than the stroke; where others run
         close beside it no wider than the stroke."""
         reach = self.stroke_width / 2
@@ -93,7 +93,7 @@ class Explained:
             cv2.polylines(self.upon, [path], False, mark, width, shift=3)
 
 
-def is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
+def is_new(geometry: WholeCurve, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
     """Whether enough of a run's ink is unexplained; strokes of other directions may cross it."""
     old, alike = _explained_along(geometry, run, explained)
     if isinstance(geometry, Circle):
@@ -105,7 +105,7 @@ def is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bo
 
 
 def is_next_dash(
-    geometry: Geometry, runs: list[RunOdds], index: int, explained: Explained, rhythm: Rhythm
+    geometry: WholeCurve, runs: list[RunOdds], index: int, explained: Explained, rhythm: Rhythm
 ) -> bool:
     """Whether a run follows a series of dashes, and is new but for what ran from strokes across."""
     run = runs[index][0]
@@ -113,7 +113,7 @@ def is_next_dash(
 
 
 def with_dashes_beside(
-    curve: Curve,
+    curve: ClosedCurve,
     runs: Sequence[RunOdds],
     fresh: Sequence[RunOdds],
     rhythm: Rhythm,
@@ -149,12 +149,12 @@ def with_dashes_beside(
     ]
 
 
-def _apart(curve: Curve, one: Run, other: Run) -> float:
+def _apart(curve: ClosedCurve, one: Run, other: Run) -> float:
     """px between two runs around a curve."""
     return min((other.start - one.end) % curve.around, (one.start - other.end) % curve.around)
 
 
-def joins_arcs(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
+def joins_arcs(geometry: WholeCurve, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
     """Whether a run is a short line between two arcs that follow it from both of its ends."""
     if not isinstance(geometry, Line):
         return False
@@ -165,7 +165,7 @@ def joins_arcs(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -
 
 
 def told_linetypes(
-    geometry: Geometry,
+    geometry: WholeCurve,
     runs: list[RunOdds],
     explained: npt.NDArray[np.uint8],
     rhythm: Rhythm,
@@ -182,7 +182,7 @@ def told_linetypes(
     return oddses
 
 
-def path_points(geometry: Geometry, start: float, end: float) -> npt.NDArray[np.float64]:
+def path_points(geometry: WholeCurve, start: float, end: float) -> npt.NDArray[np.float64]:
     """(n, 2) px about one px apart along a shape."""
     return geometry.points_at(np.linspace(start, end, max(2, int(np.ceil(end - start)) + 1)))
 
@@ -207,7 +207,7 @@ def _has_dash_beside(runs: list[RunOdds], index: int, rhythm: Rhythm) -> bool:
 
 
 def _explained_along(
-    geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]
+    geometry: WholeCurve, run: Run, explained: npt.NDArray[np.uint8]
 ) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
     """Every px along a run: whether an earlier stroke has the ink, and whether one that has it
     would run about this way."""

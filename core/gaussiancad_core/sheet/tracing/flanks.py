@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import Corner
 from gaussiancad_core.sheet.tracing.ink_runs import Piece

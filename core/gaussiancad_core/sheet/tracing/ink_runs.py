@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Curve, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
@@ -132,7 +132,7 @@ def line_runs(field: InkField, line: Line, start: float, end: float) -> list[Run
     return _runs(field, line.points_at(along), line.tangents_at(along), along)
 
 
-def circle_runs(field: InkField, curve: Curve) -> list[Run]:
+def circle_runs(field: InkField, curve: ClosedCurve) -> list[Run]:
     """Runs of ink around a circle or an ellipse, in px along it; a run that crosses position 0 ends
     beyond the circumference."""
     around = curve.around
@@ -291,7 +291,7 @@ def widest_gap(rhythm: Rhythm) -> float:
 
 
 def bridged(
-    field: InkField, geometry: Geometry, pieces: list[Piece], rhythm: Rhythm
+    field: InkField, geometry: WholeCurve, pieces: list[Piece], rhythm: Rhythm
 ) -> list[Piece]:
     """Hidden pieces of a shape that are parted by dashes of theirs that other strokes cover.
 
@@ -323,7 +323,7 @@ def bridged(
 
 
 def with_dashes_between(
-    geometry: Geometry, pieces: Sequence[Piece], chosen: Sequence[Piece], rhythm: Rhythm
+    geometry: WholeCurve, pieces: Sequence[Piece], chosen: Sequence[Piece], rhythm: Rhythm
 ) -> list[Piece]:
     """Of the pieces of a closed curve the chosen ones, and the hidden ones between two of these.
 
@@ -353,7 +353,7 @@ def with_dashes_between(
 
 def with_dashes_led_to(
     field: InkField,
-    geometry: Geometry,
+    geometry: WholeCurve,
     pieces: Sequence[Piece],
     chosen: Sequence[Piece],
     rhythm: Rhythm,
@@ -380,7 +380,7 @@ def with_dashes_led_to(
     return [piece for piece in pieces if piece in chosen or piece in led]
 
 
-def is_mostly_dashed(geometry: Geometry, pieces: Sequence[Piece]) -> bool:
+def is_mostly_dashed(geometry: WholeCurve, pieces: Sequence[Piece]) -> bool:
     """Whether hidden pieces make up so much of a closed curve that the rest of it will be there."""
     dashed = sum(piece.end - piece.start for piece in pieces if piece.linetype is Linetype.HIDDEN)
     return bool(np.isfinite(geometry.around)) and dashed > _MOSTLY * geometry.around
@@ -388,7 +388,7 @@ def is_mostly_dashed(geometry: Geometry, pieces: Sequence[Piece]) -> bool:
 
 def _is_bridged(
     field: InkField,
-    geometry: Geometry,
+    geometry: WholeCurve,
     pair: tuple[Piece, Piece],
     rhythm: Rhythm,
     longest: float,

@@ -9,7 +9,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line, Points
+from gaussiancad_core.geometry.points import Points
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.sharp_edges import between_edges
 

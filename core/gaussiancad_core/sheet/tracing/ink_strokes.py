@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Geometry, Line
 from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.behind_edges import with_ends_behind_edges
@@ -207,13 +207,13 @@ def _seen_pieces(
     return pieces
 
 
-def _is_curved(curve: Curve, piece: Piece, sheet: CleanSheet) -> bool:
+def _is_curved(curve: ClosedCurve, piece: Piece, sheet: CleanSheet) -> bool:
     length = piece.end - piece.start
     sagitta = length**2 / (8 * radius_of(curve))
     return sagitta > MIN_SAGITTA + sheet.stroke_width / 2 or length > curve.around / 2
 
 
-def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
+def _closed(curve: ClosedCurve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
     """Make a piece that leaves only a dash's gap open the full circle or ellipse."""
     around = curve.around
     if len(pieces) == 1:
@@ -230,7 +230,7 @@ def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
     return pieces
 
 
-def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]:
+def _touches(field: InkField, geometry: WholeCurve, run: Run) -> tuple[bool, bool]:
     """Whether the start and the end of a run lie on another stroke: there is ink beside it."""
     half = field.stroke_width / 2
     offset = half + 2.0
@@ -302,7 +302,7 @@ def _scaled(piece: Piece, factor: float) -> Piece:
     return replace(piece, start=piece.start * factor, end=piece.end * factor)
 
 
-def _stroke(geometry: Geometry, piece: Piece) -> Stroke:
+def _stroke(geometry: WholeCurve, piece: Piece) -> Stroke:
     kind = piece.linetype, piece.confidence
     if isinstance(geometry, Line):
         return Segment(geometry.at(piece.start), geometry.at(piece.end), *kind)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed, without_stubs
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
@@ -112,11 +112,11 @@ def _ended(
     return moved
 
 
-_Met = tuple[Geometry, Piece, Crossing]
+_Met = tuple[WholeCurve, Piece, Crossing]
 """What a piece meets, and where."""
 
 
-def _is_beyond(geometry: Geometry, piece: Piece, pair: _Met, met: Sequence[_Met]) -> bool:
+def _is_beyond(geometry: WholeCurve, piece: Piece, pair: _Met, met: Sequence[_Met]) -> bool:
     """Whether another line would be met just beyond a visible one that ends them both.
 
     Where two lines meet a third one at flat angles, a few px from each other, all their ink is its.
@@ -164,7 +164,7 @@ def _blank_end(piece: Piece, stretch: Piece, rhythm: Rhythm, stroke_width: float
     return 0.0
 
 
-def is_full_circle(geometry: Geometry, piece: Piece) -> bool:
+def is_full_circle(geometry: WholeCurve, piece: Piece) -> bool:
     """Whether a piece goes once around its circle or ellipse."""
     return piece.end - piece.start >= geometry.around - 1e-6
 
@@ -239,9 +239,9 @@ def _joined(pieces: list[Piece]) -> list[Piece]:
 
 
 def crossings_with(
-    geometry: Geometry,
+    geometry: WholeCurve,
     piece: Piece,
-    other: Geometry,
+    other: WholeCurve,
     stretch: Piece,
     stroke_width: float,
     *,
@@ -280,14 +280,16 @@ def crossings_with(
     return found
 
 
-def _shared_with_tangent(points: list[npt.NDArray[np.float64]], curve: Curve, half: float) -> float:
+def _shared_with_tangent(
+    points: list[npt.NDArray[np.float64]], curve: ClosedCurve, half: float
+) -> float:
     """How far from a junction a line and a curve share their ink: long if they are tangent."""
     if len(points) != 1:
         return half
     return float(np.sqrt(2.0 * _radius_at(curve, points[0]) * (half + 1.0)))
 
 
-def _radius_at(curve: Curve, point: npt.NDArray[np.float64]) -> float:
+def _radius_at(curve: ClosedCurve, point: npt.NDArray[np.float64]) -> float:
     """The radius of curvature next to a point."""
     if isinstance(curve, Circle):
         return curve.radius
@@ -296,7 +298,7 @@ def _radius_at(curve: Curve, point: npt.NDArray[np.float64]) -> float:
     return float(np.hypot(a * np.sin(parameter), b * np.cos(parameter))) ** 3 / (a * b)
 
 
-def _position(geometry: Geometry, point: npt.NDArray[np.float64], piece: Piece) -> float:
+def _position(geometry: WholeCurve, point: npt.NDArray[np.float64], piece: Piece) -> float:
     """Position of a point along a shape; on a curve the turn nearest to the piece's middle."""
     if isinstance(geometry, Line):
         (x, y), (dx, dy) = geometry.point, geometry.direction
@@ -315,7 +317,7 @@ def _line_line(a: Line, b: Line) -> list[npt.NDArray[np.float64]]:
     return [np.array((a.point[0] + along * ax, a.point[1] + along * ay))]
 
 
-def _line_curve(line: Line, curve: Curve) -> list[npt.NDArray[np.float64]]:
+def _line_curve(line: Line, curve: ClosedCurve) -> list[npt.NDArray[np.float64]]:
     if isinstance(curve, Circle):
         return _line_circle(line, curve)
     return _line_ellipse(line, curve)

@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Geometry
+from gaussiancad_core.geometry.whole_curves import WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
@@ -123,7 +123,7 @@ def _dashes_beside_dashes(
             yield dash
 
 
-def run_width(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> float:
+def run_width(sheet: CleanSheet, geometry: WholeCurve, run: Run, edges: bool = False) -> float:
     """px, the median width of a run's ink where no other stroke is beside it; else NaN.
 
     With ``edges`` its palest ink counts, too: see :func:`sides_along`.
@@ -133,7 +133,7 @@ def run_width(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = Fal
     return float(np.median(widths[known])) if known.any() else float("nan")
 
 
-def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> Floats:
+def widths_along(sheet: CleanSheet, geometry: WholeCurve, run: Run, edges: bool = False) -> Floats:
     """(n,) px of ink across a run, about every px; NaN where it merges with other strokes."""
     return sides_along(sheet, geometry, run, edges).sum(axis=1)
 
@@ -154,7 +154,7 @@ def _with_edges(
     return wider
 
 
-def sides_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> Floats:
+def sides_along(sheet: CleanSheet, geometry: WholeCurve, run: Run, edges: bool = False) -> Floats:
     """(n, 2) px of ink on either side of a run, as :func:`widths_along` tells both together.
 
     Args:

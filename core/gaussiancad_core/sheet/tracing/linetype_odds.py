@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import median_filter
 
-from gaussiancad_core.geometry.infinite_curves import Geometry
+from gaussiancad_core.geometry.whole_curves import WholeCurve
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.tracing.ink_runs import Run
@@ -40,7 +40,7 @@ _ALIKE = 1.35
 
 
 def run_odds(
-    sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: Pens
+    sheet: CleanSheet, geometry: WholeCurve, runs: Sequence[Run], pens: Pens
 ) -> list[RunOdds]:
     """The runs of a shape, cut where its ink changes from hidden to visible, with their log-odds.
 
@@ -69,7 +69,7 @@ def run_odds(
     return _shared_in_rows(found)
 
 
-def odds_along(sheet: CleanSheet, geometry: Geometry, run: Run, pens: Pens) -> Floats:
+def odds_along(sheet: CleanSheet, geometry: WholeCurve, run: Run, pens: Pens) -> Floats:
     """(n,) log-odds of hidden about every px of a run; NaN where its ink is not its own."""
     widths = widths_along(sheet, geometry, run, edges=True)
     odds = np.where(np.isfinite(widths), 0.0, np.nan)

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.ink_runs import Run
 from gaussiancad_core.sheet.tracing.ink_shapes import cross_profile, refit_line

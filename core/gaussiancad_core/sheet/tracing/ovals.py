@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse, ellipse_through, refined
-from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
 
 Floats = npt.NDArray[np.float64]

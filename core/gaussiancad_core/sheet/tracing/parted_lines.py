@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
@@ -243,7 +243,7 @@ def _is_within(course: Sequence[Placed], pair: Placed, away: float = _ASTRAY) ->
     return bool(np.min([distances_to(part, points) for part in course], axis=0).max() < away)
 
 
-def _met(geometry: Geometry, piece: Piece, corner: Floats, end: End) -> Placed:
+def _met(geometry: WholeCurve, piece: Piece, corner: Floats, end: End) -> Placed:
     """A stroke that ends at the corner, exactly there."""
     if not isinstance(geometry, Line):
         return geometry, piece

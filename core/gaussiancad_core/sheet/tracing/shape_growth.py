@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.sheet.tracing.arc_kernels import grow_arcs
 from gaussiancad_core.sheet.tracing.corner_fits import is_corner
 from gaussiancad_core.sheet.tracing.line_kernels import grow_lines, line_worth
@@ -112,7 +112,7 @@ class Grown:
         members: (k,) rows of the ridge points.
     """
 
-    geometry: Geometry
+    geometry: WholeCurve
     members: npt.NDArray[np.int64]
 
     @property

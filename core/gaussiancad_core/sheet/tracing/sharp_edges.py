@@ -9,7 +9,7 @@ comes out up to an eighth of a pixel over its width beside its place, everywhere
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 
 _LEAN = 0.1

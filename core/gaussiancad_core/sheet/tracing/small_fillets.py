@@ -15,7 +15,7 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import (

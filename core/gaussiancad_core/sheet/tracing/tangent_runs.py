@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Line
+from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line
 from gaussiancad_core.sheet.tracing.ink_runs import STEP, Run
 
 _OFF_PX = 1.0
@@ -24,7 +24,7 @@ their ink is one, in that where half of it is."""
 
 
 def without_tangents(
-    curve: Curve, runs: Sequence[Run], lines: Sequence[tuple[Line, Sequence[Run]]]
+    curve: ClosedCurve, runs: Sequence[Run], lines: Sequence[tuple[Line, Sequence[Run]]]
 ) -> list[Run]:
     """The runs of a curve but for those that lie along longer ones of straight lines.
 
@@ -36,7 +36,7 @@ def without_tangents(
     return [run for run in runs if not any(_is_along(curve, run, *line) for line in lines)]
 
 
-def _is_along(curve: Curve, run: Run, line: Line, others: Sequence[Run]) -> bool:
+def _is_along(curve: ClosedCurve, run: Run, line: Line, others: Sequence[Run]) -> bool:
     count = max(2, int(np.ceil(run.length / STEP)) + 1)
     points = curve.points_at(np.linspace(run.start, run.end, count))
     if line.distances(points).max() > _OFF_PX:
@@ -51,7 +51,7 @@ def _is_along(curve: Curve, run: Run, line: Line, others: Sequence[Run]) -> bool
 
 
 def without_tangent_ends(
-    curve: Curve, run: Run, lines: Sequence[tuple[Line, Sequence[Run]]], touch: float
+    curve: ClosedCurve, run: Run, lines: Sequence[tuple[Line, Sequence[Run]]], touch: float
 ) -> Run:
     """A run but for what of it lies beyond the point where a line touches the curve, on that line.
 

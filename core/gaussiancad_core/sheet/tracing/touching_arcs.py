@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Run
 
@@ -30,7 +30,7 @@ _LEFT = 0.4
 
 
 def up_to_tangents(
-    geometry: Geometry,
+    geometry: WholeCurve,
     piece: Piece,
     lines: Iterable[tuple[Line, Sequence[Run]]],
     stroke_width: float,

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Circle, Curve, Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.reading_options import Finder
@@ -95,7 +95,7 @@ class Shape:
         given_linetype: the linetype that all of a closed curve is known to have.
     """
 
-    geometry: Geometry
+    geometry: WholeCurve
     runs: tuple[Run, ...]
     support: float
     close: bool = False
@@ -173,7 +173,7 @@ def find_shapes(
     return ViewShapes(crop, field, tuple(shapes), offset)
 
 
-def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Geometry], set[Line]]:
+def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[WholeCurve], set[Line]]:
     """Ellipses first, then circles, then lines; and the lines that run right beside others."""
     if finder is Finder.HOUGH:
         return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))], set()
@@ -259,7 +259,7 @@ def _crop(
 def _curve_shape(
     sheet: CleanSheet,
     field: InkField,
-    curve: Curve,
+    curve: ClosedCurve,
     lines: Sequence[tuple[Line, Sequence[Run]]],
 ) -> Shape | None:
     """The curve with its runs, if the ink follows it and not a tangent or a polygon."""
@@ -323,7 +323,7 @@ def _longest_stretch(runs: list[Run], gap: float, around: float) -> float:
     return min(longest, around)
 
 
-def radius_of(curve: Curve) -> float:
+def radius_of(curve: ClosedCurve) -> float:
     """px of a circle's radius, of an ellipse the mean one."""
     return curve.around / FULL_TURN
 

@@ -13,8 +13,8 @@ from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Circle, Geometry
-from gaussiancad_core.geometry.infinite_curves import Line as EndlessLine
+from gaussiancad_core.geometry.whole_curves import Circle, WholeCurve
+from gaussiancad_core.geometry.whole_curves import Line as EndlessLine
 from gaussiancad_core.sheet.vector_views.curve_intervals import Span
 
 Floats = npt.NDArray[np.float64]
@@ -41,7 +41,7 @@ class Track:
             dashes them itself, and gaps between them are there.
     """
 
-    geometry: Geometry
+    geometry: WholeCurve
     solid: tuple[Span, ...]
     hidden: tuple[Span, ...]
     patterned: bool = False
@@ -156,7 +156,7 @@ def _round_span(geometry: Circle | WholeEllipse, curve: CircularArc | EllipticAr
     return start, start + float(np.mod(end - start, geometry.around))
 
 
-def _track(geometry: Geometry, strokes: Sequence[VectorStroke], spans: Floats) -> Track:
+def _track(geometry: WholeCurve, strokes: Sequence[VectorStroke], spans: Floats) -> Track:
     solid: list[Span] = []
     hidden: list[Span] = []
     for stroke, (start, end) in zip(strokes, spans, strict=True):

@@ -14,7 +14,7 @@ import numpy as np
 from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
 from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.infinite_curves import Geometry, Line
+from gaussiancad_core.geometry.whole_curves import Line, WholeCurve
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run, learn_rhythm
 from gaussiancad_core.sheet.tracing.run_linetypes import classify
@@ -209,7 +209,7 @@ def _reaching(
     return best
 
 
-def _refined(geometry: Geometry, other: Geometry, near: float) -> float:
+def _refined(geometry: WholeCurve, other: WholeCurve, near: float) -> float:
     """The position along a shape where it comes nearest to another, from half a px away."""
     low, high = near - 0.6, near + 0.6
     for _ in range(40):
@@ -219,7 +219,7 @@ def _refined(geometry: Geometry, other: Geometry, near: float) -> float:
     return (low + high) / 2.0
 
 
-def _stroke(geometry: Geometry, piece: Piece) -> Stroke:
+def _stroke(geometry: WholeCurve, piece: Piece) -> Stroke:
     kind = piece.linetype, piece.confidence
     if isinstance(geometry, Line):
         return Segment(geometry.at(piece.start), geometry.at(piece.end), *kind)

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.short_dashes import with_dots
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.tracing.ink_runs import Run

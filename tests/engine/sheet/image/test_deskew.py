@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment as StraightLine
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.image.deskew import (
     LARGEST_SKEW,
     Turn,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
 from gaussiancad_core.sheet.labels.dash_rhythm_labels import alternating, rhythm_odds
 from gaussiancad_core.sheet.labels.ink_classes import InkClass

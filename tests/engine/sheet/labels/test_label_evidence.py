@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
 from gaussiancad_core.sheet.labels import label_evidence, labels_network

@@ -6,7 +6,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
 from gaussiancad_core.sheet.labels import line_decoding
 from gaussiancad_core.sheet.labels.ink_classes import Evidence, InkClass

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
 from gaussiancad_core.sheet.labels.ink_classes import Evidence, InkClass
 from gaussiancad_core.sheet.labels.line_decoding import LabelledRun

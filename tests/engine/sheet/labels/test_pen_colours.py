@@ -11,7 +11,7 @@ from gaussiancad_core.cli import main
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.drawing.stroke_raster import rasterise
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.samples import sample

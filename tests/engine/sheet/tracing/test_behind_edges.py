@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.behind_edges import with_ends_behind_edges

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.tracing.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.tracing.close_lines import with_close_lines

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.tracing.closed_circles import has_ink_of_its_own

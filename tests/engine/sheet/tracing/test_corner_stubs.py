@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.tracing.corner_stubs import without_stubs
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm

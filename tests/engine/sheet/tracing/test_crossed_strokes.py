@@ -11,7 +11,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.lines.strokes import as_plain_strokes
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke

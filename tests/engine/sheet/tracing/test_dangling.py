@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.registration.view_masks import find_outline

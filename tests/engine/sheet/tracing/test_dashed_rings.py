@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet

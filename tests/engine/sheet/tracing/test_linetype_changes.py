@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
 from gaussiancad_core.sheet.tracing.junctions import Placed

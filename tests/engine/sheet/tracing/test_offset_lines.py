@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Segment
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.tracing.ink_runs import Run

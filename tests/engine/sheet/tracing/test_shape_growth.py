@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.geometry.infinite_curves import Circle, Line
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.tracing import shape_growth
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_shapes, warm_up

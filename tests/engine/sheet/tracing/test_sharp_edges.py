@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.tracing.ink_shapes import refit_line

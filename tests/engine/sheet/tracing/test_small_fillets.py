@@ -11,7 +11,7 @@ from gaussiancad_core.drawing.degrade import finished
 from gaussiancad_core.drawing.drawn_sheet import compose_sheet, part_lines
 from gaussiancad_core.drawing.sheet_style import PRESETS, SheetStyle
 from gaussiancad_core.drawing.stroke_raster import rasterise
-from gaussiancad_core.geometry.infinite_curves import Line
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
 from gaussiancad_core.recognition.picture_views import picture_views

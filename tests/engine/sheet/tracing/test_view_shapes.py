@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.geometry.infinite_curves import Circle
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.tracing import view_shapes
 from gaussiancad_core.sheet.tracing.view_shapes import find_shapes

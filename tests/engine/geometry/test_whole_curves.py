@@ -1,4 +1,4 @@
-"""Lines and circles, and the points that they share."""
+"""Lines and circles: their parameters, positions, distances, and the points that they share."""
 
 from math import cos, hypot, pi, sin
 
@@ -7,25 +7,26 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.coordinates.carrier_curves import (
-    TURN,
-    CircleCurve,
-    LineCurve,
-    PlaneCurve,
-    Point,
+from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.whole_curves import (
+    Circle,
+    Line,
+    LineOrCircle,
     axis_line,
     line_through,
     meetings,
 )
 
+_FAR = st.floats(-1e4, 1e4)
+_TURN = st.floats(-np.pi, np.pi)
 _COORDINATE = st.floats(-100.0, 100.0)
 _POINT = st.tuples(_COORDINATE, _COORDINATE)
 _RADIUS = st.floats(0.05, 100.0)
-_CIRCLE = st.builds(CircleCurve, _POINT, _RADIUS)
-_ANGLE = st.floats(0.0, TURN, exclude_max=True)
+_CIRCLE = st.builds(Circle, _POINT, _RADIUS)
+_ANGLE = st.floats(0.0, FULL_TURN, exclude_max=True)
 
 
-def _directed(point: Point, angle: float) -> LineCurve:
+def _directed(point: Point, angle: float) -> Line:
     x, y = point
     return line_through(point, (x + 10.0 * cos(angle), y + 10.0 * sin(angle)))
 
@@ -39,9 +40,9 @@ def _gap(one: Point, other: Point) -> float:
 
 
 @given(_CURVE, _CURVE)
-def test_meetings_lie_on_both_curves(one: PlaneCurve, other: PlaneCurve) -> None:
+def test_meetings_lie_on_both_curves(one: LineOrCircle, other: LineOrCircle) -> None:
     found = meetings(one, other)
-    lines = isinstance(one, LineCurve) + isinstance(other, LineCurve)
+    lines = isinstance(one, Line) + isinstance(other, Line)
     assert len(found) <= (1 if lines == 2 else 2)
     # A touching counts as met from a micrometre of the part's hundredth, a chord from twice 1e-3.
     for point in found:
@@ -51,7 +52,7 @@ def test_meetings_lie_on_both_curves(one: PlaneCurve, other: PlaneCurve) -> None
 
 
 @given(_CURVE, _CURVE)
-def test_order_does_not_matter(one: PlaneCurve, other: PlaneCurve) -> None:
+def test_order_does_not_matter(one: LineOrCircle, other: LineOrCircle) -> None:
     found, again = meetings(one, other), meetings(other, one)
     assert len(found) == len(again)
     for point in found:
@@ -70,7 +71,7 @@ def test_lines_through_a_point_meet_there(point: Point, one: float, other: float
 
 @given(_CIRCLE, _ANGLE, st.floats(-1.5, 1.5))
 def test_a_line_meets_a_circle_as_its_distance_says(
-    circle: CircleCurve, angle: float, share: float
+    circle: Circle, angle: float, share: float
 ) -> None:
     away = share * circle.radius
     x, y = circle.centre
@@ -87,28 +88,28 @@ def test_a_line_meets_a_circle_as_its_distance_says(
 
 
 @given(_CIRCLE, _ANGLE)
-def test_a_tangent_touches_once(circle: CircleCurve, angle: float) -> None:
+def test_a_tangent_touches_once(circle: Circle, angle: float) -> None:
     at = circle.at(angle)
-    (found,) = meetings(LineCurve(at, (-sin(angle), cos(angle))), circle)
+    (found,) = meetings(Line(at, (-sin(angle), cos(angle))), circle)
     assert _gap(found, at) < 1e-6
 
 
 @given(_CIRCLE, _ANGLE, _RADIUS, st.booleans())
 def test_circles_touch_once_from_outside_and_inside(
-    circle: CircleCurve, angle: float, radius: float, inside: bool
+    circle: Circle, angle: float, radius: float, inside: bool
 ) -> None:
     away = abs(circle.radius - radius) if inside else circle.radius + radius
     if away < 0.1:
         return
     flip = pi if inside and radius > circle.radius else 0.0
     x, y = circle.centre
-    other = CircleCurve((x + away * cos(angle + flip), y + away * sin(angle + flip)), radius)
+    other = Circle((x + away * cos(angle + flip), y + away * sin(angle + flip)), radius)
     (found,) = meetings(circle, other)
     assert _gap(found, circle.at(angle)) < 2e-3
 
 
 @given(_CIRCLE, _CIRCLE)
-def test_circles_meet_as_their_distance_says(one: CircleCurve, other: CircleCurve) -> None:
+def test_circles_meet_as_their_distance_says(one: Circle, other: Circle) -> None:
     away = _gap(one.centre, other.centre)
     near, far = abs(one.radius - other.radius), one.radius + other.radius
     found = meetings(one, other)
@@ -119,25 +120,25 @@ def test_circles_meet_as_their_distance_says(one: CircleCurve, other: CircleCurv
 
 
 @given(_CIRCLE)
-def test_a_circle_does_not_meet_itself(circle: CircleCurve) -> None:
+def test_a_circle_does_not_meet_itself(circle: Circle) -> None:
     assert meetings(circle, circle) == []
 
 
-@given(_CURVE, st.floats(0.0, TURN, exclude_max=True))
-def test_a_point_of_a_curve_has_its_parameter(curve: PlaneCurve, parameter: float) -> None:
+@given(_CURVE, st.floats(0.0, FULL_TURN, exclude_max=True))
+def test_a_point_of_a_curve_has_its_parameter(curve: LineOrCircle, parameter: float) -> None:
     point = curve.at(parameter)
     assert curve.distance(point) < 1e-9
     found = curve.parameter(point)
-    if isinstance(curve, CircleCurve):
-        assert 0.0 <= found <= TURN
+    if isinstance(curve, Circle):
+        assert 0.0 <= found <= FULL_TURN
         off = abs(found - parameter)
-        assert min(off, TURN - off) * curve.speed < 1e-9
+        assert min(off, FULL_TURN - off) * curve.speed < 1e-9
     else:
         assert found == pytest.approx(parameter, abs=1e-9)
 
 
 @given(_CURVE, st.floats(0.0, 6.0))
-def test_normals_are_unit_and_square_to_the_curve(curve: PlaneCurve, parameter: float) -> None:
+def test_normals_are_unit_and_square_to_the_curve(curve: LineOrCircle, parameter: float) -> None:
     step = 1e-6 / curve.speed
     (x0, y0), (x1, y1) = curve.at(parameter - step), curve.at(parameter + step)
     nx, ny = curve.normal(parameter)
@@ -147,7 +148,7 @@ def test_normals_are_unit_and_square_to_the_curve(curve: PlaneCurve, parameter: 
 
 
 @given(_CURVE, _POINT)
-def test_distance_is_that_of_the_nearest_sample(curve: PlaneCurve, point: Point) -> None:
+def test_distance_is_that_of_the_nearest_sample(curve: LineOrCircle, point: Point) -> None:
     at = curve.parameter(point)
     assert _gap(curve.at(at), point) == pytest.approx(curve.distance(point), abs=1e-9)
     around = at + np.linspace(-1.0, 1.0, 41)
@@ -179,10 +180,71 @@ def test_a_nearly_upright_line_becomes_upright() -> None:
     assert line_through((3.0, 0.0), (3.0 + 1e-8, 50.0)).axis == 0
     assert line_through((0.0, 3.0), (50.0, 3.0 - 1e-8)).axis == 1
     assert line_through((3.0, 0.0), (3.01, 50.0)).axis is None
-    assert CircleCurve((1.0, 2.0), 3.0).axis is None
+    assert Circle((1.0, 2.0), 3.0).axis is None
 
 
 def test_an_upright_line_runs_up_even_if_nothing_is_straightened() -> None:
     assert line_through((3.0, 5.0), (3.0, 1.0), 0.0).direction == (0.0, 1.0)
     assert line_through((3.0, 5.0), (-3.0, 5.0), 0.0).direction == (1.0, 0.0)
     assert line_through((3.0, 5.0), (3.0 + 1e-8, 1.0), 0.0).axis is None
+
+
+@given(_CURVE, _POINT)
+def test_scalars_and_arrays_agree(curve: LineOrCircle, point: Point) -> None:
+    points = np.array([point])
+    assert curve.distances(points) == pytest.approx(curve.distance(point), abs=1e-9)
+    (position,) = positions = curve.positions(points)
+    parameter = float(position) / curve.speed
+    assert curve.points_at(positions)[0] == pytest.approx(curve.at(parameter), abs=1e-9)
+    assert _gap(curve.at(parameter), curve.at(curve.parameter(point))) < 1e-9
+    (tangent,) = curve.tangents_at(positions)
+    assert abs(np.dot(tangent, curve.normal(parameter))) < 1e-9
+
+
+def _line(x: float, y: float, angle: float) -> Line:
+    return Line((x, y), (float(np.cos(angle)), float(np.sin(angle))))
+
+
+@given(_FAR, _FAR, _TURN, st.lists(_FAR, min_size=1, max_size=5))
+def test_points_at_a_position_have_that_position(
+    x: float, y: float, angle: float, positions: list[float]
+) -> None:
+    line = _line(x, y, angle)
+    points = np.array([line.at(position) for position in positions])
+    along, across = line.coordinates(points)
+    assert along == pytest.approx(np.array(positions), abs=1e-8)
+    assert across == pytest.approx(0.0, abs=1e-8)
+
+
+@given(_FAR, _FAR, _TURN, _FAR, _FAR)
+def test_coordinates_are_those_of_a_turned_frame(
+    x: float, y: float, angle: float, px: float, py: float
+) -> None:
+    line = _line(x, y, angle)
+    along, across = line.coordinates(np.array([[px, py]]))
+    dx, dy = line.direction
+    back = np.array(line.at(float(along[0]))) + float(across[0]) * np.array([-dy, dx])
+    assert back == pytest.approx(np.array([px, py]), abs=1e-8)
+    assert line.distances(np.array([[px, py]])) == pytest.approx(abs(across))
+
+
+def test_the_side_to_which_y_points_is_positive() -> None:
+    along, across = Line((2.0, 3.0), (1.0, 0.0)).coordinates(np.array([[7.0, 5.0], [1.0, 2.0]]))
+    assert along.tolist() == [5.0, -1.0]
+    assert across.tolist() == [2.0, -1.0]
+
+
+@given(_FAR, _FAR, st.floats(0.5, 1e4), _TURN, st.floats(-0.4, 1e4))
+def test_distance_from_a_circle(
+    x: float, y: float, radius: float, angle: float, beyond: float
+) -> None:
+    reach = radius + beyond
+    point = np.array([[x + reach * np.cos(angle), y + reach * np.sin(angle)]])
+    assert Circle((x, y), radius).distances(point) == pytest.approx(abs(beyond), abs=1e-7)
+    assert Circle((x, y), radius).distances(np.array([[x, y]])) == pytest.approx(radius)
+
+
+def test_no_points_have_no_distances() -> None:
+    none = np.zeros((0, 2))
+    assert Line((0.0, 0.0), (1.0, 0.0)).distances(none).shape == (0,)
+    assert Circle((0.0, 0.0), 3.0).distances(none).shape == (0,)
