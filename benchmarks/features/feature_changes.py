@@ -20,9 +20,11 @@ from gaussiancad_core.features.feature_model import (
     Holes,
     Turning,
 )
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.supported_features import Standing, standing
 from gaussiancad_core.features.supporting_faces import standing_of
+from gaussiancad_core.geometry.outline_edges import whole_circle
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.kernel.booleans import unified, without
 from gaussiancad_core.kernel.brep import bounding_box, is_valid, subshapes
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
@@ -85,9 +87,7 @@ def outlines(feature: Extrusion | Turning | Holes) -> tuple[Loop, ...]:
     if not isinstance(feature, Holes):
         return feature.sketch.loops
     radius = feature.diameter / 2.0
-    return tuple(
-        (Edge((x + radius, y), (x + radius, y), (x, y), radius),) for x, y in feature.centres
-    )
+    return tuple((whole_circle(Circle(centre, radius)),) for centre in feature.centres)
 
 
 def changed(features: Sequence[Feature], number: Number, factor: float) -> tuple[Feature, ...]:
@@ -109,7 +109,7 @@ def _changed(feature: Feature, number: Number, factor: float) -> Feature:
         loops = outlines(feature)
         found = solved(loops, _scaled(constraints_of(loops, Numbers()), name, factor))
         if isinstance(feature, Holes):
-            centres = tuple(loop[0].centre for loop in found if loop[0].centre is not None)
+            centres = tuple(edge.circle.centre for edge, *_ in found if edge.circle is not None)
             return replace(feature, centres=centres)
         return replace(feature, sketch=replace(feature.sketch, loops=found))
     if name.startswith("sink."):

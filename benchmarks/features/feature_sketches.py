@@ -1,16 +1,18 @@
 """The sketch of a feature, solved again after one of its dimensions was changed."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, pi, remainder, sin, tau
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.features.constraints import Constraint, Kind
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Reference, Spot
+from gaussiancad_core.geometry.outline_edges import OutlineEdge, whole_circle
 from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle
 
 Vector = npt.NDArray[np.float64]
 
@@ -76,17 +78,14 @@ def solved(loops: Sequence[Loop], constraints: Sequence[Constraint]) -> tuple[Lo
     raise UnsolvedError
 
 
-def _loops(loops: Sequence[Loop], edges: Sequence[Edge]) -> tuple[Loop, ...]:
+def _loops(loops: Sequence[Loop], edges: Sequence[OutlineEdge]) -> tuple[Loop, ...]:
     left = list(edges)
     found = []
     for loop in loops:
         run, left = left[: len(loop)], left[len(loop) :]
         # Each ends where the next one starts, to the last digit.
         ends = [*(edge.start for edge in run[1:]), run[0].start]
-        joined = (
-            Edge(e.start, end, e.centre, e.radius, e.is_ccw)
-            for e, end in zip(run, ends, strict=True)
-        )
+        joined = (replace(e, end=end) for e, end in zip(run, ends, strict=True))
         found.append(tuple(joined))
     return tuple(found)
 
@@ -102,7 +101,7 @@ class _Variables:
         start: (n,) their values; mm and radians.
     """
 
-    def __init__(self, edges: tuple[Edge, ...]) -> None:
+    def __init__(self, edges: tuple[OutlineEdge, ...]) -> None:
         self._elements = edges
         self._first: list[int] = []
         values: list[float] = []
@@ -112,21 +111,22 @@ class _Variables:
         self._first.append(len(values))
         self.start: Vector = np.array(values)
 
-    def edges(self, values: Vector) -> list[Edge]:
+    def edges(self, values: Vector) -> list[OutlineEdge]:
         """The elements at other values."""
         found = []
         for number, edge in enumerate(self._elements):
-            if edge.centre is None:
+            if edge.circle is None:
                 start, end = (self._point(Reference(number, s), values) for s in _ENDS)
-                found.append(Edge(start, end))
+                found.append(OutlineEdge(start, end))
                 continue
             first = self._first[number]
             x, y, radius = (float(value) for value in values[first : first + 3])
+            circle = Circle((x, y), radius)
             if edge.is_circle:
-                start = end = x + radius, y
-            else:
-                start, end = (self._point(Reference(number, s), values) for s in _ENDS)
-            found.append(Edge(start, end, (x, y), radius, edge.is_ccw))
+                found.append(whole_circle(circle, edge.is_ccw))
+                continue
+            start, end = (self._point(Reference(number, s), values) for s in _ENDS)
+            found.append(OutlineEdge(start, end, circle, edge.is_ccw))
         return found
 
     def residuals(self, constraints: Sequence[Constraint], values: Vector) -> Vector:
@@ -179,7 +179,7 @@ class _Variables:
         if reference == ORIGIN:
             return 0.0, 0.0
         first = self._first[reference.element]
-        if self._elements[reference.element].centre is None:
+        if self._elements[reference.element].circle is None:
             at = first + (0 if reference.spot is Spot.START else 2)
             return float(values[at]), float(values[at + 1])
         x, y, radius = (float(value) for value in values[first : first + 3])
@@ -191,7 +191,7 @@ class _Variables:
     def _heading(self, reference: Reference, values: Vector) -> float:
         """Radians of the direction in which an element runs at an end."""
         edge, first = self._elements[reference.element], self._first[reference.element]
-        if edge.centre is None:
+        if edge.circle is None:
             (ax, ay), (bx, by) = (
                 self._point(Reference(reference.element, spot), values) for spot in _ENDS
             )
@@ -203,14 +203,10 @@ class _Variables:
 _ENDS = Spot.START, Spot.END
 
 
-def _values(edge: Edge) -> list[float]:
-    if edge.centre is None or edge.radius is None:
+def _values(edge: OutlineEdge) -> list[float]:
+    if edge.circle is None:
         return [*edge.start, *edge.end]
-    found = [*edge.centre, edge.radius]
+    found = [*edge.circle.centre, edge.circle.radius]
     if edge.is_circle:
         return found
-    angles = [
-        atan2(point[1] - edge.centre[1], point[0] - edge.centre[0])
-        for point in (edge.start, edge.end)
-    ]
-    return [*found, *angles]
+    return [*found, edge.circle.parameter(edge.start), edge.circle.parameter(edge.end)]

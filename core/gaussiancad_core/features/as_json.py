@@ -15,11 +15,13 @@ from gaussiancad_core.features.feature_model import (
     Turning,
 )
 from gaussiancad_core.features.frames import MAIN_FRAMES, Frame
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.pattern_values import pattern_values
 from gaussiancad_core.features.patterns import patterns_of
 from gaussiancad_core.features.support_values import with_standing
 from gaussiancad_core.features.thread_notes import threads_of
+from gaussiancad_core.geometry.outline_edges import OutlineEdge, whole_circle
+from gaussiancad_core.geometry.whole_curves import Circle
 
 SCHEMA = "gaussiancad-features/1"
 
@@ -85,7 +87,7 @@ def feature_values(name: str, feature: Feature, numbers: Numbers) -> dict[str, A
 
 def _holes(values: dict[str, Any], holes: Holes, numbers: Numbers) -> dict[str, Any]:
     radius = holes.diameter / 2.0
-    circles = [(Edge((x + radius, y), (x + radius, y), (x, y), radius),) for x, y in holes.centres]
+    circles = [(whole_circle(Circle(centre, radius)),) for centre in holes.centres]
     sink = holes.sink
     values |= {
         "plane": _plane(holes.frame, holes.height),
@@ -149,11 +151,11 @@ def _constraints(loops: Sequence[Loop], numbers: Numbers) -> list[dict[str, Any]
     return values
 
 
-def _edge(edge: Edge) -> dict[str, Any]:
-    if edge.is_circle:
-        return {"kind": "circle", "centre": edge.centre, "radius": edge.radius}
+def _edge(edge: OutlineEdge) -> dict[str, Any]:
     ends = {"start": edge.start, "end": edge.end}
-    if edge.centre is None:
+    if edge.circle is None:
         return {"kind": "line", **ends}
-    arc = {"centre": edge.centre, "radius": edge.radius, "counterclockwise": edge.is_ccw}
-    return {"kind": "arc", **ends, **arc}
+    circle = {"centre": edge.circle.centre, "radius": edge.circle.radius}
+    if edge.is_circle:
+        return {"kind": "circle", **circle}
+    return {"kind": "arc", **ends, **circle, "counterclockwise": edge.is_ccw}

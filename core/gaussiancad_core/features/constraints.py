@@ -14,9 +14,10 @@ from itertools import combinations, pairwise
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Geometry, Reference, Spot
 from gaussiancad_core.features.thread_notes import ThreadNote
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.tolerances import COMPUTED
 
 Vector = npt.NDArray[np.float64]
@@ -156,7 +157,7 @@ def _joints(geometry: Geometry, loops: Sequence[Loop]) -> Iterator[Constraint]:
         first += count
 
 
-def _turn(one: Edge, other: Edge) -> float:
+def _turn(one: OutlineEdge, other: OutlineEdge) -> float:
     """Sine of the angle between two edges where they meet; 2 where they turn back."""
     (ax, ay), (bx, by) = one.heading(at_start=False), other.heading(at_start=True)
     return ax * by - ay * bx if ax * bx + ay * by > 0.0 else 2.0
@@ -164,7 +165,7 @@ def _turn(one: Edge, other: Edge) -> float:
 
 def _directions(geometry: Geometry) -> Iterator[Constraint]:
     for k, edge in enumerate(geometry.edges):
-        if edge.centre is not None:
+        if edge.circle is not None:
             continue
         if abs(edge.start[1] - edge.end[1]) < COMPUTED:
             yield Constraint(Kind.HORIZONTAL, (Reference(k),))
@@ -174,11 +175,8 @@ def _directions(geometry: Geometry) -> Iterator[Constraint]:
 
 def _round_ties(geometry: Geometry) -> Iterator[Constraint]:
     """What has the same centre, and what has the same radius."""
-    rounds = [k for k, edge in enumerate(geometry.edges) if edge.centre is not None]
-    for one, other in combinations(rounds, 2):
-        a, b = geometry.edges[one], geometry.edges[other]
-        if a.centre is None or b.centre is None or a.radius is None or b.radius is None:
-            continue
+    rounds = [(k, edge.circle) for k, edge in enumerate(geometry.edges) if edge.circle is not None]
+    for (one, a), (other, b) in combinations(rounds, 2):
         if max(abs(a.centre[0] - b.centre[0]), abs(a.centre[1] - b.centre[1])) < COMPUTED:
             centres = Reference(one, Spot.CENTRE), Reference(other, Spot.CENTRE)
             yield Constraint(Kind.COINCIDENT, centres)
@@ -195,15 +193,16 @@ def _alignments(geometry: Geometry) -> Iterator[Constraint]:
 
 def _radii(geometry: Geometry, numbers: Numbers) -> Iterator[Constraint]:
     for k, edge in enumerate(geometry.edges):
-        if edge.radius is None:
+        if edge.circle is None:
             continue
-        across = 2.0 * edge.radius
-        by_radius = numbers.source_of(edge.radius)
+        radius = edge.circle.radius
+        across = 2.0 * radius
+        by_radius = numbers.source_of(radius)
         if edge.is_circle or numbers.source_of(across) is NumberSource.SHEET is not by_radius:
             source = numbers.source_of(across)
             yield Constraint(Kind.DIAMETER, (Reference(k),), across, source)
         else:
-            yield Constraint(Kind.RADIUS, (Reference(k),), edge.radius, by_radius)
+            yield Constraint(Kind.RADIUS, (Reference(k),), radius, by_radius)
 
 
 def _sheet_distances(geometry: Geometry, numbers: Numbers) -> Iterator[Constraint]:

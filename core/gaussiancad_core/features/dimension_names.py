@@ -4,8 +4,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from gaussiancad_core.features.constraints import Constraint, Kind
-from gaussiancad_core.features.loops import Edge
 from gaussiancad_core.features.sketch_geometry import ORIGIN, Reference, Spot
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.tolerances import COMPUTED
 
 _ROUND = {Kind.RADIUS: "Radius", Kind.DIAMETER: "Diameter"}
@@ -16,7 +16,7 @@ _WHOLE = {Kind.DISTANCE_X: "Width", Kind.DISTANCE_Y: "Height"}
 _AXES = {Kind.DISTANCE_X: (0, "X"), Kind.DISTANCE_Y: (1, "Y")}
 
 
-def dimension_names(found: Sequence[Constraint], edges: Sequence[Edge]) -> list[str | None]:
+def dimension_names(found: Sequence[Constraint], edges: Sequence[OutlineEdge]) -> list[str | None]:
     """A name for each constraint that has a value, its own in the sketch; None for others.
 
     ``Width`` and ``Height`` span the whole sketch, ``OffsetX`` and ``OffsetY`` lead to it from an
@@ -40,7 +40,7 @@ def dimension_names(found: Sequence[Constraint], edges: Sequence[Edge]) -> list[
     return names
 
 
-def _stem(constraint: Constraint, edges: Sequence[Edge]) -> str:
+def _stem(constraint: Constraint, edges: Sequence[OutlineEdge]) -> str:
     if constraint.kind in _ROUND:
         return _ROUND[constraint.kind]
     axis, letter = _AXES[constraint.kind]
@@ -52,32 +52,33 @@ def _stem(constraint: Constraint, edges: Sequence[Edge]) -> str:
     return f"{'Offset' if is_apart else 'Distance'}{letter}"
 
 
-def _place(reference: Reference, edges: Sequence[Edge]) -> tuple[float, float]:
+def _place(reference: Reference, edges: Sequence[OutlineEdge]) -> tuple[float, float]:
     if reference == ORIGIN:
         return 0.0, 0.0
     edge = edges[reference.element]
-    if reference.spot is Spot.CENTRE and edge.centre is not None:
-        return edge.centre
+    if reference.spot is Spot.CENTRE and edge.circle is not None:
+        return edge.circle.centre
     return edge.end if reference.spot is Spot.END else edge.start
 
 
-def _extent(edges: Iterable[Edge], axis: int) -> tuple[float, float]:
+def _extent(edges: Iterable[OutlineEdge], axis: int) -> tuple[float, float]:
     """Where a sketch begins and ends along an axis, or a little outside of that: whole circles
     stand for arcs."""
     values: list[float] = []
     for edge in edges:
-        if edge.centre is not None and edge.radius is not None:
-            values += [edge.centre[axis] - edge.radius, edge.centre[axis] + edge.radius]
+        if edge.circle is not None:
+            middle, radius = edge.circle.centre[axis], edge.circle.radius
+            values += [middle - radius, middle + radius]
         if not edge.is_circle:
             values += [edge.start[axis], edge.end[axis]]
     return min(values), max(values)
 
 
-def _has_point(edges: Iterable[Edge], axis: int, value: float) -> bool:
+def _has_point(edges: Iterable[OutlineEdge], axis: int, value: float) -> bool:
     """Whether an end or a centre lies at a coordinate."""
     for edge in edges:
         places = [] if edge.is_circle else [edge.start, edge.end]
-        places += [] if edge.centre is None else [edge.centre]
+        places += [] if edge.circle is None else [edge.circle.centre]
         if any(abs(place[axis] - value) < COMPUTED for place in places):
             return True
     return False

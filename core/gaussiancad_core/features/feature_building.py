@@ -9,17 +9,19 @@ from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_MakeWire,
 )
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
-from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.features.feature_model import Extrusion, Sketch, Turning
 from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.kernel.booleans import fused, unified, without
 from gaussiancad_core.kernel.brep import subshapes, volume
+from gaussiancad_core.solid.profiles import edge_shape
 
 
 def body_of(feature: Extrusion | Turning) -> TopoDS_Shape:
@@ -93,7 +95,7 @@ def face_of(sketch: Sketch) -> TopoDS_Face:
     return made.Face()
 
 
-def wall_of(feature: Extrusion | Turning, edge: Edge) -> TopoDS_Shape:
+def wall_of(feature: Extrusion | Turning, edge: OutlineEdge) -> TopoDS_Shape:
     """The face that an edge of a feature's sketch sweeps.
 
     Raises:
@@ -109,33 +111,17 @@ def _wire(sketch: Sketch, loop: Loop) -> TopoDS_Wire:
     return made.Wire()
 
 
-def _edge(sketch: Sketch, edge: Edge) -> TopoDS_Edge:
-    start, end = _place(sketch, edge.start), _place(sketch, edge.end)
-    if edge.centre is None or edge.radius is None:
-        return BRepBuilderAPI_MakeEdge(start, end).Edge()
-    if edge.is_circle:
-        return BRepBuilderAPI_MakeEdge(_circle(sketch, edge.centre, edge)).Edge()
-    curve = GC_MakeArcOfCircle(start, _place(sketch, middle_of(edge)), end).Value()
-    return BRepBuilderAPI_MakeEdge(curve).Edge()
+def _edge(sketch: Sketch, edge: OutlineEdge) -> TopoDS_Edge:
+    if edge.circle is not None and edge.is_circle:
+        return BRepBuilderAPI_MakeEdge(_circle(sketch, edge.circle, edge.is_ccw)).Edge()
+    return edge_shape(edge, edge.middle, lambda point: _place(sketch, point))
 
 
-def middle_of(edge: Edge) -> Point:
-    """The point halfway along an edge; mm."""
-    if edge.centre is None or edge.radius is None:
-        (x0, y0), (x1, y1) = edge.start, edge.end
-        return (x0 + x1) / 2.0, (y0 + y1) / 2.0
-    angle = np.arctan2(edge.start[1] - edge.centre[1], edge.start[0] - edge.centre[0])
-    angle += (0.5 if edge.is_ccw else -0.5) * edge.sweep
-    return (
-        float(edge.centre[0] + edge.radius * np.cos(angle)),
-        float(edge.centre[1] + edge.radius * np.sin(angle)),
-    )
-
-
-def _circle(sketch: Sketch, centre: Point, edge: Edge) -> gp_Circ:
-    way = 1.0 if edge.is_ccw else -1.0
+def _circle(sketch: Sketch, circle: Circle, is_ccw: bool) -> gp_Circ:
+    way = 1.0 if is_ccw else -1.0
     normal = gp_Dir(*(way * part for part in sketch.frame.normal))
-    return gp_Circ(gp_Ax2(_place(sketch, centre), normal, gp_Dir(*sketch.frame.right)), edge.radius)
+    axes = gp_Ax2(_place(sketch, circle.centre), normal, gp_Dir(*sketch.frame.right))
+    return gp_Circ(axes, circle.radius)
 
 
 def _place(sketch: Sketch, point: Point) -> gp_Pnt:

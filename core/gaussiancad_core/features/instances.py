@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.features.feature_building import middle_of
 from gaussiancad_core.features.feature_model import (
     EdgeBreak,
     Extrusion,
@@ -141,8 +140,14 @@ def _outline(sketch: Sketch) -> tuple[Points, Points]:
     """(n, 2) starts and middles of a sketch's edges, and (n, 1) their radii; 0 of lines."""
     edges = [edge for loop in sketch.loops for edge in loop]
     # Of a circle the centre: it has no point that tells how it lies.
-    flat = [(e.centre if e.is_circle else p) for e in edges for p in (e.start, middle_of(e))]
-    radii = [[edge.radius or 0.0] for edge in edges for _ in range(2)]
+    flat = [
+        e.circle.centre if e.circle is not None and e.is_circle else p
+        for e in edges
+        for p in (e.start, e.middle)
+    ]
+    radii = [
+        [0.0 if edge.circle is None else edge.circle.radius] for edge in edges for _ in range(2)
+    ]
     kept = [k for k in range(len(flat)) if not (edges[k // 2].is_circle and k % 2)]
     return np.array(flat)[kept], np.array(radii)[kept]
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from math import atan2, hypot, pi
 
 from gaussiancad_core.features.sketch_cells import Cells, Piece
+from gaussiancad_core.geometry.outline_edges import OutlineEdge, enclosed_area, whole_circle
 from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.tolerances import SHORTEST
 from gaussiancad_core.geometry.whole_curves import Circle
@@ -17,53 +18,8 @@ class OpenLoopError(Exception):
     """The pieces around a region do not close."""
 
 
-@dataclass(frozen=True)
-class Edge:
-    """An edge of an outline, with the region on its left.
-
-    Attributes:
-        start, end: in the plane; equal of a circle.
-        centre, radius: of an arc or circle; None of a straight edge.
-        is_ccw: whether an arc runs counter-clockwise.
-    """
-
-    start: Point
-    end: Point
-    centre: Point | None = None
-    radius: float | None = None
-    is_ccw: bool = True
-
-    @property
-    def is_circle(self) -> bool:
-        """Whether it is a whole circle."""
-        return self.centre is not None and self.start == self.end
-
-    @property
-    def sweep(self) -> float:
-        """Radians that an arc turns, positive; a whole turn of a circle."""
-        if self.centre is None:
-            return 0.0
-        if self.is_circle:
-            return FULL_TURN
-        first, last = (
-            atan2(point[1] - self.centre[1], point[0] - self.centre[0])
-            for point in (self.start, self.end)
-        )
-        return (last - first) % FULL_TURN if self.is_ccw else (first - last) % FULL_TURN
-
-    def heading(self, at_start: bool) -> Point:
-        """Unit vector in which it runs at its start or end."""
-        place = self.start if at_start else self.end
-        if self.centre is None:
-            dx, dy = self.end[0] - self.start[0], self.end[1] - self.start[1]
-        else:
-            way = 1.0 if self.is_ccw else -1.0
-            dx, dy = way * (self.centre[1] - place[1]), way * (place[0] - self.centre[0])
-        length = hypot(dx, dy)
-        return dx / length, dy / length
-
-
-Loop = tuple[Edge, ...]
+Loop = tuple[OutlineEdge, ...]
+"""With the region on the left of its edges."""
 
 
 @dataclass(frozen=True)
@@ -108,21 +64,7 @@ def loops_of(cells: Cells, region: Collection[int]) -> tuple[Loop, ...]:
             turn = min(following, key=lambda k: -_turn(chain[-1], left[k]))
             chain.append(left.pop(turn))
         found.append(_loop(chain))
-    return tuple(sorted(found, key=lambda loop: -abs(area_of(loop))))
-
-
-def area_of(loop: Loop) -> float:
-    """Area that an outline encloses; negative where it runs clockwise."""
-    total = 0.0
-    for edge in loop:
-        (x0, y0), (x1, y1) = edge.start, edge.end
-        total += (x0 * y1 - x1 * y0) / 2.0
-        if edge.centre is not None and edge.radius is not None:
-            way = 1.0 if edge.is_ccw else -1.0
-            chord = (x0 - edge.centre[0]) * (y1 - edge.centre[1])
-            chord -= (x1 - edge.centre[0]) * (y0 - edge.centre[1])
-            total += (way * edge.sweep * edge.radius**2 - chord) / 2.0
-    return total
+    return tuple(sorted(found, key=lambda loop: -abs(enclosed_area(loop))))
 
 
 def _directed(piece: Piece, inside: set[int]) -> _Directed:
@@ -152,8 +94,9 @@ def _loop(chain: Sequence[_Directed]) -> Loop:
             runs.append([link])
     if len(runs) > 1 and _go_on(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]
-    if len(runs) == 1 and isinstance(runs[0][0].piece.curve, Circle):
-        return (_circle(runs[0][0]),)
+    first = runs[0][0]
+    if len(runs) == 1 and isinstance(first.piece.curve, Circle):
+        return (whole_circle(_rounded_circle(first.piece.curve), first.is_forward),)
     edges = [_edge(run) for run in runs]
     # Each ends where the next one starts, to the last digit.
     return tuple(
@@ -165,22 +108,16 @@ def _go_on(one: _Directed, other: _Directed) -> bool:
     return one.piece.support == other.piece.support and one.is_forward == other.is_forward
 
 
-def _edge(run: Sequence[_Directed]) -> Edge:
+def _edge(run: Sequence[_Directed]) -> OutlineEdge:
     start, end = _rounded(run[0].start), _rounded(run[-1].end)
     curve = run[0].piece.curve
     if not isinstance(curve, Circle):
-        return Edge(start, end)
-    centre, radius = _rounded(curve.centre), round(curve.radius, _ROUNDED)
-    return Edge(start, end, centre, radius, run[0].is_forward)
+        return OutlineEdge(start, end)
+    return OutlineEdge(start, end, _rounded_circle(curve), run[0].is_forward)
 
 
-def _circle(link: _Directed) -> Edge:
-    curve = link.piece.curve
-    if not isinstance(curve, Circle):
-        raise ValueError("the piece is no circle")
-    centre, radius = _rounded(curve.centre), round(curve.radius, _ROUNDED)
-    start = (centre[0] + radius, centre[1])
-    return Edge(start, start, centre, radius, link.is_forward)
+def _rounded_circle(circle: Circle) -> Circle:
+    return Circle(_rounded(circle.centre), round(circle.radius, _ROUNDED))
 
 
 def _rounded(point: Point) -> Point:

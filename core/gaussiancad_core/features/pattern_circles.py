@@ -35,7 +35,7 @@ def axes_of(features: Sequence[Feature]) -> Iterator[tuple[Points, Points]]:
         elif isinstance(feature, Extrusion):
             frame = feature.sketch.frame
             edges = (edge for loop in feature.sketch.loops for edge in loop)
-            centres = {edge.centre for edge in edges if edge.centre is not None}
+            centres = {edge.circle.centre for edge in edges if edge.circle is not None}
             for centre in sorted(centres):
                 yield frame.lift(np.array([centre]), 0.0)[0], np.array(frame.normal)
 

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from math import atan2, cos, hypot, sin
+from math import cos, hypot, sin
 
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.features.loops import Edge
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.tolerances import COMPUTED
 
 Vector = npt.NDArray[np.float64]
@@ -51,19 +51,19 @@ class Geometry:
         size: how many variables there are.
     """
 
-    def __init__(self, edges: tuple[Edge, ...]) -> None:
+    def __init__(self, edges: tuple[OutlineEdge, ...]) -> None:
         self.edges = edges
         self._first = []
         self.size = 0
         for edge in edges:
             self._first.append(self.size)
-            self.size += 4 if edge.centre is None else 3 if edge.is_circle else 5
+            self.size += 4 if edge.circle is None else 3 if edge.is_circle else 5
         self._columns = [self._sorted(axis) for axis in (0, 1)]
 
     def is_arc(self, element: int) -> bool:
         """Whether an element is an arc."""
         edge = self.edges[element]
-        return edge.centre is not None and not edge.is_circle
+        return edge.circle is not None and not edge.is_circle
 
     def columns(self, axis: int) -> list[tuple[float, list[Reference]]]:
         """Coordinates along an axis, ascending, each with the points that have it; the origin is
@@ -76,14 +76,14 @@ class Geometry:
         if reference == ORIGIN:
             return found
         edge, first = self.edges[reference.element], self._first[reference.element]
-        if edge.centre is None:
+        if edge.circle is None:
             offset = 0 if reference.spot is Spot.START else 2
             found[0, first + offset] = found[1, first + offset + 1] = 1.0
             return found
         found[0, first] = found[1, first + 1] = 1.0
         if reference.spot is not Spot.CENTRE:
             place = edge.start if reference.spot is Spot.START else edge.end
-            angle = atan2(place[1] - edge.centre[1], place[0] - edge.centre[0])
+            angle = edge.circle.parameter(place)
             found[:, first + 2] = cos(angle), sin(angle)
             number = 3 if reference.spot is Spot.START else 4
             found[:, first + number] = -sin(angle), cos(angle)
@@ -99,19 +99,19 @@ class Geometry:
         """(variables,) gradient of the angle of an edge's direction at an end."""
         found = np.zeros(self.size)
         edge, first = self.edges[reference.element], self._first[reference.element]
-        if edge.centre is None or edge.radius is None:
+        if edge.circle is None:
             dx, dy = edge.end[0] - edge.start[0], edge.end[1] - edge.start[1]
             length = hypot(dx, dy) ** 2
             found[first : first + 4] = dy / length, -dx / length, -dy / length, dx / length
         else:
-            found[first + (3 if reference.spot is Spot.START else 4)] = 1.0 / edge.radius
+            found[first + (3 if reference.spot is Spot.START else 4)] = 1.0 / edge.circle.radius
         return found
 
     def _sorted(self, axis: int) -> list[tuple[float, list[Reference]]]:
         places: list[tuple[float, Reference]] = [(0.0, ORIGIN)]
         for number, edge in enumerate(self.edges):
-            if edge.centre is not None:
-                places.append((edge.centre[axis], Reference(number, Spot.CENTRE)))
+            if edge.circle is not None:
+                places.append((edge.circle.centre[axis], Reference(number, Spot.CENTRE)))
             if not edge.is_circle:
                 places.append((edge.start[axis], Reference(number, Spot.START)))
         found: list[tuple[float, list[Reference]]] = []

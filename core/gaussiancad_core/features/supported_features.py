@@ -14,7 +14,7 @@ import numpy as np
 
 from gaussiancad_core.features.feature_model import Extrusion, Feature, Holes, Sketch, Turning
 from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.features.loops import Edge
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.tolerances import UNIT_VECTOR
 
 
@@ -77,7 +77,7 @@ def along(frame: Frame, normal: Sequence[float]) -> tuple[int, float] | None:
     return None
 
 
-def edges_in(sketch: Sketch) -> tuple[Edge, ...]:
+def edges_in(sketch: Sketch) -> tuple[OutlineEdge, ...]:
     """The elements of a sketch in their order."""
     return tuple(edge for loop in sketch.loops for edge in loop)
 

@@ -10,7 +10,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.features.feature_building import body_of, face_of, wall_of
 from gaussiancad_core.features.feature_model import Extrusion, Feature, Holes, Sketch, Turning
 from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.supported_features import (
     Side,
     Standing,
@@ -20,7 +20,9 @@ from gaussiancad_core.features.supported_features import (
     frame_of,
     height_of,
 )
+from gaussiancad_core.geometry.outline_edges import whole_circle
 from gaussiancad_core.geometry.tolerances import COMPUTED, UNIT_VECTOR
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.kernel.booleans import common
 from gaussiancad_core.kernel.brep import area, bounding_box
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
@@ -224,9 +226,7 @@ def _drawn(feature: Extrusion | Holes) -> list[Sketch]:
     if isinstance(feature, Extrusion):
         return [feature.sketch]
     radius = feature.diameter / 2.0
-    discs: list[Loop] = [
-        (Edge((x + radius, y), (x + radius, y), (x, y), radius),) for x, y in feature.centres
-    ]
+    discs: list[Loop] = [(whole_circle(Circle(at, radius)),) for at in feature.centres]
     return [Sketch(feature.frame, feature.height, (disc,)) for disc in discs]
 
 
@@ -246,5 +246,5 @@ def _supports(number: int, feature: Feature, frame: Frame) -> Iterator[Support]:
     if isinstance(feature, Turning) and abs(feature.direction[1 - axis]) > UNIT_VECTOR:
         return
     for k, edge in enumerate(edges_in(feature.sketch)):
-        if edge.centre is None and abs(edge.start[axis] - edge.end[axis]) < COMPUTED:
+        if edge.circle is None and abs(edge.start[axis] - edge.end[axis]) < COMPUTED:
             yield Support(number, Side.WALL, k)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.features.frames import frame_across
 from gaussiancad_core.features.inside_rays import Rays
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.plane_curves import Stretch, arc, segment, supports_of
 from gaussiancad_core.features.round_axes import (
     SAME,
@@ -24,7 +24,9 @@ from gaussiancad_core.features.sample_points import Samples
 from gaussiancad_core.features.sketch_cells import OFF_CENTRE, Cells, edge_count, length_of
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, TurnAxis, regions_of
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle
 
 Vector = npt.NDArray[np.float64]
 Points = npt.NDArray[np.float64]
@@ -110,11 +112,10 @@ def in_sketch(loop: Loop, plane: SweptPlane) -> Loop:
     # Away from the axis is to the right of its direction, seen against the normal: the outline
     # is mirrored, and runs the other way.
     return tuple(
-        Edge(
+        OutlineEdge(
             placed(edge.end),
             placed(edge.start),
-            None if edge.centre is None else placed(edge.centre),
-            edge.radius,
+            edge.circle and Circle(placed(edge.circle.centre), edge.circle.radius),
             edge.is_ccw,
         )
         for edge in reversed(loop)

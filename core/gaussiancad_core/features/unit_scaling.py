@@ -14,8 +14,9 @@ from gaussiancad_core.features.feature_model import (
     Sketch,
     Turning,
 )
-from gaussiancad_core.features.loops import Edge
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.whole_curves import Circle
 
 
 def scaled_shape(shape: TopoDS_Shape, factor: float) -> TopoDS_Shape:
@@ -65,14 +66,12 @@ def _scaled_sketch(sketch: Sketch, factor: float) -> Sketch:
     return replace(sketch, height=_times(sketch.height, factor), loops=loops)
 
 
-def _scaled_edge(edge: Edge, factor: float) -> Edge:
-    return Edge(
-        _point(edge.start, factor),
-        _point(edge.end, factor),
-        None if edge.centre is None else _point(edge.centre, factor),
-        None if edge.radius is None else _times(edge.radius, factor),
-        edge.is_ccw,
+def _scaled_edge(edge: OutlineEdge, factor: float) -> OutlineEdge:
+    circle = edge.circle and Circle(
+        _point(edge.circle.centre, factor), _times(edge.circle.radius, factor)
     )
+    start, end = _point(edge.start, factor), _point(edge.end, factor)
+    return replace(edge, start=start, end=end, circle=circle)
 
 
 def _point(point: Point, factor: float) -> Point:

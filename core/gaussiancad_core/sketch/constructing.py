@@ -12,13 +12,15 @@ from gaussiancad_core.evidence.dimension_constraints import (
     LengthDimension,
     RadiusDimension,
 )
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
+from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.construction import (
+    DIGITS,
     Break,
     Construction,
     Countersink,
-    Edge,
     Hole,
     Level,
     Loop,
@@ -34,9 +36,6 @@ from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketch.slab_plan import Plan
 from gaussiancad_core.sketch.slab_solids import Bore, Slab, cones_of, profiles_of
 from gaussiancad_core.solid.profiles import Profile, edges_of
-
-_DIGITS = 6
-"""Of coordinates, after the decimal point."""
 
 
 def construction_of(sketch: Sketch, stated: DimensionConstraints | None) -> Construction:
@@ -139,18 +138,15 @@ def _rings(profile: Profile) -> Iterator[tuple[Floats, bool]]:
         yield np.array(interior.coords)[:-1], True
 
 
-def _edges(ring: Floats, profile: Profile) -> Iterator[Edge]:
+def _edges(ring: Floats, profile: Profile) -> Iterator[OutlineEdge]:
     for edge in edges_of(ring, profile):
         start, end = _point(edge.start), _point(edge.end)
-        if edge.arc is None or edge.middle is None:
-            yield Edge(start, end)
-        else:
-            radius = _rounded(edge.arc.radius)
-            yield Edge(start, end, _point(edge.arc.centre), radius, _point(edge.middle))
+        circle = edge.circle and Circle(_point(edge.circle.centre), _rounded(edge.circle.radius))
+        yield replace(edge, start=start, end=end, circle=circle)
 
 
 def _along(
-    edges: Sequence[Edge],
+    edges: Sequence[OutlineEdge],
     axis: Axis,
     stated: tuple[Sequence[LengthDimension], Sequence[RadiusDimension]],
     near: float,
@@ -163,7 +159,7 @@ def _along(
             [
                 edge.start[column]
                 for edge in edges
-                if edge.centre is None and abs(edge.start[column] - edge.end[column]) <= near
+                if edge.circle is None and abs(edge.start[column] - edge.end[column]) <= near
             ]
         )
         for length in lengths:
@@ -172,16 +168,12 @@ def _along(
                 for end in (length.low, length.high)
             ):
                 found.add(length.value)
-    arcs = [
-        (edge.centre, edge.radius)
-        for edge in edges
-        if edge.centre is not None and edge.radius is not None
-    ]
+    arcs = [edge.circle for edge in edges if edge.circle is not None]
     for radius in radii:
         if radius.normal is axis and any(
-            np.hypot(*np.subtract(arc_centre, radius.centre)) <= near
-            and abs(arc_radius - radius.radius) <= near
-            for arc_centre, arc_radius in arcs
+            np.hypot(*np.subtract(arc.centre, radius.centre)) <= near
+            and abs(arc.radius - radius.radius) <= near
+            for arc in arcs
         ):
             found.add(radius.value)
     return tuple(sorted(found))
@@ -203,16 +195,15 @@ def _holes(loops: Sequence[SlabLoops], near: float) -> Iterator[Hole]:
     for slab_loops in loops:
         going_on = []
         for loop in slab_loops.loops:
-            arc = loop.edges[0]
-            if not loop.is_hole or any(e.centre != arc.centre for e in loop.edges):
+            circle = loop.edges[0].circle
+            centres = {edge.circle and edge.circle.centre for edge in loop.edges}
+            if circle is None or len(centres) > 1 or not loop.is_hole:
                 continue
-            if arc.centre is None or arc.radius is None:
-                continue
-            below = next((h for h in open_ones if _is_same(h, arc, slab_loops.low, near)), None)
+            below = next((h for h in open_ones if _is_same(h, circle, slab_loops.low, near)), None)
             low = below.low if below is not None else slab_loops.low
             numbers = tuple(2.0 * value for value in loop.numbers)
             going_on.append(
-                Hole(arc.centre, 2.0 * arc.radius, low, slab_loops.high, False, numbers)
+                Hole(circle.centre, 2.0 * circle.radius, low, slab_loops.high, False, numbers)
             )
             if below is not None:
                 open_ones.remove(below)
@@ -255,13 +246,10 @@ def _cross_holes(
         )
 
 
-def _is_same(hole: Hole, arc: Edge, low: float, near: float) -> bool:
-    if arc.centre is None or arc.radius is None:
-        return False
-    off = np.hypot(*np.subtract(hole.centre, arc.centre))
-    return bool(
-        off <= near and abs(hole.diameter - 2.0 * arc.radius) <= near and hole.high >= low - near
-    )
+def _is_same(hole: Hole, circle: Circle, low: float, near: float) -> bool:
+    off = np.hypot(*np.subtract(hole.centre, circle.centre))
+    across = abs(hole.diameter - 2.0 * circle.radius)
+    return bool(off <= near and across <= near and hole.high >= low - near)
 
 
 def _point(point: Sequence[float]) -> Point:
@@ -270,4 +258,4 @@ def _point(point: Sequence[float]) -> Point:
 
 
 def _rounded(value: float) -> float:
-    return round(float(value), _DIGITS)
+    return round(float(value), DIGITS)

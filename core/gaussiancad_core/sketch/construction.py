@@ -9,7 +9,11 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.storage.outputs import os_error
+
+DIGITS = 6
+"""Decimal places of its numbers."""
 
 SCHEMA = "gaussiancad-construction/1"
 
@@ -49,34 +53,18 @@ class Level:
 
 
 @dataclass(frozen=True)
-class Edge:
-    """A piece of an outline: straight, or an arc.
-
-    Attributes:
-        start, end: mm in the plane across the axis, its coordinates in the order x, y, z.
-        centre, radius: mm, of an arc; None of a straight one.
-        middle: a place of the arc between its ends.
-    """
-
-    start: Point
-    end: Point
-    centre: Point | None = None
-    radius: float | None = None
-    middle: Point | None = None
-
-
-@dataclass(frozen=True)
 class Loop:
     """A closed outline.
 
     Attributes:
-        edges: in their order.
+        edges: in their order; mm in the plane across the axis, its coordinates in the order x, y,
+            z.
         is_hole: whether it lies within the material.
         numbers: of the sheet, mm, that lie along it.
         strokes: of views along the axis that it lies along.
     """
 
-    edges: tuple[Edge, ...]
+    edges: tuple[OutlineEdge, ...]
     is_hole: bool
     numbers: tuple[float, ...]
     strokes: tuple[Source, ...]
@@ -169,7 +157,7 @@ class Turning:
     """
 
     centre: Point
-    edges: tuple[Edge, ...]
+    edges: tuple[OutlineEdge, ...]
 
 
 @dataclass(frozen=True)
@@ -217,7 +205,22 @@ class Construction:
 
     def as_json(self) -> dict[str, Any]:
         """As plain values."""
-        return {"schema": SCHEMA, **asdict(self)}
+        values = asdict(self)
+        for slab, entry in zip(self.slabs, values["slabs"], strict=True):
+            for loop, outline in zip(slab.loops, entry["loops"], strict=True):
+                outline["edges"] = [_edge_values(edge) for edge in loop.edges]
+        for turning, entry in zip(self.turned, values["turned"], strict=True):
+            entry["edges"] = [_edge_values(edge) for edge in turning.edges]
+        return {"schema": SCHEMA, **values}
+
+
+def _edge_values(edge: OutlineEdge) -> dict[str, Any]:
+    """An edge's ends and, of an arc, its circle and the place halfway along it."""
+    ends = {"start": edge.start, "end": edge.end}
+    if edge.circle is None:
+        return {**ends, "centre": None, "radius": None, "middle": None}
+    middle = [round(value, DIGITS) for value in edge.middle]
+    return {**ends, "centre": edge.circle.centre, "radius": edge.circle.radius, "middle": middle}
 
 
 def write_construction(construction: Construction, folder: Path) -> None:

@@ -17,10 +17,12 @@ from OCP.BRepBuilderAPI import (
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
 from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
-from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
+from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.geometry.tolerances import COMPUTED
-from gaussiancad_core.geometry.whole_curves import Circle, line_through, meetings
+from gaussiancad_core.geometry.whole_curves import line_through, meetings
 from gaussiancad_core.kernel.booleans import unified
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -52,22 +54,6 @@ class Profile:
     area: shapely.Polygon
     arcs: tuple[Arc, ...]
     near: float
-
-
-@dataclass(frozen=True)
-class ProfileEdge:
-    """A line or an arc of an outline.
-
-    Attributes:
-        start, end: where it begins and ends.
-        arc: on which it lies; None of a line.
-        middle: a place of the arc between its ends.
-    """
-
-    start: Point
-    end: Point
-    arc: Arc | None = None
-    middle: Point | None = None
 
 
 def turned(profile: Profile, axis: Axis, centre: Point = (0.0, 0.0)) -> TopoDS_Shape:
@@ -130,41 +116,51 @@ def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> T
     if (circle := _whole(runs)) is not None:
         made.Add(BRepBuilderAPI_MakeEdge(_circle(circle, ring, place)).Edge())
         return made.Wire()
-    for edge in _edges(runs):
-        ends = place(edge.start), place(edge.end)
-        if edge.middle is None:
-            made.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
-        else:
-            curve = GC_MakeArcOfCircle(ends[0], place(edge.middle), ends[1]).Value()
-            made.Add(BRepBuilderAPI_MakeEdge(curve).Edge())
+    for edge, between in _edges(runs):
+        made.Add(edge_shape(edge, between, place))
     return made.Wire()
 
 
-def edges_of(ring: Floats, profile: Profile) -> list[ProfileEdge]:
+def edge_shape(edge: OutlineEdge, between: Point, place: Callable[[Point], gp_Pnt]) -> TopoDS_Edge:
+    """An edge that is no whole circle, in space.
+
+    Args:
+        edge: of a plane.
+        between: where an arc runs between its ends, which may lie a little beside its circle.
+        place: where a point of the plane lies.
+    """
+    start, end = place(edge.start), place(edge.end)
+    if edge.circle is None:
+        return BRepBuilderAPI_MakeEdge(start, end).Edge()
+    curve = GC_MakeArcOfCircle(start, place(between), end).Value()
+    return BRepBuilderAPI_MakeEdge(curve).Edge()
+
+
+def edges_of(ring: Floats, profile: Profile) -> list[OutlineEdge]:
     """The edges that a ring of corners has in the solid, in order.
 
     Args:
         ring: (n, 2) corners of the profile's area, the first not repeated.
         profile: with the arcs.
     """
-    return _edges(_runs_of(ring, profile))
+    return [edge for edge, _ in _edges(_runs_of(ring, profile))]
 
 
-def _edges(runs: Sequence[tuple[Floats, Arc | None]]) -> list[ProfileEdge]:
+def _edges(runs: Sequence[tuple[Floats, Arc | None]]) -> list[tuple[OutlineEdge, Point]]:
+    """Edges along runs of corners, each with a place between its ends."""
     found = []
     for run, arc in runs:
         # A short stretch may have none left between the curves beside it.
         if np.hypot(*(run[-1] - run[0])) < COMPUTED:
             continue
-        middle = None if arc is None else _middle(run, arc)
-        found.append(
-            ProfileEdge(
-                tuple(run[0].tolist()),
-                tuple(run[-1].tolist()),
-                None if middle is None else arc,
-                None if middle is None else tuple(middle.tolist()),
-            )
-        )
+        start, end = to_point(run[0]), to_point(run[-1])
+        if arc is None or (middle := _middle(run, arc)) is None:
+            edge = OutlineEdge(start, end)
+            found.append((edge, edge.middle))
+        else:
+            (ax, ay), (bx, by) = middle - run[0], run[-1] - run[0]
+            edge = OutlineEdge(start, end, arc.carrier, bool(ax * by > ay * bx))
+            found.append((edge, to_point(middle)))
     return found
 
 
@@ -246,9 +242,7 @@ def _corner(
     if abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) < _CLEARLY:
         return corner
     curves = [
-        line_through(tuple(points[0].tolist()), tuple(points[1].tolist()))
-        if arc is None
-        else Circle(arc.centre, arc.radius)
+        line_through(to_point(points[0]), to_point(points[1])) if arc is None else arc.carrier
         for points, arc in (one, other)
     ]
     places = np.array(meetings(*curves)).reshape(-1, 2)

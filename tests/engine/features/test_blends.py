@@ -61,9 +61,10 @@ def test_rounded_corners_of_a_plate_are_arcs_of_its_sketch(found: Find) -> None:
     assert _groups(plate) == ()
     features, kinds = found(plate)
     assert kinds == ["pad"]
-    assert sorted(edge.radius or 0.0 for edge in features.features[0].sketch.loops[0]) == (
-        pytest.approx([0.0] * 4 + [8.0] * 4)
-    )
+    assert sorted(
+        0.0 if edge.circle is None else edge.circle.radius
+        for edge in features.features[0].sketch.loops[0]
+    ) == (pytest.approx([0.0] * 4 + [8.0] * 4))
 
 
 def test_a_fillet_around_a_plate_with_rounded_corners_is_one_group(found: Find) -> None:

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.features.loops import area_of, loops_of
+from gaussiancad_core.features.loops import loops_of
 from gaussiancad_core.features.plane_curves import Stretch, segment, supports_of
 from gaussiancad_core.features.sketch_cells import Cells, edge_count
+from gaussiancad_core.geometry.outline_edges import enclosed_area
 from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.geometry.whole_curves import Circle
 
@@ -32,7 +33,7 @@ def _cells(stretches: list[Stretch]) -> Cells:
 
 
 def _area(cells: Cells, region: set[int]) -> float:
-    return sum(area_of(loop) for loop in loops_of(cells, region))
+    return sum(enclosed_area(loop) for loop in loops_of(cells, region))
 
 
 def _random_cells(seed: int) -> Cells:
@@ -69,11 +70,10 @@ def test_outlines_are_closed_chains_of_edges(seed: int) -> None:
         for loop in loops_of(cells, {cell}):
             for edge, after in zip(loop, [*loop[1:], loop[0]], strict=True):
                 assert edge.end == after.start
-                if edge.centre is not None:
-                    assert edge.radius is not None
+                if edge.circle is not None:
                     for x, y in (edge.start, edge.end):
-                        apart = hypot(x - edge.centre[0], y - edge.centre[1])
-                        assert apart == pytest.approx(edge.radius, abs=1e-6)
+                        apart = hypot(x - edge.circle.centre[0], y - edge.circle.centre[1])
+                        assert apart == pytest.approx(edge.circle.radius, abs=1e-6)
 
 
 def test_the_outer_outline_is_counterclockwise_and_a_circle_is_one_edge() -> None:
@@ -81,13 +81,13 @@ def test_the_outer_outline_is_counterclockwise_and_a_circle_is_one_edge() -> Non
     plate = int(cells.locate(np.array([[1.0, 1.0]]))[0])
     outer, *holes = loops_of(cells, {plate})
     assert len(outer) == 4
-    assert area_of(outer) == pytest.approx(800.0)
+    assert enclosed_area(outer) == pytest.approx(800.0)
     # The larger ones first.
-    assert [hole[0].radius for hole in holes] == [5.0, 4.0]
+    assert [hole[0].circle.radius for hole in holes] == [5.0, 4.0]
     for hole in holes:
         (edge,) = hole
         assert edge.is_circle and not edge.is_ccw
-        assert area_of(hole) == pytest.approx(-pi * edge.radius**2)
+        assert enclosed_area(hole) == pytest.approx(-pi * edge.circle.radius**2)
 
 
 def test_outlines_that_touch_in_a_corner_are_two() -> None:

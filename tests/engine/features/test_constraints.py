@@ -16,17 +16,18 @@ from gaussiancad_core.features.constraints import (
     NumberSource,
     constraints_of,
 )
-from gaussiancad_core.features.loops import Edge, Loop, area_of
-from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.features.loops import Loop
+from gaussiancad_core.geometry.outline_edges import OutlineEdge, enclosed_area, whole_circle
+from gaussiancad_core.geometry.points import Point, to_point
+from gaussiancad_core.geometry.whole_curves import Circle
 
 
 def _polygon(*corners: Point) -> Loop:
-    return tuple(Edge(*ends) for ends in pairwise([*corners, corners[0]]))
+    return tuple(OutlineEdge(*ends) for ends in pairwise([*corners, corners[0]]))
 
 
 def _circle(centre: Point, radius: float) -> Loop:
-    start = centre[0] + radius, centre[1]
-    return (Edge(start, start, centre, radius),)
+    return (whole_circle(Circle(centre, radius)),)
 
 
 def _slot(at: Point, length: float, radius: float, degrees: float) -> Loop:
@@ -37,10 +38,10 @@ def _slot(at: Point, length: float, radius: float, degrees: float) -> Loop:
     corners = [tuple(map(float, p)) for p in (low - side, high - side, high + side, low + side)]
     ends = [tuple(map(float, p)) for p in (high, low)]
     return (
-        Edge(corners[0], corners[1]),
-        Edge(corners[1], corners[2], ends[0], radius),
-        Edge(corners[2], corners[3]),
-        Edge(corners[3], corners[0], ends[1], radius),
+        OutlineEdge(corners[0], corners[1]),
+        OutlineEdge(corners[1], corners[2], Circle(ends[0], radius)),
+        OutlineEdge(corners[2], corners[3]),
+        OutlineEdge(corners[3], corners[0], Circle(ends[1], radius)),
     )
 
 
@@ -59,7 +60,7 @@ def _outlines(draw: st.DrawFn) -> tuple[Loop, ...]:
     edges = []
     for start, end in pairwise([*corners, corners[0]]):
         bulge = draw(st.sampled_from([0.0, 0.0, 0.8, 2.0]))
-        edges.append(_bulging(start, end, bulge) if bulge else Edge(start, end))
+        edges.append(_bulging(start, end, bulge) if bulge else OutlineEdge(start, end))
     loops: list[Loop] = [tuple(edges)]
     for k in range(draw(st.integers(0, 3))):
         loops.append(_circle((-8.0 + 7.0 * k, draw(st.sampled_from([0.0, 1.5]))), 2.0 + k % 2))
@@ -68,12 +69,12 @@ def _outlines(draw: st.DrawFn) -> tuple[Loop, ...]:
     return tuple(loops)
 
 
-def _bulging(start: Point, end: Point, height: float) -> Edge:
+def _bulging(start: Point, end: Point, height: float) -> OutlineEdge:
     """An arc whose centre lies on the left of its chord, so many chords away."""
     a, b = np.array(start), np.array(end)
     middle, chord = (a + b) / 2.0, b - a
     centre = middle + height * np.array([-chord[1], chord[0]])
-    return Edge(start, end, tuple(map(float, centre)), float(np.linalg.norm(a - centre)))
+    return OutlineEdge(start, end, Circle(to_point(centre), float(np.linalg.norm(a - centre))))
 
 
 @settings(max_examples=50)
@@ -90,7 +91,7 @@ def test_nothing_is_free_and_nothing_is_fixed_twice(loops: tuple[Loop, ...]) -> 
 @given(_outlines())
 def test_the_outlines_are_what_the_constraints_demand(loops: tuple[Loop, ...]) -> None:
     again = solved(loops, constraints_of(loops, Numbers()))
-    assert sum(map(area_of, again)) == pytest.approx(sum(map(area_of, loops)), abs=1e-5)
+    assert sum(map(enclosed_area, again)) == pytest.approx(sum(map(enclosed_area, loops)), abs=1e-5)
 
 
 def test_a_rectangle_at_the_origin_has_two_dimensions() -> None:
@@ -119,7 +120,11 @@ def test_edges_that_go_on_in_each_other_are_tangent() -> None:
 
 
 def test_edges_that_meet_at_an_angle_are_not_tangent() -> None:
-    loop = (Edge((0, 0), (10, 0)), _bulging((10, 0), (0, 10), 0.7), Edge((0, 10), (0, 0)))
+    loop = (
+        OutlineEdge((0, 0), (10, 0)),
+        _bulging((10, 0), (0, 10), 0.7),
+        OutlineEdge((0, 10), (0, 0)),
+    )
     assert Kind.TANGENT not in [each.kind for each in constraints_of([loop], Numbers())]
 
 
@@ -141,8 +146,8 @@ def test_numbers_of_the_sheet_are_preferred() -> None:
 
 
 def test_a_radius_on_the_sheet_is_a_radius() -> None:
-    loop = (_bulging((0, 0), (20, 0), 0.5), Edge((20, 0), (0, 0)))
-    radius = loop[0].radius
+    loop = (_bulging((0, 0), (20, 0), 0.5), OutlineEdge((20, 0), (0, 0)))
+    radius = loop[0].circle.radius
     assert radius is not None
     for number, kind in ((radius, Kind.RADIUS), (2.0 * radius, Kind.DIAMETER)):
         kinds = {each.kind: each.source for each in constraints_of([loop], Numbers((number,)))}

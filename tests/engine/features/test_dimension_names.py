@@ -2,15 +2,17 @@
 
 from gaussiancad_core.features.constraints import Numbers, constraints_of
 from gaussiancad_core.features.dimension_names import dimension_names
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
+from gaussiancad_core.geometry.outline_edges import OutlineEdge, whole_circle
+from gaussiancad_core.geometry.whole_curves import Circle
 
 
 def _polygon(*points: tuple[float, float]) -> Loop:
-    return tuple(Edge(a, b) for a, b in zip(points, (*points[1:], points[0]), strict=True))
+    return tuple(OutlineEdge(a, b) for a, b in zip(points, (*points[1:], points[0]), strict=True))
 
 
 def _circle(x: float, y: float, radius: float) -> Loop:
-    return (Edge((x + radius, y), (x + radius, y), (x, y), radius),)
+    return (whole_circle(Circle((x, y), radius)),)
 
 
 def _names(*loops: Loop) -> dict[str, float]:
@@ -50,10 +52,10 @@ def test_what_there_is_several_times_has_a_number() -> None:
 def test_a_distance_between_centres_is_no_width() -> None:
     ends = ((5.0, 0.0), (25.0, 0.0), (25.0, 10.0), (5.0, 10.0))
     slot = (
-        Edge(ends[0], ends[1]),
-        Edge(ends[1], ends[2], (25.0, 5.0), 5.0),
-        Edge(ends[2], ends[3]),
-        Edge(ends[3], ends[0], (5.0, 5.0), 5.0),
+        OutlineEdge(ends[0], ends[1]),
+        OutlineEdge(ends[1], ends[2], Circle((25.0, 5.0), 5.0)),
+        OutlineEdge(ends[2], ends[3]),
+        OutlineEdge(ends[3], ends[0], Circle((5.0, 5.0), 5.0)),
     )
     names = _names(slot)
     assert "Width" not in names

@@ -20,10 +20,11 @@ from gaussiancad_core.features.feature_model import (
 )
 from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.features.frames import MAIN_FRAMES
-from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.support_values import dimensions_to
 from gaussiancad_core.features.supported_features import Side, Standing, Support, standing
 from gaussiancad_core.features.supporting_faces import beginning_on_faces, standing_of
+from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples import SAMPLES, sample
@@ -34,7 +35,7 @@ _XY, _XZ, _YZ = MAIN_FRAMES
 
 def _outline(*points: tuple[float, float]) -> Loop:
     return tuple(
-        Edge(start, end) for start, end in zip(points, (*points[1:], points[0]), strict=True)
+        OutlineEdge(start, end) for start, end in zip(points, (*points[1:], points[0]), strict=True)
     )
 
 

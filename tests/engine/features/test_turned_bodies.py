@@ -58,7 +58,7 @@ def test_a_ball_on_a_block_is_turned(found: Find) -> None:
     features, kinds = found(fuse(box((0, 0, 0), (40, 40, 10)), sphere((20, 20, 12), 9.0)))
     assert features.is_whole and len(kinds) == 2
     turning = next(feature for feature in features.features if isinstance(feature, Turning))
-    radii = [edge.radius for loop in turning.sketch.loops for edge in loop if edge.radius]
+    radii = [edge.circle.radius for loop in turning.sketch.loops for edge in loop if edge.circle]
     assert radii == pytest.approx([9.0])
 
 

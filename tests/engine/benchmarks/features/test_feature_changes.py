@@ -10,14 +10,15 @@ from benchmarks.features.feature_failures import reason_of
 from benchmarks.features.feature_sketches import Freedom, UnsolvedError, freedom, solved
 from gaussiancad_core.features.constraints import Constraint, Kind, Numbers, constraints_of
 from gaussiancad_core.features.feature_search import features_of
-from gaussiancad_core.features.loops import Edge, Loop, area_of
+from gaussiancad_core.features.loops import Loop
 from gaussiancad_core.features.sketch_geometry import Reference
+from gaussiancad_core.geometry.outline_edges import OutlineEdge, enclosed_area
 from gaussiancad_core.kernel.brep import bounding_box, volume
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 
 _PLATE: Loop = tuple(
-    Edge(*ends)
+    OutlineEdge(*ends)
     for ends in pairwise([(0.0, 0.0), (60.0, 0.0), (60.0, 40.0), (0.0, 40.0), (0.0, 0.0)])
 )
 
@@ -40,7 +41,7 @@ def test_a_sketch_is_solved_for_another_dimension() -> None:
         for each in constraints_of([_PLATE], Numbers())
     ]
     (loop,) = solved([_PLATE], found)
-    assert area_of(loop) == pytest.approx(75.0 * 40.0)
+    assert enclosed_area(loop) == pytest.approx(75.0 * 40.0)
 
 
 def test_a_sketch_that_contradicts_itself_is_not_solved() -> None:
@@ -82,8 +83,8 @@ def test_each_number_changes_the_solid() -> None:
 def test_the_circles_of_holes_are_their_outlines() -> None:
     hole = features_of(_part()).features[1]
     ((circle,),) = outlines(hole)
-    assert circle.is_circle and circle.radius == pytest.approx(4.0)
-    assert circle.centre == pytest.approx((20.0, 15.0))
+    assert circle.is_circle and circle.circle.radius == pytest.approx(4.0)
+    assert circle.circle.centre == pytest.approx((20.0, 15.0))
 
 
 def test_a_part_that_is_made_of_features_fails_nowhere() -> None:
