@@ -24,7 +24,7 @@ from gaussiancad_core.labelling.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.labelling.minimal_conflicts import find_conflict
 from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.lines.hlr import LineDrawing
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.samples.random_parts import random_part
@@ -49,7 +49,7 @@ class Spoilt:
 
     views: DrawnViews
     role: Role | None = None
-    stroke: Curve | None = None
+    stroke: DrawnStroke | None = None
 
 
 Spoil = Callable[[DrawnViews, np.random.Generator], Spoilt]
@@ -125,7 +125,7 @@ def _place(views: DrawnViews, random: np.random.Generator) -> tuple[Role, int]:
     return places[int(random.integers(len(places)))]
 
 
-def _with(views: DrawnViews, role: Role, strokes: list[Curve]) -> DrawnViews:
+def _with(views: DrawnViews, role: Role, strokes: list[DrawnStroke]) -> DrawnViews:
     return replace(views, strokes={**views.strokes, role: tuple(strokes)})
 
 

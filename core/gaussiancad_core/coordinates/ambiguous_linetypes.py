@@ -15,7 +15,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.tolerances import MEETING, TELLING
-from gaussiancad_core.lines.line_points import Curve, Lines, lines_of_strokes
+from gaussiancad_core.lines.line_points import Lines, lines_of_strokes
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
 UNSURE = 0.4
@@ -56,7 +57,9 @@ def is_unsure(stroke: object) -> bool:
     return 0.0 < getattr(stroke, "confidence", 1.0) <= UNSURE
 
 
-def as_drawn(strokes: Sequence[Curve], drawn: Lines, tolerance: float) -> tuple[Curve, ...]:
+def as_drawn(
+    strokes: Sequence[DrawnStroke], drawn: Lines, tolerance: float
+) -> tuple[DrawnStroke, ...]:
     """Strokes with those that may be of either linetype as a solid's lines have them.
 
     Args:
@@ -69,7 +72,7 @@ def as_drawn(strokes: Sequence[Curve], drawn: Lines, tolerance: float) -> tuple[
     )
 
 
-def _retold(stroke: Curve, drawn: Lines, tolerance: float) -> Curve:
+def _retold(stroke: DrawnStroke, drawn: Lines, tolerance: float) -> DrawnStroke:
     points = lines_of_strokes([stroke], tolerance / 4.0)
     line_points = points.visible if stroke.linetype is Linetype.VISIBLE else points.hidden
     shares = {
@@ -87,8 +90,8 @@ def _other(kind: Linetype) -> Linetype:
 
 
 def _parts(
-    strokes: Sequence[Curve], number: int, points: Sequence[Points], views: DrawnViews
-) -> Iterator[Curve]:
+    strokes: Sequence[DrawnStroke], number: int, points: Sequence[Points], views: DrawnViews
+) -> Iterator[DrawnStroke]:
     """A stroke, or its parts that are certain and those that are not, in order."""
     stroke, longest = strokes[number], views.dash or 0.0
     if stroke.length <= longest and isinstance(stroke, Segment | Arc):
@@ -145,7 +148,9 @@ def _point(stroke: Segment, along: npt.NDArray[np.float64], position: float) -> 
     return float(x), float(y)
 
 
-def _met(stroke: Segment, others: Sequence[tuple[Curve, Points]], tolerance: float) -> list[float]:
+def _met(
+    stroke: Segment, others: Sequence[tuple[DrawnStroke, Points]], tolerance: float
+) -> list[float]:
     """Positions along a stroke, mm and ascending, at which others cross it or end on it."""
     along = np.subtract(stroke.end, stroke.start) / stroke.length
     across = np.array([-along[1], along[0]])

@@ -6,7 +6,7 @@ that is seen edge-on: a plane for a line, a cylinder for a circle.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import hypot, pi
+from math import pi
 
 import numpy as np
 
@@ -40,10 +40,9 @@ from gaussiancad_core.coordinates.split_arcs import is_piece, with_pieces_of_arc
 from gaussiancad_core.coordinates.tangents import touched_circles
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.points import FULL_TURN, to_point
 from gaussiancad_core.geometry.tolerances import TELLING
 from gaussiancad_core.geometry.whole_curves import (
-    Circle,
     Line,
     LineOrCircle,
     axis_line,
@@ -127,32 +126,18 @@ class PartCarriers:
     places: ConstrainedPlaces | None = None
 
 
-@dataclass(frozen=True)
-class _Line:
+@dataclass(frozen=True, kw_only=True)
+class _Line(Segment):
     role: Role
-    start: Point
-    end: Point
-    linetype: Linetype
-    confidence: float
-
-    @property
-    def length(self) -> float:
-        return hypot(self.end[0] - self.start[0], self.end[1] - self.start[1])
 
 
-@dataclass(frozen=True)
-class _Circle:
+@dataclass(frozen=True, kw_only=True)
+class _Arc(Arc):
     role: Role
-    circle: Circle
-    low: float
-    sweep: float
-    linetype: Linetype
-    confidence: float
 
     @property
     def weight(self) -> float:
-        quality = min(1.0, self.sweep / _WEIGHTY_SWEEP) ** 4
-        return quality * self.circle.radius * self.sweep
+        return min(1.0, self.sweep / _WEIGHTY_SWEEP) ** 4 * self.length
 
 
 @dataclass
@@ -162,7 +147,7 @@ class _Plane:
     normal: Axis
     roles: list[Role]
     lines: list[_Line]
-    circles: list[_Circle]
+    arcs: list[_Arc]
     chains: list[tuple[Role, Chain, Linetype]]
 
 
@@ -242,7 +227,7 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
                 or is_rounding(stroke, strokes, views.tolerance)
                 or is_piece(stroke, strokes, views)
             ):
-                plane.circles.append(_circle(stroke, role, scale))
+                plane.arcs.append(_arc(stroke, role, scale))
             else:
                 points = plane_points(stroke.sample(stroke.length / _CHAIN_LINKS), role, scale)
                 for chain in single_runs(points, max(_FOLDED, tolerance)):
@@ -254,13 +239,13 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
 
 def _take_arcs(plane: _Plane, near: float) -> None:
     """Make arcs of chains that run along a drawn circle."""
-    drawn, chains = [this_circle.circle for this_circle in plane.circles], plane.chains
+    drawn, chains = [arc.carrier for arc in plane.arcs], plane.chains
     plane.chains = []
     for role, chain, linetype in chains:
         for circle in drawn:
-            arc = arc_along(chain, circle, near)
-            if arc is not None:
-                plane.circles.append(_Circle(role, circle, *arc, linetype, 1.0))
+            found = arc_along(chain, circle, near)
+            if found is not None:
+                plane.arcs.append(_Arc(circle.centre, circle.radius, *found, linetype, role=role))
                 break
         else:
             plane.chains.append((role, chain, linetype))
@@ -269,7 +254,7 @@ def _take_arcs(plane: _Plane, near: float) -> None:
 def _line(stroke: Segment, role: Role, scale: float) -> _Line:
     start, end = plane_points(np.array([stroke.start, stroke.end]), role, scale)
     ends = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
-    return _Line(role, *ends, stroke.linetype, stroke.confidence)
+    return _Line(*ends, stroke.linetype, stroke.confidence, role=role)
 
 
 def _tells_line(line: _Line, tolerance: float) -> bool:
@@ -282,7 +267,7 @@ def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:
     return bool(rise > TELLING * tolerance) or is_quarter(arc, tolerance / scale)
 
 
-def _circle(arc: Arc, role: Role, scale: float) -> _Circle:
+def _arc(arc: Arc, role: Role, scale: float) -> _Arc:
     """An arc in plane coordinates, which turn its angles where the view is mirrored in them."""
     signs = role_plane(role).signs
     (centre,) = plane_points(np.array([arc.centre]), role, scale)
@@ -290,8 +275,8 @@ def _circle(arc: Arc, role: Role, scale: float) -> _Circle:
     mirrored = signs[0] * signs[1] < 0
     first = ends[1] if mirrored else ends[0]
     low = np.arctan2(signs[1] * np.sin(first), signs[0] * np.cos(first)) % FULL_TURN
-    curve = Circle((float(centre[0]), float(centre[1])), arc.radius * scale)
-    return _Circle(role, curve, float(low), min(arc.sweep, FULL_TURN), arc.linetype, arc.confidence)
+    piece = to_point(centre), arc.radius * scale, float(low), min(arc.sweep, FULL_TURN)
+    return _Arc(*piece, arc.linetype, arc.confidence, role=role)
 
 
 def _snap(
@@ -323,7 +308,7 @@ def _snap(
                 readings.append(
                     CoordinateReading(axes[along], value, line.length * line.confidence)
                 )
-        circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
+        circles += [CircleReading(plane.normal, arc.carrier, arc.weight) for arc in plane.arcs]
     return snapped(
         readings, circles, tolerance, apart, scale, noise=noise, stated=stated, scaled=scaled
     )
@@ -331,11 +316,11 @@ def _snap(
 
 def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:
     ends = [end for line in plane.lines for end in (line.start, line.end)]
-    for circle in plane.circles:
-        ends += [circle.circle.at(circle.low), circle.circle.at(circle.low + circle.sweep)]
+    for arc in plane.arcs:
+        ends += [to_point(end) for end in arc.extremes()[:2]]
     slants = tuple(_slant(group) for group in _collinear(_slanted(plane, tolerance), tolerance))
     ends += crossings(slants)
-    arcs = tuple((circle.circle, circle.low, circle.sweep) for circle in plane.circles)
+    arcs = tuple((arc.carrier, arc.start_angle, arc.sweep) for arc in plane.arcs)
     return PlaneReading(plane.normal, slants, tuple(ends), arcs)
 
 
@@ -377,7 +362,7 @@ def _parallel_axis(line: _Line, tolerance: float) -> int | None:
 
 def _supports(plane: _Plane, known: Adjusted, tolerance: float) -> tuple[Carrier, ...]:
     snap, lines = known.snap, known.lines[plane.normal]
-    circles = [(snap.circle(plane.normal, c.circle) or c.circle, c) for c in plane.circles]
+    circles = [(snap.circle(plane.normal, arc.carrier) or arc.carrier, arc) for arc in plane.arcs]
     curves: list[LineOrCircle] = []
     strokes: list[tuple[int, DrawnInterval]] = []
     for circle, stroke in circles:
@@ -409,8 +394,9 @@ def _line_stretch(curve: Line, line: _Line) -> DrawnInterval:
     return DrawnInterval(line.role, (low, high), line.linetype, line.confidence)
 
 
-def _arc_stretch(arc: _Circle) -> DrawnInterval:
-    return DrawnInterval(arc.role, (arc.low, arc.low + arc.sweep), arc.linetype, arc.confidence)
+def _arc_stretch(arc: _Arc) -> DrawnInterval:
+    span = arc.start_angle, arc.start_angle + arc.sweep
+    return DrawnInterval(arc.role, span, arc.linetype, arc.confidence)
 
 
 def _collinear(lines: list[_Line], tolerance: float) -> list[list[_Line]]:

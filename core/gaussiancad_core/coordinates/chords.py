@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points, role_plane
 from gaussiancad_core.model.views import Segment
@@ -48,7 +48,7 @@ class Chords:
     points: np.ndarray
 
 
-def find_chords(strokes: Mapping[Role, Sequence[Curve]], tolerance: float) -> list[Chords]:
+def find_chords(strokes: Mapping[Role, Sequence[DrawnStroke]], tolerance: float) -> list[Chords]:
     """The runs of neighbouring strokes that follow curves.
 
     Args:
@@ -65,7 +65,7 @@ def find_chords(strokes: Mapping[Role, Sequence[Curve]], tolerance: float) -> li
     return found
 
 
-def _runs(role: Role, strokes: Sequence[Curve]) -> list[Chords]:
+def _runs(role: Role, strokes: Sequence[DrawnStroke]) -> list[Chords]:
     """Runs of strokes that go on in each other with small bends."""
     found = []
     first = 0
@@ -81,7 +81,7 @@ def _runs(role: Role, strokes: Sequence[Curve]) -> list[Chords]:
     return found
 
 
-def _goes_on(one: Curve, other: Curve) -> bool:
+def _goes_on(one: DrawnStroke, other: DrawnStroke) -> bool:
     if not (isinstance(one, Segment) and isinstance(other, Segment)):
         return False
     if one.linetype is not other.linetype:
@@ -108,7 +108,7 @@ def _is_drawn(run: Chords, seen: Sequence[dict[Axis, np.ndarray]], tolerance: fl
     return bool(drawn.mean() > _DRAWN_JOINTS)
 
 
-def _levels(strokes: Sequence[Curve], role: Role) -> dict[Axis, np.ndarray]:
+def _levels(strokes: Sequence[DrawnStroke], role: Role) -> dict[Axis, np.ndarray]:
     """Coordinates of the straight strokes of a view that run across an axis."""
     axes = IN_PLANE[role_plane(role).normal]
     found: dict[Axis, list[float]] = {Axis(index): [] for index in axes}

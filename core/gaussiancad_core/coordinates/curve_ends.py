@@ -14,8 +14,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.coordinates.point_chains import chain_distances
 from gaussiancad_core.geometry.points import Point
-from gaussiancad_core.lines.line_points import Curve
-from gaussiancad_core.lines.strokes import Polyline
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Segment
 
 _ENDS, _BESIDE = 3.0, 0.5
@@ -30,8 +29,8 @@ Points = npt.NDArray[np.float64]
 
 
 def with_common_ends(
-    strokes: Sequence[Curve], curves: Sequence[Curve], tolerance: float
-) -> Iterator[Curve]:
+    strokes: Sequence[DrawnStroke], curves: Sequence[DrawnStroke], tolerance: float
+) -> Iterator[DrawnStroke]:
     """Curves and strokes that end where each other end, none twice.
 
     Args:
@@ -59,7 +58,9 @@ def with_common_ends(
                 yield Polyline(tuple(map(tuple, points.tolist())), curve.linetype)
 
 
-def _ended(stroke: Segment, moved: Sequence[tuple[Curve, Polyline]], tolerance: float) -> Segment:
+def _ended(
+    stroke: Segment, moved: Sequence[tuple[DrawnStroke, Polyline]], tolerance: float
+) -> Segment:
     """A line that ended where strokes did, led to where the curves end that they became."""
     ends = [stroke.start, stroke.end]
     for drawn, curve in moved:

@@ -10,7 +10,7 @@ from math import cos, hypot, pi, sin
 import numpy as np
 
 from gaussiancad_core.geometry.tolerances import TELLING
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Arc, Segment
 
 _LEAST_SWEEP, _MOST_SWEEP = pi / 3.0, 0.75 * pi
@@ -24,7 +24,7 @@ _SMOOTH = 0.12
 """Sine of the angle within which two strokes pass smoothly into each other."""
 
 
-def is_rounding(arc: Arc, strokes: Iterable[Curve], tolerance: float) -> bool:
+def is_rounding(arc: Arc, strokes: Iterable[DrawnStroke], tolerance: float) -> bool:
     """Whether an arc rounds a corner between two other strokes of its view.
 
     Args:
@@ -58,7 +58,7 @@ def is_quarter(arc: Arc, tolerance: float) -> bool:
     return bool(off <= tolerance and round(arc.sweep / (pi / 2.0)) == 1)
 
 
-def _goes_on(stroke: Curve, arc: Arc, angle: float, tolerance: float) -> bool:
+def _goes_on(stroke: DrawnStroke, arc: Arc, angle: float, tolerance: float) -> bool:
     """Whether an arc's end at an angle lies on a stroke, along it."""
     x, y = cos(angle), sin(angle)
     end = np.array([arc.centre[0] + arc.radius * x, arc.centre[1] + arc.radius * y])

@@ -11,7 +11,7 @@ from math import atan2, dist, pi
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.points import FULL_TURN
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Arc, Segment
 
 _DASH = 12.0
@@ -36,7 +36,7 @@ def without_askew_dashes(views: DrawnViews) -> DrawnViews:
     return replace(views, strokes=strokes)
 
 
-def _without(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...]:
+def _without(strokes: Sequence[DrawnStroke], tolerance: float) -> tuple[DrawnStroke, ...]:
     segments = [stroke for stroke in strokes if isinstance(stroke, Segment)]
     lines = [segment for segment in segments if segment.length > _DASH * tolerance]
     arcs = [

@@ -14,7 +14,7 @@ import numpy as np
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.tolerances import MEETING
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Arc, Segment
 
 _SAME = 0.05
@@ -37,7 +37,7 @@ def with_pieces_of_arcs(views: DrawnViews) -> DrawnViews:
     return replace(views, strokes=strokes)
 
 
-def is_piece(arc: Arc, strokes: Sequence[Curve], views: DrawnViews) -> bool:
+def is_piece(arc: Arc, strokes: Sequence[DrawnStroke], views: DrawnViews) -> bool:
     """Whether another arc of its view lies on the very circle of an arc, flat as both may be.
 
     Args:
@@ -48,7 +48,7 @@ def is_piece(arc: Arc, strokes: Sequence[Curve], views: DrawnViews) -> bool:
     return views.apart is None and _has_twin(arc, strokes, views.tolerance)
 
 
-def _has_twin(arc: Arc, strokes: Sequence[Curve], tolerance: float) -> bool:
+def _has_twin(arc: Arc, strokes: Sequence[DrawnStroke], tolerance: float) -> bool:
     for other in strokes:
         if isinstance(other, Arc) and other is not arc:
             away = hypot(arc.centre[0] - other.centre[0], arc.centre[1] - other.centre[1])
@@ -57,7 +57,7 @@ def _has_twin(arc: Arc, strokes: Sequence[Curve], tolerance: float) -> bool:
     return False
 
 
-def _with_pieces(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...]:
+def _with_pieces(strokes: Sequence[DrawnStroke], tolerance: float) -> tuple[DrawnStroke, ...]:
     """The strokes, pieces one after the other as well."""
     curves = list(strokes)
     left = [
@@ -79,14 +79,14 @@ def _with_pieces(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...
     return tuple(curves)
 
 
-def _may_be_piece(stroke: Curve, strokes: Sequence[Curve], tolerance: float) -> bool:
+def _may_be_piece(stroke: DrawnStroke, strokes: Sequence[DrawnStroke], tolerance: float) -> bool:
     if isinstance(stroke, Arc):
         rise = stroke.radius * (1.0 - np.cos(min(stroke.sweep, FULL_TURN) / 2.0))
         return bool(rise <= MEETING * tolerance) and not _has_twin(stroke, strokes, tolerance)
     return isinstance(stroke, Segment) and stroke.length > 0.0
 
 
-def _piece(stroke: Curve, arcs: Sequence[Arc], tolerance: float) -> Arc | None:
+def _piece(stroke: DrawnStroke, arcs: Sequence[Arc], tolerance: float) -> Arc | None:
     """The stroke as a part of the circle of an arc that it goes on from; None if there is none."""
     points = stroke.sample(stroke.length / 4.0)
     best, least = None, _SAME * tolerance

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Linetype, Segment
 
 _LINKS = 48
@@ -19,7 +19,7 @@ class StrokeFinder:
         strokes: mm of the view's plane.
     """
 
-    def __init__(self, strokes: Sequence[Curve]) -> None:
+    def __init__(self, strokes: Sequence[DrawnStroke]) -> None:
         starts, ends, owners = [], [], []
         for number, stroke in enumerate(strokes):
             if stroke.length <= 0.0:

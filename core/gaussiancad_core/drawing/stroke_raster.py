@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.dash_rhythm import dash_intervals
 from gaussiancad_core.drawing.sheet_style import Cap, SheetStyle
-from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, as_chain
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 
 Coverage = npt.NDArray[np.float32]
@@ -68,15 +68,13 @@ def draw_stroke(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> N
     elif isinstance(stroke, Arc):
         _draw_arc(ink, stroke, width, cap)
     elif isinstance(stroke, Ellipse):
-        _draw_chain(ink, as_chain(stroke, _CHORD), width, cap)
+        _draw_chain(ink, stroke.chords(_CHORD), width, Cap.ROUND if stroke.is_closed else cap)
     else:
-        _draw_chain(ink, stroke, width, cap)
+        _draw_chain(ink, np.array(stroke.points), width, Cap.ROUND if stroke.is_closed else cap)
 
 
-def _draw_chain(ink: Coverage, chain: Polyline, width: float, cap: Cap) -> None:
-    points = np.array(chain.points)
+def _draw_chain(ink: Coverage, points: npt.NDArray[np.float64], width: float, outer: Cap) -> None:
     last = len(points) - 2
-    outer = Cap.ROUND if chain.is_closed else cap
     for index in range(last + 1):
         # Chords meet round, which leaves neither notch nor lighter joint.
         caps = (outer if index == 0 else Cap.ROUND, outer if index == last else Cap.ROUND)
@@ -159,6 +157,5 @@ def _draw_arc(ink: Coverage, arc: Arc, width: float, cap: Cap) -> None:
         coverage = coverage * _within(-beyond)
     _unite(ink, rows, columns, coverage)
     if cap is Cap.ROUND and not arc.is_closed:
-        for angle in (arc.start_angle, arc.start_angle + arc.sweep):
-            point = centre + arc.radius * np.array([np.cos(angle), np.sin(angle)])
+        for point in arc.extremes()[:2]:
             _draw_segment(ink, np.stack([point, point]), width, (Cap.ROUND, Cap.ROUND))

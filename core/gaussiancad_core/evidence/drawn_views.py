@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.section_planes import Cut
@@ -37,7 +37,7 @@ class DrawnViews:
         about: the axis that the part is turned about, where no view looks along it.
     """
 
-    strokes: Mapping[Role, tuple[Curve, ...]]
+    strokes: Mapping[Role, tuple[DrawnStroke, ...]]
     size: tuple[float, float, float]
     tolerance: float
     apart: float | None = None
@@ -85,7 +85,7 @@ EXACT_TOLERANCE = 2e-6
 
 
 def exact_views(
-    strokes: Mapping[Role, Iterable[Curve]], size: tuple[float, float, float]
+    strokes: Mapping[Role, Iterable[DrawnStroke]], size: tuple[float, float, float]
 ) -> DrawnViews:
     """Views whose lines are exact: drawn from a solid, or read from a vector file."""
     return DrawnViews(

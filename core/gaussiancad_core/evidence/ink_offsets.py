@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import map_coordinates, uniform_filter1d
 
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
@@ -56,7 +56,7 @@ class InkOffset:
 
 
 def ink_offsets(
-    role: Role, lines: Iterable[Curve], placement: Placement, sheet: CleanSheet
+    role: Role, lines: Iterable[DrawnStroke], placement: Placement, sheet: CleanSheet
 ) -> list[InkOffset]:
     """How far the ink lies beside each visible line of a view, where it does so most.
 
@@ -78,7 +78,9 @@ def ink_offsets(
     return found
 
 
-def _offset(line: Curve, placement: Placement, sheet: CleanSheet) -> tuple[Floats, float] | None:
+def _offset(
+    line: DrawnStroke, placement: Placement, sheet: CleanSheet
+) -> tuple[Floats, float] | None:
     """The (2,) px where the ink lies farthest beside a line, and by how many px."""
     places, across = _places(line, placement)
     aside, stated = _centroids(places, across, sheet)
@@ -92,7 +94,7 @@ def _offset(line: Curve, placement: Placement, sheet: CleanSheet) -> tuple[Float
     return places[worst + half], float(means[worst])
 
 
-def _places(line: Curve, placement: Placement) -> tuple[Floats, Floats]:
+def _places(line: DrawnStroke, placement: Placement) -> tuple[Floats, Floats]:
     """(n, 2) px of places along a line, and (n, 2) unit vectors across it there."""
     # Chords this short miss a curve by less than what is measured.
     points = placement.to_sheet(line.sample(line.length / 400.0))

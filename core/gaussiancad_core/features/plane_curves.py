@@ -6,7 +6,7 @@ Coordinates are in hundredths of the part's longest extent, the units of
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from math import atan2, hypot, pi
+from math import hypot
 
 import numpy as np
 import numpy.typing as npt
@@ -210,10 +210,3 @@ def _spans(curve: LineOrCircle, stretch: Stretch) -> Iterator[Interval]:
         ends = (stretch.curve.at(at) for at in (stretch.low, stretch.high))
         low, high = sorted(curve.parameter(point) for point in ends)
     yield Interval(low, high, Linetype.VISIBLE, 1.0)
-
-
-def angle_between(start: Point, end: Point, centre: Point) -> float:
-    """Radians, counter-clockwise from one point to another around a centre; 0 to 2 pi."""
-    angles = (atan2(point[1] - centre[1], point[0] - centre[0]) for point in (start, end))
-    first, second = angles
-    return (second - first) % (2.0 * pi)

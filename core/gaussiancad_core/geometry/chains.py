@@ -8,6 +8,7 @@ import numpy as np
 
 from gaussiancad_core.geometry.points import Box, Point, Points, box_around, to_point
 from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.geometry.whole_curves import Line
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,12 @@ class LineSegment:
 
     is_closed = False
     """It does not end where it begins."""
+
+    @property
+    def carrier(self) -> Line:
+        """The line that it is a piece of, from start to end, which are two points."""
+        (x0, y0), (x1, y1), length = self.start, self.end, self.length
+        return Line(self.start, ((x1 - x0) / length, (y1 - y0) / length))
 
     @property
     def length(self) -> float:

@@ -2,11 +2,9 @@
 
 from collections.abc import Iterable
 
-import numpy as np
+from gaussiancad_core.geometry.points import FULL_TURN
 
 Interval = tuple[float, float]
-
-_TURN = 2.0 * np.pi
 
 
 def unite(intervals: Iterable[Interval], gap: float) -> list[Interval]:
@@ -42,17 +40,17 @@ def unite_on_circle(intervals: Iterable[Interval], gap: float) -> list[Interval]
     """
     flat: list[Interval] = []
     for low, high in intervals:
-        start = low % _TURN
+        start = low % FULL_TURN
         end = start + (high - low)
-        flat.append((start, min(end, _TURN)))
-        if end > _TURN:
-            flat.append((0.0, end - _TURN))
+        flat.append((start, min(end, FULL_TURN)))
+        if end > FULL_TURN:
+            flat.append((0.0, end - FULL_TURN))
     united = unite(flat, gap)
     if not united:
         return []
     first, last = united[0], united[-1]
-    if first[0] + _TURN <= last[1] + gap:
+    if first[0] + FULL_TURN <= last[1] + gap:
         if len(united) == 1:
-            return [(0.0, _TURN)]
-        united = [*united[1:-1], (last[0], first[1] + _TURN)]
+            return [(0.0, FULL_TURN)]
+        united = [*united[1:-1], (last[0], first[1] + FULL_TURN)]
     return united

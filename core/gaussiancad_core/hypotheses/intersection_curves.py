@@ -22,8 +22,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.tolerances import COMPUTED, SAME_READ, TELLING
 from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, axis_line, meetings
 from gaussiancad_core.hypotheses.revolution_candidates import find_bodies
-from gaussiancad_core.lines.line_points import Curve
-from gaussiancad_core.lines.strokes import Polyline
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points, role_plane
 from gaussiancad_core.model.views import Arc, Segment
@@ -156,7 +155,7 @@ class _Sights:
         curved = any(isinstance(surface.curve, Circle) for surface in self._surfaces)
         self._any_round = curved or bool(bodies)
 
-    def curve(self, stroke: Curve) -> Polyline | None:
+    def curve(self, stroke: DrawnStroke) -> Polyline | None:
         """The curve that a stroke follows, if there is one that it may stand for."""
         if not self._may_follow(stroke):
             return None
@@ -176,7 +175,7 @@ class _Sights:
         curve = led * np.array(role_plane(self._role).signs) / self._scale
         return Polyline(tuple(map(tuple, curve.tolist())), stroke.linetype)
 
-    def _may_follow(self, stroke: Curve) -> bool:
+    def _may_follow(self, stroke: DrawnStroke) -> bool:
         """Whether a stroke is none that tells its surface by itself."""
         if stroke.length * self._scale < TELLING * self._tolerance:
             return False
@@ -198,7 +197,7 @@ class _Sights:
                     return True
         return False
 
-    def _points(self, stroke: Curve, count: int) -> Points:
+    def _points(self, stroke: DrawnStroke, count: int) -> Points:
         points = stroke.sample(stroke.length / count)
         return plane_points(points, self._role, self._scale)
 

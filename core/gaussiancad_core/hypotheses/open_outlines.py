@@ -13,7 +13,7 @@ import numpy.typing as npt
 import shapely
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
 
@@ -83,7 +83,7 @@ def _undrawn(ends: npt.NDArray[np.float64]) -> Segment:
     return Segment(start, end, Linetype.VISIBLE, 0.0)
 
 
-def _closing(strokes: Sequence[Curve], reach: float) -> tuple[npt.NDArray[np.float64], ...]:
+def _closing(strokes: Sequence[DrawnStroke], reach: float) -> tuple[npt.NDArray[np.float64], ...]:
     lines = [
         _path(stroke)
         for stroke in strokes
@@ -100,7 +100,7 @@ def _closing(strokes: Sequence[Curve], reach: float) -> tuple[npt.NDArray[np.flo
     return tuple(islice(closing, _MOST_CLOSING))
 
 
-def _path(stroke: Curve) -> shapely.LineString:
+def _path(stroke: DrawnStroke) -> shapely.LineString:
     links = 1 if isinstance(stroke, Segment) else _LINKS
     return shapely.LineString(stroke.sample(stroke.length / links * (1.0 + 1e-9)))
 

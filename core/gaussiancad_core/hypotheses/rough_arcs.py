@@ -13,8 +13,7 @@ from math import cos, hypot, pi, sin
 import numpy as np
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.lines.line_points import Curve
-from gaussiancad_core.lines.strokes import Polyline
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points, role_plane
 from gaussiancad_core.model.views import Arc, Segment
@@ -75,7 +74,7 @@ def _is_rough(stroke: Arc, role: Role, views: DrawnViews, levels: dict[Axis, np.
     )
 
 
-def _is_concentric(arc: Arc, strokes: tuple[Curve, ...], tolerance: float) -> bool:
+def _is_concentric(arc: Arc, strokes: tuple[DrawnStroke, ...], tolerance: float) -> bool:
     """Whether another circle has the same centre."""
     return any(
         isinstance(stroke, Arc)
@@ -110,7 +109,7 @@ def _is_same(
     )
 
 
-def _is_smooth(arc: Arc, strokes: tuple[Curve, ...], tolerance: float) -> bool:
+def _is_smooth(arc: Arc, strokes: tuple[DrawnStroke, ...], tolerance: float) -> bool:
     """Whether an arc passes smoothly into another stroke at one of its ends."""
     for angle in (arc.start_angle, arc.start_angle + arc.sweep):
         x, y = cos(angle), sin(angle)
@@ -125,7 +124,7 @@ def _is_smooth(arc: Arc, strokes: tuple[Curve, ...], tolerance: float) -> bool:
 
 
 def _ways(
-    stroke: Curve, end: tuple[float, float], tolerance: float
+    stroke: DrawnStroke, end: tuple[float, float], tolerance: float
 ) -> Iterator[tuple[float, float]]:
     """Unit directions of a line or arc where it ends at a point."""
     if isinstance(stroke, Segment):

@@ -11,6 +11,7 @@ from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Edge
 
 from gaussiancad_core.geometry.line_tolerances import Precision
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.axes import ViewFrame
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -20,7 +21,6 @@ _ANGULAR = 0.05
 _DISTINCT = 1e-3
 _SECTIONS = 24
 _GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
-_TURN = 2.0 * np.pi
 
 
 def project_edge(
@@ -122,7 +122,7 @@ def _with_turning_points(
     ]
     first, last = parameters[0], parameters[-1]
     turning = np.arctan2(towards[1], towards[0]) + np.pi * np.arange(-5, 6)
-    turning = first + np.mod(turning - first, _TURN)
+    turning = first + np.mod(turning - first, FULL_TURN)
     return np.concatenate([[first, last], turning[turning < last]])
 
 
@@ -180,9 +180,9 @@ def _refined_angles(
 
     def angle(at: float) -> float:
         offset = _flat(curve, plane, at) - centre
-        return float((np.arctan2(offset[1], offset[0]) - middle + np.pi) % _TURN)
+        return float((np.arctan2(offset[1], offset[0]) - middle + np.pi) % FULL_TURN)
 
-    if high - low > _TURN - 0.2:
+    if high - low > FULL_TURN - 0.2:
         return low, high
     refined_low = -_largest(lambda at: -angle(at), parameters)
     return refined_low + middle - np.pi, _largest(angle, parameters) + middle - np.pi
@@ -195,7 +195,7 @@ def _arc(
     high: float,
     linetype: Linetype,
 ) -> Arc:
-    return Arc(_pair(centre), float(radius), low % _TURN, min(high - low, _TURN), linetype)
+    return Arc(_pair(centre), float(radius), low % FULL_TURN, min(high - low, FULL_TURN), linetype)
 
 
 def _chain(

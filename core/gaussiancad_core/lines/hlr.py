@@ -29,7 +29,7 @@ from gaussiancad_core.lines.smooth_silhouettes import silhouettes
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.lines.traced_silhouettes import SplineSilhouettes
 from gaussiancad_core.lines.visibility import RayTest
-from gaussiancad_core.lines.visible_intervals import Line, decided
+from gaussiancad_core.lines.visible_intervals import ProjectedLine, decided
 from gaussiancad_core.model.axes import Role, ViewFrame
 from gaussiancad_core.model.views import Linetype
 
@@ -92,15 +92,15 @@ class LineDrawing:
         drawn = decided(lines, witness, self._precision, self._options.tangent_edges)
         return clean_strokes(drawn, self._precision)
 
-    def _lines(self, frame: ViewFrame) -> list[Line]:
+    def _lines(self, frame: ViewFrame) -> list[ProjectedLine]:
         """What may be drawn in a view, each line once."""
-        singles: list[Line] = []
+        singles: list[ProjectedLine] = []
         for edge in self._edges(frame):
             stroke = project_edge(edge, frame, Linetype.VISIBLE, self._precision)
             if stroke is not None:
-                singles.append(Line(stroke, BRep_Tool.Tolerance_s(edge)))
+                singles.append(ProjectedLine(stroke, BRep_Tool.Tolerance_s(edge)))
         chains = self._splines.view(frame, self._precision.chord)
-        singles += [Line(chain, 0.0) for chain in chains]
+        singles += [ProjectedLine(chain, 0.0) for chain in chains]
         # Sight lines stand closer to a line than two lines have to be to count as one in the end.
         exact = replace(self._precision, cover=_BESIDE * self._extent)
         strokes = distinct_strokes((line.stroke for line in singles), exact)
@@ -121,8 +121,8 @@ class LineDrawing:
 
 
 def with_slack(
-    strokes: Sequence[DrawnStroke], loose: Sequence[Line], tolerance: float
-) -> list[Line]:
+    strokes: Sequence[DrawnStroke], loose: Sequence[ProjectedLine], tolerance: float
+) -> list[ProjectedLine]:
     """The strokes as lines, with the slack of the loosest edges that they run along.
 
     Args:
@@ -140,7 +140,7 @@ def with_slack(
             for other in index.near(stroke, tolerance)
             if other.distances(middle)[0] <= tolerance
         ]
-        lines.append(Line(stroke, max(items, default=0.0)))
+        lines.append(ProjectedLine(stroke, max(items, default=0.0)))
     return lines
 
 

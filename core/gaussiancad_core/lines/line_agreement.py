@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.lines.line_points import Curve, Lines, lines_of_strokes
+from gaussiancad_core.lines.line_points import Lines, lines_of_strokes
+from gaussiancad_core.lines.strokes import DrawnStroke
 
 STEPS_PER_TOLERANCE = 4.0
 """Strokes become points this much closer than the tolerance: distances are then good to 0.8 %."""
@@ -82,7 +83,7 @@ def agreeing_share(matches: Iterable[MatchedLines]) -> float:
     return agreeing / total if total else 0.0
 
 
-def match_lines(strokes: Iterable[Curve], result: Lines, tolerance: float) -> MatchedLines:
+def match_lines(strokes: Iterable[DrawnStroke], result: Lines, tolerance: float) -> MatchedLines:
     """Match a result's lines with the sheet's strokes.
 
     Args:

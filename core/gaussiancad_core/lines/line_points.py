@@ -2,30 +2,16 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Linetype
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
-
-
-class Curve(Protocol):
-    """What a stroke must be able to do to become points; segments, arcs and polylines can."""
-
-    @property
-    def linetype(self) -> Linetype:
-        """Visible or hidden."""
-
-    @property
-    def length(self) -> float:
-        """In mm."""
-
-    def sample(self, step: float) -> npt.NDArray[np.float64]:
-        """(n, 2) even points at most ``step`` apart, both ends included."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +69,7 @@ def tree_of(points: npt.NDArray[np.float64]) -> "cKDTree":
     return cKDTree(points, balanced_tree=False, compact_nodes=False)
 
 
-def lines_of_strokes(strokes: Iterable[Curve], step: float) -> Lines:
+def lines_of_strokes(strokes: Iterable[DrawnStroke], step: float) -> Lines:
     """Strokes in mm as points at the middles of equal pieces, at most ``step`` mm long."""
     found: dict[Linetype, list[LinePoints]] = {linetype: [] for linetype in Linetype}
     for stroke in strokes:

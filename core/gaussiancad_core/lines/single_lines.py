@@ -6,10 +6,7 @@ distance (:mod:`gaussiancad_core.lines.coverage`).
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
-
-import numpy as np
-import numpy.typing as npt
+from math import hypot
 
 from gaussiancad_core.geometry.intervals import (
     Interval,
@@ -18,48 +15,14 @@ from gaussiancad_core.geometry.intervals import (
     unite_on_circle,
 )
 from gaussiancad_core.geometry.line_tolerances import Precision
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.lines.coverage import StrokeIndex, uncovered
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
-_TURN = 2.0 * np.pi
-
-
-@dataclass
-class _Line:
-    """A straight support: base point, unit direction, and the intervals drawn along it."""
-
-    base: npt.NDArray[np.float64]
-    direction: npt.NDArray[np.float64]
-    intervals: dict[Linetype, list[Interval]] = field(
-        default_factory=lambda: {kind: [] for kind in Linetype}
-    )
-
-    def along(self, point: tuple[float, float]) -> float:
-        return float((np.array(point) - self.base) @ self.direction)
-
-    def distance(self, point: tuple[float, float]) -> float:
-        offset = np.array(point) - self.base
-        return float(abs(offset[0] * self.direction[1] - offset[1] * self.direction[0]))
-
-    def point(self, at: float) -> tuple[float, float]:
-        point = self.base + at * self.direction
-        return float(point[0]), float(point[1])
-
-
-@dataclass
-class _Circle:
-    """A circular support: centre, radius, and the angles drawn along it."""
-
-    centre: tuple[float, float]
-    radius: float
-    intervals: dict[Linetype, list[Interval]] = field(
-        default_factory=lambda: {kind: [] for kind in Linetype}
-    )
-
-    def holds(self, arc: Arc, tolerance: float) -> bool:
-        apart = np.hypot(arc.centre[0] - self.centre[0], arc.centre[1] - self.centre[1])
-        return bool(apart + abs(arc.radius - self.radius) < tolerance)
+_Intervals = dict[Linetype, list[Interval]]
+"""What is drawn along a support: lengths of a line, angles of a circle."""
 
 
 def distinct_strokes(
@@ -114,76 +77,68 @@ def _merged(strokes: Iterable[DrawnStroke], precision: Precision) -> list[DrawnS
     tolerance = 4.0 * precision.fit
     # Long pieces define the supports: the direction of a short one says little.
     pieces = sorted(strokes, key=lambda piece: -piece.length)
-    lines = _line_supports([p for p in pieces if isinstance(p, Segment)], tolerance)
+    segments = [p for p in pieces if isinstance(p, Segment) and p.length > 0.0]
+    lines = _line_supports(segments, tolerance)
     circles = _circle_supports([p for p in pieces if isinstance(p, Arc)], tolerance)
     merged: list[DrawnStroke] = []
-    for line in lines:
-        merged.extend(_line_strokes(line, precision.fragment))
-    for circle in circles:
-        merged.extend(_circle_strokes(circle, precision.fragment))
+    for line, drawn in lines.items():
+        merged.extend(_line_strokes(line, drawn, precision.fragment))
+    for circle, drawn in circles.items():
+        merged.extend(_circle_strokes(circle, drawn, precision.fragment))
     return merged + [piece for piece in pieces if isinstance(piece, Polyline)]
 
 
-def _line_supports(pieces: list[Segment], tolerance: float) -> list[_Line]:
-    supports: list[_Line] = []
+def _line_supports(pieces: list[Segment], tolerance: float) -> dict[Line, _Intervals]:
+    supports: dict[Line, _Intervals] = {}
     for piece in pieces:
-        support = next(
-            (
-                line
-                for line in supports
-                if line.distance(piece.start) < tolerance and line.distance(piece.end) < tolerance
-            ),
-            None,
-        )
-        if support is None:
-            base = np.array(piece.start)
-            direction = (np.array(piece.end) - base) / piece.length
-            support = _Line(base, direction)
-            supports.append(support)
-        ends = sorted((support.along(piece.start), support.along(piece.end)))
-        support.intervals[piece.linetype].append((ends[0], ends[1]))
+        ends = piece.start, piece.end
+        holding = (line for line in supports if max(map(line.distance, ends)) < tolerance)
+        line = next(holding, piece.carrier)
+        intervals = supports.setdefault(line, {kind: [] for kind in Linetype})
+        low, high = sorted(map(line.parameter, ends))
+        intervals[piece.linetype].append((low, high))
     return supports
 
 
-def _line_strokes(line: _Line, fragment: float) -> list[Segment]:
-    visible = unite(line.intervals[Linetype.VISIBLE], fragment)
-    hidden = subtract(unite(line.intervals[Linetype.HIDDEN], fragment), visible)
+def _line_strokes(line: Line, drawn: _Intervals, fragment: float) -> list[Segment]:
+    visible = unite(drawn[Linetype.VISIBLE], fragment)
+    hidden = subtract(unite(drawn[Linetype.HIDDEN], fragment), visible)
     return [
-        Segment(line.point(low), line.point(high), linetype)
-        for linetype, intervals in (
-            (Linetype.VISIBLE, visible),
-            (Linetype.HIDDEN, hidden),
-        )
+        Segment(line.at(low), line.at(high), linetype)
+        for linetype, intervals in ((Linetype.VISIBLE, visible), (Linetype.HIDDEN, hidden))
         for low, high in intervals
         if high - low >= fragment
     ]
 
 
-def _circle_supports(pieces: list[Arc], tolerance: float) -> list[_Circle]:
-    supports: list[_Circle] = []
+def _circle_supports(pieces: list[Arc], tolerance: float) -> dict[Circle, _Intervals]:
+    supports: dict[Circle, _Intervals] = {}
     for piece in pieces:
-        support = next((circle for circle in supports if circle.holds(piece, tolerance)), None)
-        if support is None:
-            support = _Circle(piece.centre, piece.radius)
-            supports.append(support)
-        support.intervals[piece.linetype].append(
-            (piece.start_angle, piece.start_angle + piece.sweep)
+        holding = (circle for circle in supports if _apart(circle, piece.carrier) < tolerance)
+        intervals = supports.setdefault(
+            next(holding, piece.carrier), {kind: [] for kind in Linetype}
         )
+        intervals[piece.linetype].append((piece.start_angle, piece.start_angle + piece.sweep))
     return supports
 
 
-def _circle_strokes(circle: _Circle, fragment: float) -> list[Arc]:
+def _apart(one: Circle, other: Circle) -> float:
+    """The farthest that two circles are from each other."""
+    away = hypot(one.centre[0] - other.centre[0], one.centre[1] - other.centre[1])
+    return away + abs(one.radius - other.radius)
+
+
+def _circle_strokes(circle: Circle, drawn: _Intervals, fragment: float) -> list[Arc]:
     gap = fragment / circle.radius
-    visible = unite_on_circle(circle.intervals[Linetype.VISIBLE], gap)
+    visible = unite_on_circle(drawn[Linetype.VISIBLE], gap)
     # The visible angles are repeated a turn further on, where hidden ones may run over zero.
-    turned = [(low + turn, high + turn) for low, high in visible for turn in (-_TURN, 0.0, _TURN)]
-    hidden = subtract(unite_on_circle(circle.intervals[Linetype.HIDDEN], gap), unite(turned, gap))
+    turned = [
+        (low + turn, high + turn) for low, high in visible for turn in (-FULL_TURN, 0.0, FULL_TURN)
+    ]
+    hidden = subtract(unite_on_circle(drawn[Linetype.HIDDEN], gap), unite(turned, gap))
     return [
-        Arc(circle.centre, circle.radius, low % _TURN, min(high - low, _TURN), linetype)
-        for linetype, intervals in (
-            (Linetype.VISIBLE, visible),
-            (Linetype.HIDDEN, hidden),
-        )
+        Arc(circle.centre, circle.radius, low % FULL_TURN, min(high - low, FULL_TURN), linetype)
+        for linetype, intervals in ((Linetype.VISIBLE, visible), (Linetype.HIDDEN, hidden))
         for low, high in intervals
         if high - low >= gap
     ]

@@ -3,13 +3,12 @@
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.lines.coverage import StrokeIndex
-from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, as_chain
+from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Arc, Ellipse, Segment
 
 Points = npt.NDArray[np.float64]
-
-_TURN = 2.0 * np.pi
 
 _CHORD = 1e-5
 """Share of its longer half axis at which an ellipse's chords may lie beside it."""
@@ -45,18 +44,16 @@ def _meet(one: DrawnStroke, other: DrawnStroke, tolerance: float) -> Points:
 
 
 def _vertices(stroke: Segment | Ellipse | Polyline) -> Points:
-    if isinstance(stroke, Segment):
-        return np.array([stroke.start, stroke.end])
     if isinstance(stroke, Ellipse):
-        return np.array(as_chain(stroke, _CHORD * stroke.semi_major).points)
-    return np.array(stroke.points)
+        return stroke.chords(_CHORD * stroke.semi_major)
+    return stroke.vertices(np.inf)
 
 
 def _angles_along(points: Points, arc: Arc) -> Points:
     """(n,) angles from the arc's start, those just before it negative."""
     offsets = points - np.array(arc.centre)
-    turn = np.mod(np.arctan2(offsets[:, 1], offsets[:, 0]) - arc.start_angle, _TURN)
-    return np.where(turn > arc.sweep / 2.0 + np.pi, turn - _TURN, turn)
+    turn = np.mod(np.arctan2(offsets[:, 1], offsets[:, 0]) - arc.start_angle, FULL_TURN)
+    return np.where(turn > arc.sweep / 2.0 + np.pi, turn - FULL_TURN, turn)
 
 
 def _on_arc(points: Points, arc: Arc, tolerance: float) -> npt.NDArray[np.bool_]:

@@ -11,7 +11,6 @@ import numpy as np
 
 from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.geometry.ellipses import ellipse_through
-from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 
@@ -82,9 +81,3 @@ def _ellipse_along(chain: Polyline) -> Ellipse | None:
     axes = found.semi_major, found.semi_minor, found.rotation
     turn = min(sweep, 2.0 * np.pi)
     return Ellipse(found.centre, *axes, first, turn, chain.linetype, chain.confidence)
-
-
-def as_chain(ellipse: Ellipse, chord: float) -> Polyline:
-    """A fine chain along an ellipse, at most ``chord`` beside it."""
-    points = tuple(to_point(point) for point in ellipse.chords(chord))
-    return Polyline(points, ellipse.linetype, ellipse.confidence)

@@ -55,7 +55,7 @@ class _Spot:
 
 
 @dataclass(frozen=True)
-class Line:
+class ProjectedLine:
     """A line that may be drawn.
 
     Attributes:
@@ -71,7 +71,11 @@ class _Decider:
     """Looks at spots of the lines of one view."""
 
     def __init__(
-        self, lines: Sequence[Line], witness: RayTest, precision: Precision, tangent_edges: bool
+        self,
+        lines: Sequence[ProjectedLine],
+        witness: RayTest,
+        precision: Precision,
+        tangent_edges: bool,
     ) -> None:
         self._strokes = [line.stroke for line in lines]
         self._slacks = np.array([line.slack for line in lines])
@@ -151,7 +155,7 @@ class _Decider:
 
 
 def decided(
-    lines: Sequence[Line], witness: RayTest, precision: Precision, tangent_edges: bool
+    lines: Sequence[ProjectedLine], witness: RayTest, precision: Precision, tangent_edges: bool
 ) -> list[DrawnStroke]:
     """The parts of lines that are visible or hidden, with their linetypes.
 

@@ -19,6 +19,7 @@ from ezdxf.filemanagement import new
 from ezdxf.layouts.blocklayout import BlockLayout
 from ezdxf.version import __version__
 
+from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.readings.reading_schema import SheetReading, StrokeEntry, ViewEntry
 from gaussiancad_core.readings.stroke_anchors import points_of
@@ -29,7 +30,6 @@ SVG_FILE = "lines.svg"
 
 UNKNOWN_SIZE = "lengths are px of the sheet: its scale is not known"
 
-_FULL_TURN = 2.0 * pi
 _WHOLE = 1e-6
 """Radians that a whole turn may lack."""
 
@@ -235,7 +235,7 @@ def _draw(
     elif stroke.arc is not None:
         x, y, radius, start, sweep = stroke.arc
         radius = round(unit * radius, _DECIMALS)
-        if sweep >= _FULL_TURN - _WHOLE:
+        if sweep >= FULL_TURN - _WHOLE:
             block.add_circle(place(x, y), radius, dxfattribs=look)
         else:
             ends = degrees(-start - sweep) % 360.0, degrees(-start) % 360.0
@@ -243,8 +243,8 @@ def _draw(
     elif stroke.ellipse is not None:
         x, y, major, minor, rotation, start, sweep = stroke.ellipse
         way = unit * major * cos(rotation), -unit * major * sin(rotation)
-        whole = sweep >= _FULL_TURN - _WHOLE
-        ends = (0.0, _FULL_TURN) if whole else (-start - sweep, -start)
+        whole = sweep >= FULL_TURN - _WHOLE
+        ends = (0.0, FULL_TURN) if whole else (-start - sweep, -start)
         block.add_ellipse(place(x, y), way, minor / major, *ends, dxfattribs=look)
 
 
@@ -261,7 +261,7 @@ def _path(stroke: StrokeEntry, unit: float) -> str:
         _, _, major, minor, turned, _, sweep = stroke.ellipse
         radii = major, minor
     shape = f"A {_number(unit * radii[0])} {_number(unit * radii[1])} {_number(degrees(turned))}"
-    if hypot(x1 - x0, y1 - y0) < _WHOLE * unit or sweep >= _FULL_TURN - _WHOLE:
+    if hypot(x1 - x0, y1 - y0) < _WHOLE * unit or sweep >= FULL_TURN - _WHOLE:
         # A whole turn has no ends: SVG draws a little less than half of it, and then the rest.
         x, y = points[(len(points) - 1) // 2]
         less = f"{shape} 0 1 {_number(x)} {_number(y)}"

@@ -13,7 +13,7 @@ import numpy.typing as npt
 import shapely
 
 from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, line_through
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import plane_points
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -96,7 +96,7 @@ class PlaneLine:
         return replace(self, points=self.points[:, ::-1].copy(), circle=circle)
 
 
-def plane_lines(strokes: Iterable[Curve], role: Role) -> list[PlaneLine]:
+def plane_lines(strokes: Iterable[DrawnStroke], role: Role) -> list[PlaneLine]:
     """The strokes of a view in the coordinates of its plane.
 
     Args:
@@ -159,7 +159,7 @@ def profile_along(area: shapely.Polygon, lines: Iterable[PlaneLine], grid: float
     return Profile(shapely.geometry.polygon.orient(area), arcs, _ON_ARC * grid)
 
 
-def _points(stroke: Curve) -> Floats:
+def _points(stroke: DrawnStroke) -> Floats:
     if isinstance(stroke, Segment):
         return np.array([stroke.start, stroke.end])
     if isinstance(stroke, Arc):

@@ -28,7 +28,8 @@ from gaussiancad_core.lines.line_agreement import (
     agreeing_share,
     match_lines,
 )
-from gaussiancad_core.lines.line_points import Curve, LinePoints, Lines, lines_of_strokes, tree_of
+from gaussiancad_core.lines.line_points import LinePoints, Lines, lines_of_strokes, tree_of
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
 
@@ -131,7 +132,7 @@ class Verification:
     apart: bool
     thin: int = 0
     retold: bool = False
-    lines: Mapping[Role, tuple[Curve, ...]] = field(default_factory=dict)
+    lines: Mapping[Role, tuple[DrawnStroke, ...]] = field(default_factory=dict)
     areas: Mapping[Role, float] = field(default_factory=dict)
 
     @property
@@ -260,7 +261,7 @@ def _misfit(shape: TopoDS_Shape, views: DrawnViews) -> float:
     return float(np.abs(bounding_box(shape) - sides).max())
 
 
-def _spread(strokes: Iterable[Curve], result: Lines, tolerance: float, least: float) -> float:
+def _spread(strokes: Iterable[DrawnStroke], result: Lines, tolerance: float, least: float) -> float:
     """mm that the stroke of a view runs beside the solid's lines which does so most.
 
     What counts is where most of a stroke runs: ends are known less exactly.
@@ -277,7 +278,7 @@ def _spread(strokes: Iterable[Curve], result: Lines, tolerance: float, least: fl
     return worst
 
 
-def _is_askew(strokes: Iterable[Curve], result: Lines, least: float) -> bool:
+def _is_askew(strokes: Iterable[DrawnStroke], result: Lines, least: float) -> bool:
     """Whether a straight stroke of some length runs across all lines of the solid that are near."""
     kinds = {Linetype.VISIBLE: result.visible, Linetype.HIDDEN: result.hidden}
     trees = {kind: tree_of(lines.points) for kind, lines in kinds.items() if len(lines.points) > 1}

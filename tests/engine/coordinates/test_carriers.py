@@ -14,7 +14,7 @@ from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merg
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.whole_curves import Circle, Line
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import UNITS
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
@@ -34,7 +34,7 @@ def _box(width: float, height: float) -> list[Segment]:
     return _chain((0, 0), (width, 0), (width, height), (0, height), (0, 0))
 
 
-def _front(strokes: list[Curve], tolerance: float | None = None) -> PlaneCarriers:
+def _front(strokes: list[DrawnStroke], tolerance: float | None = None) -> PlaneCarriers:
     views = exact_views({Role.FRONT: strokes}, _SIZE)
     if tolerance:
         views = DrawnViews(views.strokes, _SIZE, tolerance)

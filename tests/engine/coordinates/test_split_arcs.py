@@ -10,7 +10,7 @@ from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.coordinates.split_arcs import is_piece, with_pieces_of_arcs
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.whole_curves import Circle
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
@@ -27,16 +27,16 @@ def _chord(low: float, high: float, linetype: Linetype = Linetype.VISIBLE) -> Se
     return Segment(_at(low), _at(high), linetype)
 
 
-def _views(*strokes: Curve) -> DrawnViews:
+def _views(*strokes: DrawnStroke) -> DrawnViews:
     return DrawnViews({Role.FRONT: strokes}, (100.0, 100.0, 100.0), _TOLERANCE)
 
 
-def _after(*strokes: Curve) -> Sequence[Curve]:
+def _after(*strokes: DrawnStroke) -> Sequence[DrawnStroke]:
     views = with_pieces_of_arcs(_views(*strokes))
     return views.strokes[Role.FRONT]
 
 
-def _assert_of_arc(piece: Curve, low: float, high: float) -> None:
+def _assert_of_arc(piece: DrawnStroke, low: float, high: float) -> None:
     assert isinstance(piece, Arc)
     assert (piece.centre, piece.radius) == (_ARC.centre, _ARC.radius)
     assert (piece.start_angle, piece.sweep) == pytest.approx((low, high - low))
@@ -80,7 +80,7 @@ def test_a_flat_arc_between_the_parts_of_another_is_of_its_circle() -> None:
     ],
     ids=["tangent", "flat", "apart", "other arc"],
 )
-def test_other_strokes_stay(stroke: Curve) -> None:
+def test_other_strokes_stay(stroke: DrawnStroke) -> None:
     assert _after(_ARC, stroke) == (_ARC, stroke)
 
 

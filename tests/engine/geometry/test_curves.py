@@ -151,6 +151,12 @@ def test_parts_of_closed_chains_may_go_over_the_start() -> None:
     np.testing.assert_allclose(corner.points, [(0.0, 2.0), (0.0, 0.0), (1.0, 0.0)], atol=1e-12)
 
 
+@given(st.one_of(segments.filter(lambda piece: piece.length > 1e-3), arcs, ellipses))
+def test_a_piece_lies_on_its_carrier(curve: LineSegment | CircularArc | EllipticArc) -> None:
+    away = curve.carrier.distances(curve.vertices(curve.length / 9.0))
+    np.testing.assert_allclose(away, 0.0, atol=1e-9 * max(1.0, curve.length))
+
+
 def test_closed_curves_are_known() -> None:
     assert SQUARE.is_closed
     assert CircularArc((0.0, 0.0), 1.0, 2.0, FULL_TURN).is_closed

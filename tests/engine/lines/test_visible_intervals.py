@@ -5,7 +5,7 @@ from gaussiancad_core.geometry.line_tolerances import Precision
 from gaussiancad_core.kernel.solid_rays import SightLines
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.lines.visibility import RayTest, Visibility
-from gaussiancad_core.lines.visible_intervals import Line, decided
+from gaussiancad_core.lines.visible_intervals import ProjectedLine, decided
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.samples.modelling import box, fuse
@@ -17,7 +17,7 @@ PART = fuse(box((0, 20, 0), (60, 40, 30)), box((10, 0, 0), (30, 20, 18)))
 
 def _decided(strokes: list[DrawnStroke], role: Role = Role.REAR) -> list[tuple]:
     witness = RayTest(SightLines(PART, role.frame, 1e-6), role.frame, 1e-3)
-    found = decided([Line(stroke, 0.0) for stroke in strokes], witness, PRECISION, False)
+    found = decided([ProjectedLine(stroke, 0.0) for stroke in strokes], witness, PRECISION, False)
     return [
         (round(stroke.start[0], 2), round(stroke.end[0], 2), stroke.linetype) for stroke in found
     ]
@@ -60,14 +60,14 @@ class _Fickle(RayTest):
 
 
 def test_a_single_dissenter_is_overruled() -> None:
-    line = Line(Segment((0.0, 0.0), (100.0, 0.0), V), 0.0)
+    line = ProjectedLine(Segment((0.0, 0.0), (100.0, 0.0), V), 0.0)
     fickle = _Fickle((43.8, 0.0), 1.0)
     (stroke,) = decided([line], fickle, PRECISION, False)
     assert (stroke.linetype, stroke.length) == (V, pytest.approx(100.0))
 
 
 def test_a_real_change_is_found_by_bisection() -> None:
-    line = Line(Segment((0.0, 0.0), (100.0, 0.0), V), 0.0)
+    line = ProjectedLine(Segment((0.0, 0.0), (100.0, 0.0), V), 0.0)
     strokes = decided([line], _Fickle((43.8, 0.0), 20.0), PRECISION, False)
     assert [stroke.linetype for stroke in strokes] == [V, H, V]
     assert strokes[1].start[0] == pytest.approx(23.8, abs=0.01)
@@ -75,7 +75,7 @@ def test_a_real_change_is_found_by_bisection() -> None:
 
 
 def test_a_run_over_the_start_of_a_circle_is_one() -> None:
-    line = Line(Arc((0.0, 0.0), 50.0, 0.0, 2 * np.pi, V), 0.0)
+    line = ProjectedLine(Arc((0.0, 0.0), 50.0, 0.0, 2 * np.pi, V), 0.0)
     strokes = decided([line], _Fickle((-50.0, 0.0), 40.0), PRECISION, False)
     assert sorted(stroke.linetype.value for stroke in strokes) == ["hidden", "visible"]
     visible = next(stroke for stroke in strokes if stroke.linetype is V)

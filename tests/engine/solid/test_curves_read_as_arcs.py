@@ -10,7 +10,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.coordinates.point_chains import chain_distances, single_runs
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import moved_to_origin, soundness
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
@@ -24,7 +24,7 @@ _FLAT = 0.6
 """px of rise below which a curve is read as a straight line."""
 
 
-def _read(curve: Curve) -> list[Curve]:
+def _read(curve: DrawnStroke) -> list[DrawnStroke]:
     """Curves that are neither segments nor arcs as those through both ends and the middle.
 
     What runs out and back along one way is drawn once.
@@ -35,7 +35,7 @@ def _read(curve: Curve) -> list[Curve]:
     return [stroke for run in single_runs(points, 0.01) for stroke in _parts(np.array(run), curve)]
 
 
-def _parts(points: np.ndarray, curve: Curve) -> list[Curve]:
+def _parts(points: np.ndarray, curve: DrawnStroke) -> list[DrawnStroke]:
     """As few halves, quarters and so on as follow points to a pixel."""
     fitted = _fitted(points, curve.linetype)
     off = chain_distances(fitted.sample(fitted.length / 256.0), points).max()
@@ -45,7 +45,7 @@ def _parts(points: np.ndarray, curve: Curve) -> list[Curve]:
     return [*_parts(points[: half + 1], curve), *_parts(points[half:], curve)]
 
 
-def _fitted(points: np.ndarray, linetype: Linetype) -> Curve:
+def _fitted(points: np.ndarray, linetype: Linetype) -> DrawnStroke:
     """The arc, or line, through both ends and the middle of points."""
     (ax, ay), (bx, by), (cx, cy) = (points[k].tolist() for k in (0, len(points) // 2, -1))
     rise = abs((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / np.hypot(cx - ax, cy - ay)

@@ -13,7 +13,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import faces_of, moved_to_origin, soundness, volume
-from gaussiancad_core.lines.line_points import Curve
+from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role, Vector
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.samples.classed import PartClass, classed_part
@@ -139,7 +139,7 @@ def test_a_tip_is_where_edges_cross(drawn: Draw, iou: Callable[..., float]) -> N
     views = drawn(pyramid)
     off = {Role.FRONT: 0.0006, Role.RIGHT: -0.0013}
 
-    def read(role: Role, curves: Sequence[Curve]) -> tuple[Curve, ...]:
+    def read(role: Role, curves: Sequence[DrawnStroke]) -> tuple[DrawnStroke, ...]:
         if role is Role.TOP:
             outline = [s for s in curves if min(np.abs(np.subtract(s.end, s.start))) < 1.0]
             diagonals = [((0.0, 0.0), (40.0, 40.0)), ((0.0, 40.0), (40.0, 0.0))]

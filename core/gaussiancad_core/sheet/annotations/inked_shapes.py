@@ -76,8 +76,4 @@ def inked_shape(
 def points_along(geometry: Line | Circle, run: Run, step: float) -> npt.NDArray[np.float64]:
     """(n, 2) px along a run, both ends included."""
     along = np.linspace(run.start, run.end, max(2, int(np.ceil(run.length / step)) + 1))
-    if isinstance(geometry, Line):
-        return np.array(geometry.point) + along[:, None] * np.array(geometry.direction)
-    angles = along / geometry.radius
-    radial = np.stack([np.cos(angles), np.sin(angles)], 1)
-    return np.array(geometry.centre) + geometry.radius * radial
+    return geometry.points_at(along)

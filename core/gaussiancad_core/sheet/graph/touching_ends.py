@@ -8,7 +8,7 @@ import numpy.typing as npt
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.chains import LineSegment, chain_distances
 from gaussiancad_core.geometry.curves import Curve
 
 Floats = npt.NDArray[np.float64]
@@ -94,7 +94,7 @@ def touching(curves: Sequence[Curve], reach: float) -> Touches:
         near = order[slice(*np.searchsorted(columns, (x0, x1)))]
         rows = places[near, 1]
         near = near[(rows >= y0) & (rows <= y1) & (near // 2 != index)]
-        near = near[_distances(places[near], points) <= reach]
+        near = near[chain_distances(places[near], points) <= reach]
         found_ends.append(near)
         found_others.append(np.full(len(near), index))
     empty = [np.empty(0, np.int64)]
@@ -104,14 +104,3 @@ def touching(curves: Sequence[Curve], reach: float) -> Touches:
 
 def _chords(curve: Curve) -> Floats:
     return curve.vertices(np.inf if isinstance(curve, LineSegment) else _CHORD)
-
-
-def _distances(places: Floats, chords: Floats) -> Floats:
-    """(n,) px between places (n, 2) and the chain through points (m, 2)."""
-    if not len(places):
-        return np.empty(0)
-    start, way = chords[:-1], np.diff(chords, axis=0)
-    squares = np.maximum((way**2).sum(axis=1), 1e-12)
-    share = np.clip(((places[:, None] - start) * way).sum(axis=2) / squares, 0.0, 1.0)
-    neighbour = places[:, None] - start - share[..., None] * way
-    return np.hypot(neighbour[..., 0], neighbour[..., 1]).min(axis=1)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.files.vectors import VectorDrawing
-from gaussiancad_core.geometry.chains import LineSegment as StraightLine
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.shape_growth import Grown
@@ -135,7 +135,7 @@ def grown_lines(shapes: Sequence[Grown]) -> tuple[Floats, Floats]:
 
 def file_directions(drawing: VectorDrawing) -> tuple[Floats, Floats]:
     """The same of the longest straight lines of a file."""
-    lines = [stroke.curve for stroke in drawing.strokes if isinstance(stroke.curve, StraightLine)]
+    lines = [stroke.curve for stroke in drawing.strokes if isinstance(stroke.curve, LineSegment)]
     ends = np.array([(line.start, line.end) for line in lines]).reshape(-1, 2, 2)
     ways = ends[:, 1] - ends[:, 0]
     lengths = np.hypot(ways[:, 0], ways[:, 1])

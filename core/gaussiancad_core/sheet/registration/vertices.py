@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.geometry.whole_curves import Line
-from gaussiancad_core.model.views import Arc, Segment, Stroke
+from gaussiancad_core.model.views import Arc, Ellipse, Segment, Stroke
 from gaussiancad_core.sheet.registration.curve_crossings import crossings, meeting, nearest
 from gaussiancad_core.sheet.registration.stroke_carriers import (
     AxisLine,
@@ -105,14 +106,10 @@ def settled_strokes(strokes: CarriedStrokes, grid: Grid) -> tuple[Stroke, ...]:
 
 def end_points(stroke: Stroke) -> tuple[Point, Point] | None:
     """Start and end of a segment or open arc."""
-    if isinstance(stroke, Segment):
-        return stroke.start, stroke.end
-    if isinstance(stroke, Arc) and stroke.sweep < _WHOLE:
-        angles = np.array([stroke.start_angle, stroke.start_angle + stroke.sweep])
-        radial = np.stack([np.cos(angles), np.sin(angles)], 1)
-        first, last = np.array(stroke.centre) + stroke.radius * radial
-        return (float(first[0]), float(first[1])), (float(last[0]), float(last[1]))
-    return None
+    if isinstance(stroke, Ellipse) or stroke.is_closed:
+        return None
+    start, end = stroke.extremes()[:2]
+    return to_point(start), to_point(end)
 
 
 def _vertices(strokes: CarriedStrokes, precision: Precision) -> list[Vertex]:

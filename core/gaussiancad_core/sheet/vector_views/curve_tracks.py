@@ -13,8 +13,7 @@ from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.whole_curves import Circle, WholeCurve
-from gaussiancad_core.geometry.whole_curves import Line as EndlessLine
+from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.sheet.vector_views.curve_intervals import Span
 
 Floats = npt.NDArray[np.float64]
@@ -85,7 +84,7 @@ def _line_tracks(
 
 def _collinear(
     seed: int, ends: Floats, free: npt.NDArray[np.bool_], tolerance: float
-) -> tuple[list[int], EndlessLine]:
+) -> tuple[list[int], Line]:
     """The pieces on the line through a piece, which gets surer as it grows."""
     members = [seed]
     low, high = ends[seed]
@@ -110,9 +109,9 @@ def _collinear(
         low, high = points[int(np.argmin(positions))], points[int(np.argmax(positions))]
 
 
-def _through(low: Floats, high: Floats) -> EndlessLine:
+def _through(low: Floats, high: Floats) -> Line:
     way = (high - low) / max(float(np.hypot(*(high - low))), 1e-12)
-    return EndlessLine((float(low[0]), float(low[1])), (float(way[0]), float(way[1])))
+    return Line((float(low[0]), float(low[1])), (float(way[0]), float(way[1])))
 
 
 def _round_tracks(strokes: Sequence[_RoundStroke], tolerance: float) -> list[Track]:

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
-from gaussiancad_core.geometry.chains import LineSegment as StraightLine
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.image.deskew import (
     LARGEST_SKEW,
@@ -71,8 +71,8 @@ def test_the_strokes_of_a_file_tell_its_turn(degrees: float) -> None:
     turn = Turn(np.radians(degrees), MIDDLE)
     box = np.array([(60.0, 50.0), (420.0, 50.0), (420.0, 310.0), (60.0, 310.0), (60.0, 50.0)])
     corners = [tuple(item) for item in turn.to_stored(box).tolist()]
-    lines = [StraightLine(*ends) for ends in pairwise(corners)]
-    lines.append(StraightLine((0.0, 0.0), (300.0, 120.0)))
+    lines = [LineSegment(*ends) for ends in pairwise(corners)]
+    lines.append(LineSegment((0.0, 0.0), (300.0, 120.0)))
     drawing = VectorDrawing(tuple(VectorStroke(line, None) for line in lines), ())
     found = find_turn(*file_directions(drawing), (HEIGHT, WIDTH))
     assert np.degrees(found.angle) == pytest.approx(degrees, abs=1e-6)
