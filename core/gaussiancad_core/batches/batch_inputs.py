@@ -9,7 +9,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from gaussiancad_core.errors import LimitError, UsageError
-from gaussiancad_core.report.job import Job, corrections_beside
+from gaussiancad_core.report.job import Job, corrections_file_of
 from gaussiancad_core.storage.plain_files import check_plain
 from gaussiancad_protocol.codes import Code
 
@@ -62,7 +62,7 @@ def collect_sheets(named: Iterable[str], job: Job, job_of: JobOf) -> list[BatchS
     for name in named:
         for sheet in _sheets(name, job, job_of):
             this_job = replace(
-                sheet.job, corrections=corrections_beside(sheet.path, sheet.job.page)
+                sheet.job, corrections=corrections_file_of(sheet.path, sheet.job.page)
             )
             found.setdefault(os.path.abspath(sheet.path), replace(sheet, job=this_job))
     if not found:

@@ -275,7 +275,7 @@ class _Batch:
         if report is None:
             return None
         ended = Ended(int(ExitCode.DONE), "", float(sum(report["seconds"].values())), 0)
-        row = place.row(*_told(report), ended)
+        row = place.row(*_status_and_bound(report), ended)
         self._manifest.note(place.key, row, ended)
         return row
 
@@ -310,9 +310,9 @@ class _Batch:
 
 def _result(folder: Path) -> tuple[str, str]:
     """Status and bound of the measures as the sheet's report has them."""
-    return _told(json.loads((folder / SHEET_REPORT).read_text(encoding="utf-8")))
+    return _status_and_bound(json.loads((folder / SHEET_REPORT).read_text(encoding="utf-8")))
 
 
-def _told(report: Mapping[str, Any]) -> tuple[str, str]:
+def _status_and_bound(report: Mapping[str, Any]) -> tuple[str, str]:
     measures = report["measures"]
     return report["status"], f"{measures['uncertainty_mm']:g}" if measures else ""

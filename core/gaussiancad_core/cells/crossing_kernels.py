@@ -1,6 +1,6 @@
 """The columns on both sides of many pieces of lines, and the groups that their crossings make.
 
-Fast kernels of :meth:`.columns.Space.column` and of :func:`.rules.groups_beside`.  A cell is one
+Fast kernels of :meth:`.columns.Space.column` and of :func:`.rules.groups_at`.  A cell is one
 number, its *key*: the regions of the X, Y and Z plane as digits, then a bit for each body; void is
 ``VOID``.  A surface is ``SURFACES`` times the normal of its plane, and its support plus one.
 """
@@ -137,7 +137,7 @@ def _steps(frame, sides, which, steps):  # noqa: ANN001, ANN202
     """Fills the steps of a column in ascending depth: how many, and the regions it starts in."""
     piece, side, item = which
     depths, normals, surfaces, behind = steps
-    at = _beside(sides, piece, side)
+    at = _column_point(sides, piece, side)
     regions = np.zeros(3, np.int64)
     regions[frame.normal] = item
     count = 0
@@ -346,7 +346,7 @@ def _is_clear(item, point, across):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _beside(sides, piece, side):  # noqa: ANN001, ANN202
+def _column_point(sides, piece, side):  # noqa: ANN001, ANN202
     """The point of a column."""
     point, across = sides.points[piece], sides.across[piece]
     way = ASIDE if side else -ASIDE
@@ -373,9 +373,9 @@ def _empty_column(room):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _own_regions(frame, sides, piece):  # noqa: ANN001, ANN202
+def _side_regions(frame, sides, piece):  # noqa: ANN001, ANN202
     """Regions of the plane on both sides of a piece, and whether columns there tell anything."""
-    one, other = _beside(sides, piece, 0), _beside(sides, piece, 1)
+    one, other = _column_point(sides, piece, 0), _column_point(sides, piece, 1)
     regions = (locate(frame.table, one[0], one[1]), locate(frame.table, other[0], other[1]))
     tells = sides.drawn[piece] or regions[0] != 0 or regions[1] != 0
     return regions, tells and _is_clear(frame.table, sides.points[piece], sides.across[piece])
@@ -401,7 +401,7 @@ def statements(frame, sides):  # noqa: ANN001, ANN201
     seen = met = used = 0
     for piece in range(pieces):
         starts[piece + 1] = used
-        item, tells = _own_regions(frame, sides, piece)
+        item, tells = _side_regions(frame, sides, piece)
         if not tells:
             continue
         if met + 2 * room > depths.size:

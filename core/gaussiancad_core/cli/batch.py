@@ -93,7 +93,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     limits = ProcessLimits(int(options.memory * 2**30), options.seconds)
     workers = min(options.workers or _usual_workers(), len(sheets))
     settings = BatchSettings(options.output, workers, limits, options.resume, options.scheduler)
-    tell = partial(_send, listener) if options.events else _say
+    tell = partial(_send, listener) if options.events else _print_sheet
     rows = run_batch(sheets, settings, tell)
     failed = [row for row in rows if row.exit_code]
     report = os.path.abspath(options.output / REPORT_FILE)
@@ -119,7 +119,7 @@ def _send(listener: Listener, sheet: "SheetDone") -> None:
     )
 
 
-def _say(sheet: "SheetDone") -> None:
+def _print_sheet(sheet: "SheetDone") -> None:
     row = sheet.row
     message = f"{row.message} [{row.code}]" if row.code else row.message
     pace = (

@@ -8,7 +8,7 @@ from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.files.file_opening import head_of
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.readings.reading_files import open_corrections
-from gaussiancad_core.report.job import corrections_beside
+from gaussiancad_core.report.job import corrections_file_of
 from gaussiancad_core.storage.extras import Extra, demand
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.exit_codes import ExitCode
@@ -45,7 +45,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     of_batch = options.sheet.suffix.lower() in _REPORTS
     if not of_batch:
         head_of(options.sheet)
-        path = corrections_beside(options.sheet, options.page)
+        path = corrections_file_of(options.sheet, options.page)
         if path is not None:
             open_corrections(path)
     demand(Extra.WINDOW, "the window")

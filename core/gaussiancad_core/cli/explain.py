@@ -84,13 +84,13 @@ def _of_sheet(options: argparse.Namespace) -> list[str]:
     """What is read on a sheet, in all or at a place."""
     from gaussiancad_core.processes.events import Silence
     from gaussiancad_core.report.explanation import read_place, read_sheet_in_words
-    from gaussiancad_core.report.job import Job, corrections_beside
+    from gaussiancad_core.report.job import Job, corrections_file_of
     from gaussiancad_core.run.read_run import read_to_file
 
     if options.view is not None:
         raise UsageError(Code.WRONG_USAGE, "--view needs the output folder of a run, not a sheet")
     with tempfile.TemporaryDirectory() as folder:
-        job = Job(options.folder, Path(folder), corrections=corrections_beside(options.folder))
+        job = Job(options.folder, Path(folder), corrections=corrections_file_of(options.folder))
         job.check()
         values = read_to_file(job, Silence()).values()
     if options.at is None:

@@ -14,7 +14,7 @@ from gaussiancad_core.cli.reconstruct import (
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.processes.events import Listener
-from gaussiancad_core.report.job import Job, corrections_beside
+from gaussiancad_core.report.job import Job, corrections_file_of
 from gaussiancad_core.storage.outputs import READ_FILES
 from gaussiancad_protocol.exit_codes import ExitCode
 
@@ -50,7 +50,7 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
         reading=reading_of(options),
         page=options.page,
         given=options.reading,
-        corrections=options.corrections or corrections_beside(options.sheet, options.page),
+        corrections=options.corrections or corrections_file_of(options.sheet, options.page),
         overwrite=options.overwrite,
     )
     job.check(READ_FILES)

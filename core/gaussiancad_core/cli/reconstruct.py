@@ -14,7 +14,7 @@ from gaussiancad_core.errors import UsageError
 from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.processes.events import Listener
-from gaussiancad_core.report.job import Job, corrections_beside
+from gaussiancad_core.report.job import Job, corrections_file_of
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
 from gaussiancad_core.storage.extras import Extra, lacking, result_kind
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES
@@ -232,7 +232,7 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     job = replace(
         job_of(options, options.sheet, options.output),
         given=options.reading,
-        corrections=options.corrections or corrections_beside(options.sheet, options.page),
+        corrections=options.corrections or corrections_file_of(options.sheet, options.page),
         way=options.solid_way,
     )
     job.check((*RUN_FILES, REPORT_FILE))

@@ -66,7 +66,7 @@ def _started(arguments: list[str]) -> int:
             ended = watch(arguments)
     except OSError:
         return main(arguments)
-    return _told(ended, arguments) if ended.exit_code < 0 else ended.exit_code
+    return _report_death(ended, arguments) if ended.exit_code < 0 else ended.exit_code
 
 
 def _without_way(ended: Watched, arguments: list[str]) -> list[str] | None:
@@ -86,7 +86,7 @@ def _without_way(ended: Watched, arguments: list[str]) -> list[str] | None:
     return [*arguments, SOLID_WAY, way.value]
 
 
-def _told(ended: Watched, arguments: list[str]) -> int:
+def _report_death(ended: Watched, arguments: list[str]) -> int:
     """Tell that a signal ended the engine, and leave a report where a run was to."""
     options = build_parser().parse_args(arguments)
     listener: Listener = open_event_stream() if options.events else Silence()

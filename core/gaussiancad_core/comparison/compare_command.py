@@ -4,7 +4,11 @@ from pathlib import Path
 
 from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.comparison_options import CompareOptions
-from gaussiancad_core.comparison.comparison_page import PageParts, comparison_page, overlay_beside
+from gaussiancad_core.comparison.comparison_page import (
+    PageParts,
+    comparison_page,
+    overlay_of_result,
+)
 from gaussiancad_core.comparison.comparison_report import Comparison, comparison_json
 from gaussiancad_core.comparison.deviation import Deviation, ply_bytes
 from gaussiancad_core.comparison.deviation_picture import deviation_picture
@@ -44,7 +48,7 @@ def compare_files(
     if output is not None:
         picture = png_bytes(deviation_picture(deviation))
         names = result.name, reference.name
-        parts = PageParts(names, pair[1].mesh, picture, overlay_beside(result))
+        parts = PageParts(names, pair[1].mesh, picture, overlay_of_result(result))
         _write(comparison, deviation, parts, output)
     return comparison
 

@@ -85,7 +85,7 @@ def comparison_page(comparison: Comparison, deviation: Deviation, parts: PagePar
     )
 
 
-def overlay_beside(result: Path) -> tuple[str, bytes] | None:
+def overlay_of_result(result: Path) -> tuple[str, bytes] | None:
     """``overlay.png`` in a result's folder, small enough for a page; None where there is none."""
     path = result.parent / "overlay.png"
     try:

@@ -68,11 +68,11 @@ def as_drawn(
         tolerance: mm within which lines are the same.
     """
     return tuple(
-        _retold(stroke, drawn, tolerance) if is_unsure(stroke) else stroke for stroke in strokes
+        _as_drawn(stroke, drawn, tolerance) if is_unsure(stroke) else stroke for stroke in strokes
     )
 
 
-def _retold(stroke: DrawnStroke, drawn: Lines, tolerance: float) -> DrawnStroke:
+def _as_drawn(stroke: DrawnStroke, drawn: Lines, tolerance: float) -> DrawnStroke:
     points = lines_of_strokes([stroke], tolerance / 4.0)
     line_points = points.visible if stroke.linetype is Linetype.VISIBLE else points.hidden
     shares = {

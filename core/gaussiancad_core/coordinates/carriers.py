@@ -220,10 +220,10 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
             if number in followed or stroke.length * scale <= _SHORT * tolerance:
                 continue
             line = _line(stroke, role, scale) if isinstance(stroke, Segment) else None
-            if line is not None and _tells_line(line, tolerance):
+            if line is not None and _is_long_enough(line, tolerance):
                 plane.lines.append(line)
             elif isinstance(stroke, Arc) and (
-                _tells_circle(stroke, scale, tolerance)
+                _is_round_enough(stroke, scale, tolerance)
                 or is_rounding(stroke, strokes, views.tolerance)
                 or is_piece(stroke, strokes, views)
             ):
@@ -257,12 +257,12 @@ def _line(stroke: Segment, role: Role, scale: float) -> _Line:
     return _Line(*ends, stroke.linetype, stroke.confidence, role=role)
 
 
-def _tells_line(line: _Line, tolerance: float) -> bool:
+def _is_long_enough(line: _Line, tolerance: float) -> bool:
     least = max(_SHORT_SLANT, _SHORT_SLANT_READ * tolerance)
     return line.length >= least or _parallel_axis(line, tolerance) is not None
 
 
-def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:
+def _is_round_enough(arc: Arc, scale: float, tolerance: float) -> bool:
     rise = arc.radius * scale * (1.0 - np.cos(min(arc.sweep, FULL_TURN) / 2.0))
     return bool(rise > TELLING * tolerance) or is_quarter(arc, tolerance / scale)
 

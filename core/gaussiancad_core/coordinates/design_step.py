@@ -103,7 +103,7 @@ def nominal_step(
         millimetre: units, as far as the scale is known: a round step needs fewer numbers to tell. 0
             where it is not.
     """
-    stated = np.array([number for number in numbers if _is_told(number, tolerance)])
+    stated = np.array([number for number in numbers if _is_informative(number, tolerance)])
     if not len(stated):
         return None
     any_step = [UNITS / count for count in range(_FEWEST_STEPS, _MOST_STEPS + 1)]
@@ -125,7 +125,7 @@ def nominal_step(
     return None
 
 
-def _is_told(number: float, tolerance: float) -> bool:
+def _is_informative(number: float, tolerance: float) -> bool:
     """Whether a number tells anything: the ends of the longest extent fit every step."""
     return tolerance < number < UNITS - tolerance
 

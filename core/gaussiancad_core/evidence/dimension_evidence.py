@@ -51,7 +51,7 @@ def dimension_constraints(
     """
     # Digits are rather lost in reading than added: of two numbers for one length the longer counts.
     ordered = sorted(measures, key=lambda measure: measure.digit_mm)
-    found = tuple(item for measure in ordered for item in _told(registered, measure))
+    found = tuple(item for measure in ordered for item in _measured(registered, measure))
     found += tuple(_thickness(registered.unseen))
     if not found:
         return None
@@ -80,7 +80,7 @@ def scale_apart(registered: RegisteredSheet, scale: SheetScale | None) -> float 
     return abs(math.log(scale.mm_per_pixel / registered.mm_per_pixel))
 
 
-def _told(registered: RegisteredSheet, measure: Measure) -> Iterator[Told]:
+def _measured(registered: RegisteredSheet, measure: Measure) -> Iterator[Told]:
     for role, placement in registered.placements.items():
         found: Told | None
         if isinstance(measure.place, Span):

@@ -77,7 +77,7 @@ def hole_notes(
     used: set[tuple[str, Box]] = set()
     doubts: list[tuple[str, str]] = []
     taken: set[tuple[Role, Arc]] = set()
-    groups = [sheet_notes for sheet_notes in _groups(notes) if _tells_depth(sheet_notes)]
+    groups = [sheet_notes for sheet_notes in _groups(notes) if _states_depth(sheet_notes)]
     # What is wider somewhere is told from what is not, and one hole from many.
     # What a person says goes before all.
     groups.sort(
@@ -91,7 +91,7 @@ def hole_notes(
         first = group[0]
         at = pointed.get((first.text, first.box))
         role, arcs = (
-            _said(first.circle, circles)
+            _pointed_at(first.circle, circles)
             if first.circle is not None
             else _meant(group, circles, at, taken, registered.mm_per_pixel)
         )
@@ -121,7 +121,7 @@ def hole_notes(
     return HoleNotes(tuple(holes), frozenset(used), tuple(doubts))
 
 
-def _tells_depth(group: Sequence[SheetNote]) -> bool:
+def _states_depth(group: Sequence[SheetNote]) -> bool:
     first = group[0]
     named = first.value_mm is not None or first.circle is not None
     is_hole = first.callout.kind in _HOLES and named
@@ -171,7 +171,9 @@ def _circles(registered: RegisteredSheet) -> dict[Role, list[Arc]]:
     return found
 
 
-def _said(circle: Arc, circles: Mapping[Role, Sequence[Arc]]) -> tuple[Role | None, list[Arc]]:
+def _pointed_at(
+    circle: Arc, circles: Mapping[Role, Sequence[Arc]]
+) -> tuple[Role | None, list[Arc]]:
     """The view with a circle that a person pointed at; no view where it is there no more."""
     for role, arcs in circles.items():
         for each in arcs:

@@ -91,7 +91,7 @@ class _Writer:
         self._start: Terms = ()
         self._end: Terms = ()
         self._known: dict[tuple[str, float], str] = {}
-        self._told: dict[tuple[str, float], tuple[str, str]] = {}
+        self._dimensioned: dict[tuple[str, float], tuple[str, str]] = {}
 
     def settled(self, lines: Sequence[str]) -> list[str]:
         """Lines in which what there is once has no number; once all were written."""
@@ -112,7 +112,7 @@ class _Writer:
             return []
         thread = f": {feature['thread']}, which is not cut" if "thread" in feature else ""
         found = ["", f"# {feature['name']}{thread}"]
-        self._told = dict(_told(feature.get("sketch", feature)))
+        self._dimensioned = dict(_dimensioned(feature.get("sketch", feature)))
         if kind in ("fillet", "chamfer"):
             size = self._parameter("SIZE", feature["size"], feature["sources"]["size"])
             edges = ", ".join(f"nearest({self._part}, {tuple(p)!r})" for p in feature["places"])
@@ -235,7 +235,7 @@ class _Writer:
         if abs(value) < 1e-9:
             return "0"
         sign = "-" if value < 0.0 else ""
-        stem, source = self._told.get((axis, round(abs(value), 6)), (axis, ""))
+        stem, source = self._dimensioned.get((axis, round(abs(value), 6)), (axis, ""))
         return sign + self._parameter(stem, abs(value), source)
 
     def _parameter(self, stem: str, value: float, source: str) -> str:
@@ -254,7 +254,7 @@ def _plane(plane: dict[str, Any], offset: Terms) -> str:
     return f"plane({written(offset)}, {tuple(plane['right'])!r}, {tuple(plane['normal'])!r})"
 
 
-def _told(sketch: dict[str, Any]) -> Iterator[tuple[tuple[str, float], tuple[str, str]]]:
+def _dimensioned(sketch: dict[str, Any]) -> Iterator[tuple[tuple[str, float], tuple[str, str]]]:
     """Of coordinates that are dimensions of the sketch, the dimension's name and its source, by the
     axis and the value: the dimension's other end is at 0."""
     axes = {"distance-x": (0, "X"), "distance-y": (1, "Y")}

@@ -36,13 +36,13 @@ def write_features(solid: Path, output: Path, *, find: bool = True) -> list[Feat
         UsageError, LimitError: the folder cannot be written, or the disk is full.
     """
     solids = subshapes(read_solid(solid), TopAbs_ShapeEnum.TopAbs_SOLID)
-    numbers = numbers_beside(solid)
+    numbers = numbers_of_report(solid)
     found = [features_of(one) if find else FeatureList((), one) for one in solids]
     _write(found, numbers, output)
     return found
 
 
-def numbers_beside(solid: Path) -> Numbers:
+def numbers_of_report(solid: Path) -> Numbers:
     """The numbers of the drawing, where a run's report lies beside the solid; none elsewhere."""
     try:
         report = json.loads((solid.parent / REPORT_FILE).read_bytes())

@@ -116,7 +116,7 @@ def content_bytes(content: FileContent) -> bytes:
         [np.ascontiguousarray(plane).data.cast("B") for plane in planes],
         content.pixels_per_inch,
         None if content.vectors is None else _by_types(content.vectors),
-        [_told(note) for note in content.notes],
+        [_packed_note(note) for note in content.notes],
         content.pages,
         content.brought_together,
     )
@@ -155,7 +155,7 @@ def _plane(levels: memoryview, shape: tuple[int, int]) -> Grey:
     return np.frombuffer(levels, np.uint8).reshape(shape).copy()
 
 
-def _told(note: Note) -> _Note:
+def _packed_note(note: Note) -> _Note:
     return _Note(note.code, _json(note.message), note.is_doubt)
 
 

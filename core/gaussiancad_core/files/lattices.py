@@ -82,9 +82,9 @@ class Fit:
             if not len(place):
                 continue
             turns = place / step
-            off = _beside(turns - np.angle(np.exp(2j * np.pi * turns).sum()) / (2.0 * np.pi))
+            off = _off_turns(turns - np.angle(np.exp(2j * np.pi * turns).sum()) / (2.0 * np.pi))
             # Those that are on no grid moved the mean.
-            off = _beside(off - np.median(off))
+            off = _off_turns(off - np.median(off))
             on += int((np.abs(off) <= near + _SINGLE * np.abs(turns)).sum())
             total += len(place)
         return on / total if total else 0.0
@@ -119,7 +119,7 @@ def common_step(places: Sequence[Floats], finest: float, fit: Fit) -> float:
     return 0.0
 
 
-def _beside(turns: Floats) -> Floats:
+def _off_turns(turns: Floats) -> Floats:
     """(n,) turns from the nearest whole one."""
     return turns - np.round(turns)
 

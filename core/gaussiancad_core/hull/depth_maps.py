@@ -171,7 +171,7 @@ def confidence(relief: DepthMap, view: View, matched: MatchedLines) -> Confidenc
         if not len(lines.points):
             continue
         pixels = view.to_pixels(lines.points)
-        for numbers, lengths, agree in _beside(regions, pixels, lines.lengths, explained):
+        for numbers, lengths, agree in _adjacent(regions, pixels, lines.lengths, explained):
             total += np.bincount(numbers, weights=lengths, minlength=count)
             agreeing += np.bincount(numbers, weights=lengths * agree, minlength=count)
     shares = np.ones(count)
@@ -179,7 +179,7 @@ def confidence(relief: DepthMap, view: View, matched: MatchedLines) -> Confidenc
     return Confidence(shares)
 
 
-def _beside(
+def _adjacent(
     regions: Numbers,
     pixels: npt.NDArray[np.float64],
     lengths: npt.NDArray[np.float64],

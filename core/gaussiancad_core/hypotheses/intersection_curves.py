@@ -242,7 +242,7 @@ class _Sights:
         Readers go on to the next line.
         """
         ways = _across(points)
-        led = [self._beside(*at, pair) for at in zip(points, ways, strict=True)]
+        led = [self._on_curve_near(*at, pair) for at in zip(points, ways, strict=True)]
         found = [number for number, point in enumerate(led) if point is not None]
         if not found:
             return points[:0]
@@ -261,14 +261,14 @@ class _Sights:
         last = None
         for _ in range(_HALVINGS):
             middle = (inside + outside) / 2.0
-            point = self._beside(middle, way, pair)
+            point = self._on_curve_near(middle, way, pair)
             if point is None:
                 outside = middle
             else:
                 inside, last = middle, point
         return last
 
-    def _beside(self, point: Points, way: Points, pair: tuple[_Key, _Key]) -> Points | None:
+    def _on_curve_near(self, point: Points, way: Points, pair: tuple[_Key, _Key]) -> Points | None:
         """The point of the curve nearest to one of a stroke, across it; None if there is none."""
         # An arc that was fitted to the curve leaves it most at its ends.
         step = self._offsets[1] - self._offsets[0]

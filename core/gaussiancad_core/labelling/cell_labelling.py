@@ -153,7 +153,7 @@ class Search:
             return self._simplest(solver, deadline)
         return Labelling(None, (), status == cp_model.INFEASIBLE)
 
-    def retold(self, deadline: Deadline = NEVER) -> Labelling:
+    def relaxed_linetypes(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels under which all rules hold but for linetypes that nothing tells; as few of these
         as possible become the other one."""
         held = self._but_kinds
@@ -292,7 +292,7 @@ class Search:
         if found.labels is None or not most or not deadline.left:
             return Others((), False)
         if found.given_up and all(rule.says is Says.KIND for rule in found.given_up):
-            held, relaxes = self._retelling(found), False
+            held, relaxes = self._relaxing(found), False
         elif found.given_up:
             held, relaxes = self._within(found), True
         else:
@@ -321,7 +321,7 @@ class Search:
             others.append(latest)
         return Others(tuple(others), False)
 
-    def _retelling(self, found: Labelling) -> Model:
+    def _relaxing(self, found: Labelling) -> Model:
         """The clauses of all rules but linetypes that nothing tells, of which hardly more may be
         other ones than of the found labels; they can be used once."""
         held = self._but_kinds

@@ -173,7 +173,7 @@ def _look(
         for circle in rounds:
             if _in_corner(point, circle):
                 beyond = _beyond(point, circle)
-                found.corners.update(_beside(column, space.column(plane.normal, *beyond)))
+                found.corners.update(_adjacent(column, space.column(plane.normal, *beyond)))
                 # Of several circles the largest one counts.
                 items = {cell for cell, _ in inside}
                 found.squares -= items
@@ -294,7 +294,7 @@ def _is_ringed(point: Point, beyond: Point, circle: Circle, plane: PlaneCarriers
     )
 
 
-def _beside(
+def _adjacent(
     column: Sequence[Crossing], other: Sequence[Crossing]
 ) -> Iterator[tuple[Cell, Cell | None]]:
     """The cells of a column with those of another one at the same depth; None outside of all."""

@@ -103,8 +103,8 @@ def rules_of(
     if lines.fit:
         rules = _merged(lines.said(plain), _Decoder(lines.keys).groups)
     else:
-        rules = _merged(_said(space, plain), _as_they_are)
-    return rules + _merged(_said(space, rest, seen), _as_they_are)
+        rules = _merged(_informative(space, plain), _as_they_are)
+    return rules + _merged(_informative(space, rest, seen), _as_they_are)
 
 
 Groups = tuple[Group, ...]
@@ -113,13 +113,13 @@ _Said = TypeVar("_Said", bound=Hashable)
 """Groups, or what tells them."""
 
 
-def _said(
+def _informative(
     space: Space, pieces: Sequence[Piece], seen: Seen | None = None
 ) -> Iterator[tuple[Piece, Groups]]:
     """Pieces that say something, and what: the plain way, for cells without keys and for columns
     that are cut."""
     for piece in pieces:
-        groups = groups_beside(space, piece, seen)
+        groups = groups_at(space, piece, seen)
         if groups is not None:
             yield piece, groups
 
@@ -195,7 +195,7 @@ def _merged(said: Iterable[tuple[Piece, _Said]], decoded: Callable[[_Said], Grou
     return rules
 
 
-def groups_beside(space: Space, piece: Piece, seen: Seen | None = None) -> tuple[Group, ...] | None:
+def groups_at(space: Space, piece: Piece, seen: Seen | None = None) -> tuple[Group, ...] | None:
     """Groups from the viewer on; None if the piece says nothing.
 
     The plain reference of what :mod:`gaussiancad_core.cells.sight_lines` does with many pieces at

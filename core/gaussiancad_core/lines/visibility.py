@@ -92,14 +92,12 @@ class RayTest:
         asked = [number for number, answer in enumerate(answers) if answer in again]
         if not asked:
             return
-        found = self._look_beside(points[asked], across[asked], trusting)
+        found = self._compared(points[asked], across[asked], trusting)
         for number, answer in zip(asked, found, strict=True):
             if answer is not Visibility.UNCERTAIN:
                 answers[number] = answer
 
-    def _look_beside(
-        self, points: Array, across: Array, trusting: bool = False
-    ) -> list[Visibility]:
+    def _compared(self, points: Array, across: Array, trusting: bool = False) -> list[Visibility]:
         rays = self._sight.columns(np.concatenate([points - across, points + across]))
         splits = np.concatenate([[0], np.cumsum([len(ray.depth) for ray in rays])])
         normals = np.concatenate([ray.normal for ray in rays])

@@ -45,7 +45,7 @@ def main(channel: socket.socket, modules: list[str]) -> None:
     signal.set_wakeup_fd(stated, warn_on_full_buffer=False)
     # Ctrl-C is the client's: it ends its processes one by one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _tell(channel, {"ready": True})
+    _send(channel, {"ready": True})
     running: dict[int, int] = {}
     while True:
         ready, _, _ = select.select([channel.fileno(), wake], [], [])
@@ -65,7 +65,7 @@ def main(channel: socket.socket, modules: list[str]) -> None:
             for file in files:
                 os.close(file)
             running[pid] = head["number"]
-            _tell(channel, {"number": head["number"], "pid": pid})
+            _send(channel, {"number": head["number"], "pid": pid})
 
 
 def _nothing(*_: object) -> None:
@@ -79,7 +79,7 @@ def _threads() -> int:
         return 0
 
 
-def _tell(channel: socket.socket, message: dict[str, Any]) -> None:
+def _send(channel: socket.socket, message: dict[str, Any]) -> None:
     channel.sendall(json.dumps(message).encode("ascii") + b"\n")
 
 
@@ -111,7 +111,7 @@ def _reap(channel: socket.socket, running: dict[int, int]) -> None:
             return
         number = running.pop(pid, None)
         if number is not None:
-            _tell(channel, {"number": number, "code": os.waitstatus_to_exitcode(status)})
+            _send(channel, {"number": number, "code": os.waitstatus_to_exitcode(status)})
 
 
 def _become(head: dict[str, Any], files: list[int]) -> None:

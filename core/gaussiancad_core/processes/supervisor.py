@@ -94,7 +94,7 @@ class _Child:
         """How it ended, if it did; it is ended where it takes too much."""
         code = self._process.poll()
         if code is not None:
-            return self._told(code)
+            return self._ended_by_itself(code)
         self._peak = max(self._peak, self._memory())
         if self._peak > self._limits.memory:
             reason = f"it took more than {self._limits.memory / 2**30:.1f} GB of memory"
@@ -136,7 +136,7 @@ class _Child:
         self.end(time.monotonic() + _GRACE_S)
         return Ended(int(ExitCode.LIMIT), f"{message} [{code}]", self.seconds, self._peak)
 
-    def _told(self, code: int) -> Ended:
+    def _ended_by_itself(self, code: int) -> Ended:
         message = "" if code == 0 else self._last_line()
         output = b""
         if self._printed is not None:

@@ -247,14 +247,14 @@ def _with_dimension(reading: SheetReading, operation: DimensionOperation) -> She
     )
     if known is None:
         return None
-    dimension_entry = _told(known, operation)
+    dimension_entry = _with_value(known, operation)
     return changed(
         reading,
         dimensions=tuple(dimension_entry if each is known else each for each in reading.dimensions),
     )
 
 
-def _told(known: DimensionEntry, operation: DimensionOperation) -> DimensionEntry:
+def _with_value(known: DimensionEntry, operation: DimensionOperation) -> DimensionEntry:
     share = 0.5 if known.type == "diameter" else 1.0
     digits = f"{operation.value_mm:.6f}".rstrip("0").partition(".")[2]
     measures = operation.measures or known.measures
@@ -269,11 +269,11 @@ def _told(known: DimensionEntry, operation: DimensionOperation) -> DimensionEntr
 
 
 def _with_scale(reading: SheetReading, operation: ScaleOperation) -> SheetReading | None:
-    scale = _told_scale(reading, operation)
+    scale = _given_scale(reading, operation)
     return None if scale is None else changed(reading, scale=scale)
 
 
-def _told_scale(reading: SheetReading, operation: ScaleOperation) -> ReadScale | None:
+def _given_scale(reading: SheetReading, operation: ScaleOperation) -> ReadScale | None:
     before = reading.scale
     if operation.axis is not None and operation.mm_per_px is None:
         if operation.length_mm is None:

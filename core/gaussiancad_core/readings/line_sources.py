@@ -37,7 +37,7 @@ def given_reading(
         return None
     reading = open_reading(job.given) if job.given else read()
     if job.corrections is None:
-        _tell(Corrected(reading), notes)
+        _note_corrections(Corrected(reading), notes)
         return reading
     path = job.corrections
     corrections = open_corrections(path)
@@ -49,7 +49,7 @@ def given_reading(
             path=path,
         )
     found = corrected(reading, corrections.ops, ink)
-    _tell(found, notes)
+    _note_corrections(found, notes)
     _tell_lengths(contradicting_lengths(reading.scale, corrections.ops), notes)
     return found.reading
 
@@ -70,7 +70,7 @@ def _tell_lengths(pair: tuple[GivenLength, GivenLength] | None, notes: RunNotes)
     )
 
 
-def _tell(found: Corrected, notes: RunNotes) -> None:
+def _note_corrections(found: Corrected, notes: RunNotes) -> None:
     taken = found.reading.corrected
     if taken:
         notes.warn(

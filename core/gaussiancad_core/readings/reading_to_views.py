@@ -104,7 +104,7 @@ def taken_lines(
     with notes.stage("lines"):
         drawn = _drawn(reading, clean, reread)
         scale = scale_of(reading, turn)
-        reading_options = in_worked_px(_told_axis(job, reading).reading, turn)
+        reading_options = in_worked_px(_with_given_length(job, reading).reading, turn)
         options = tell_scale(reading_options, scale, drawn, notes)
         notes.tell(dimensions=scale.dimensions)
         for problem in reading.problems:
@@ -114,7 +114,7 @@ def taken_lines(
         found = tuple(note_of(note, turn) for note in reading.notes)
         tell_notes(notes, found, turn)
         sections = tuple(section_of(section, turn) for section in reading.sections)
-        views = _beside(reading, clean)
+        views = _adjacent_sections(reading, clean)
         labels = entry_labels(reading.strokes, turn, clean.stroke_width)
         _tell_labels(notes, reading, labels, layout, turn)
     return SheetLines(
@@ -157,7 +157,7 @@ def _tell_labels(
         tell_doubtful_labels(notes, labels, layout.boxes, turn)
 
 
-def _told_axis(job: Job, reading: SheetReading) -> Job:
+def _with_given_length(job: Job, reading: SheetReading) -> Job:
     """The job with the length that the reading was told, unless the user tells another scale;
     one that no view shows tells none, and is taken beside it."""
     reading_options, scale = job.reading, reading.scale
@@ -282,7 +282,7 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
     return tuple(drawn)
 
 
-def _beside(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
+def _adjacent_sections(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
     """Sections beside plain views."""
     found = []
     for view in reading.views:

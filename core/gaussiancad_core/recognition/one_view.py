@@ -53,7 +53,7 @@ def shown_extents(drawn: Sequence[ReadView]) -> dict[Axis, float]:
     return extents
 
 
-def stated_unseen(
+def unseen_extent_of(
     drawn: Sequence[ReadView],
     scale: SheetScale | None,
     notes: Sequence[SheetNote],

@@ -12,7 +12,7 @@ from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
 from gaussiancad_core.recognition.label_doubts import tell_doubtful_labels, weighed_views
-from gaussiancad_core.recognition.one_view import shown_extents, stated_unseen
+from gaussiancad_core.recognition.one_view import shown_extents, unseen_extent_of
 from gaussiancad_core.recognition.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.report_entries import NoteReport, Unused, ViewReport
@@ -139,7 +139,7 @@ def with_unseen(lines: SheetLines, notes: RunNotes) -> SheetLines:
     Raises:
         NoModelError: ``one-view`` where nothing tells it.
     """
-    unseen = stated_unseen(lines.drawn, lines.scale, lines.notes, lines.options, notes)
+    unseen = unseen_extent_of(lines.drawn, lines.scale, lines.notes, lines.options, notes)
     return replace(lines, unseen=unseen)
 
 

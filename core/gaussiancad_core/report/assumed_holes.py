@@ -54,7 +54,7 @@ def assumed_holes(
             continue
         sights = SightLines(shape, view.role.frame, tolerance)
         inside, outside = (
-            sights.columns(np.array([_beside(circle, share) for circle in circles]))
+            sights.columns(np.array([_point_right_of(circle, share) for circle in circles]))
             for share in (1.0 - _BESIDE, 1.0 + _BESIDE)
         )
         alike: dict[float, list[Arc]] = {}
@@ -83,7 +83,7 @@ def _assumed(circle: Arc, role: Role, boxes: tuple[Box, ...]) -> Assumption:
     )
 
 
-def _beside(circle: Arc, share: float) -> tuple[float, float]:
+def _point_right_of(circle: Arc, share: float) -> tuple[float, float]:
     """A place on the right of a circle's centre, so many radii away."""
     return circle.centre[0] + share * circle.radius, circle.centre[1]
 

@@ -68,7 +68,7 @@ def verdict(report: Values) -> str:
         return f"{_SIZE_UNKNOWN} {certain}"
     measures = report.get("measures")
     if measures is None:
-        exact = "" if are_measures_told(report) else f" {_MEASURES_UNKNOWN}"
+        exact = "" if has_measure_bound(report) else f" {_MEASURES_UNKNOWN}"
         return f"{certain}{exact}"
     bound = f"{measures['uncertainty_mm']:.2g}"
     return f"{certain} Measures to \u00b1{bound} mm ({_SOURCES[measures['source']]})."
@@ -87,7 +87,7 @@ def is_size_known(report: Values) -> bool:
     )
 
 
-def are_measures_told(report: Values) -> bool:
+def has_measure_bound(report: Values) -> bool:
     """Whether the views fit one scale, so that a bound of the measures can be stated.
 
     They do not where the sheet was photographed at a slant, however well it was straightened.

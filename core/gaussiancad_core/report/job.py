@@ -17,7 +17,7 @@ _CORRECTIONS = ".corrections.json"
 is not the first: ``set.pdf.page-2.corrections.json``."""
 
 
-def corrections_beside(sheet: Path, page: int = 1) -> Path | None:
+def corrections_file_of(sheet: Path, page: int = 1) -> Path | None:
     """The corrections beside a sheet, if there are some."""
     if not sheet.name:
         # Such as the folder that one is in.

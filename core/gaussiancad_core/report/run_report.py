@@ -12,7 +12,7 @@ import psutil
 from gaussiancad_core import __version__
 from gaussiancad_core.messages import event_fields
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.report.explanation import are_measures_told, explained, is_size_known, verdict
+from gaussiancad_core.report.explanation import explained, has_measure_bound, is_size_known, verdict
 from gaussiancad_core.report.report_entries import (
     AlternativeReport,
     Assumption,
@@ -121,9 +121,9 @@ class Report:
         return is_size_known(self._values())
 
     @property
-    def measures_told(self) -> bool:
+    def has_measure_bound(self) -> bool:
         """Whether a bound of the measures can be stated."""
-        return self.size_known and are_measures_told(self._values())
+        return self.size_known and has_measure_bound(self._values())
 
     @property
     def verdict(self) -> str:

@@ -120,7 +120,7 @@ def find_exact(
         return readings.sketched or ExactModel(this_reading, failed, False)
     if not has_hidden_lines(this_reading.drawn):
         # Nothing can be certain of such a sheet.
-        sketched = _told_by_sketches(readings)
+        sketched = _best_sketch(readings)
         if sketched is not None:
             return sketched
     strict = replace(limits, relaxed=False)
@@ -131,7 +131,7 @@ def find_exact(
     if other is None or contrary is None or not (result.explains or contrary.explains):
         return _not_strictly(readings, limits, (model, model_of_other))
     if result.explains and contrary.explains:
-        return _told_apart((this_reading, result), (other, contrary))
+        return _distinguished((this_reading, result), (other, contrary))
     # The reading that has no solid must have none for certain, for the other one to be.
     loser = contrary if result.explains else result
     reading, winner = (this_reading, result) if result.explains else (other, contrary)
@@ -193,7 +193,7 @@ class _Readings:
         return ExactModel(reading, result, self.is_decided, sketch, self.is_contradicted)
 
 
-def _told_by_sketches(readings: _Readings) -> ExactModel | None:
+def _best_sketch(readings: _Readings) -> ExactModel | None:
     """A sketch that has all lines, and, where nothing tells the reading, that of the other one
     beside it; None where no sketch has."""
     sketched = readings.sketched
@@ -208,17 +208,17 @@ def _told_by_sketches(readings: _Readings) -> ExactModel | None:
         is_told = sketched is not None and contrary is not None
         return replace(found[0], decided=is_told) if found else None
     first, second = ((model.reading, model.result) for model in found)
-    return replace(_beside(first, second), sketched=found[0].sketched)
+    return replace(_with_other(first, second), sketched=found[0].sketched)
 
 
-def _told_apart(
+def _distinguished(
     first: tuple[ProjectedReading, ExactResult], second: tuple[ProjectedReading, ExactResult]
 ) -> ExactModel:
     """Where both readings have a solid: the likelier one, and the other beside it."""
-    return _beside(second, first) if _is_likelier(second, first) else _beside(first, second)
+    return _with_other(second, first) if _is_likelier(second, first) else _with_other(first, second)
 
 
-def _beside(
+def _with_other(
     first: tuple[ProjectedReading, ExactResult], second: tuple[ProjectedReading, ExactResult]
 ) -> ExactModel:
     """A solid, and that of the other reading beside it, if it is another one."""

@@ -6,7 +6,7 @@ from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult
-from gaussiancad_core.solid.reasons import beside_ink
+from gaussiancad_core.solid.reasons import ink_off_line
 from gaussiancad_protocol.modes import Status
 
 
@@ -38,4 +38,4 @@ def compared_with_ink(
     worst = max(found, key=lambda offset: offset.offset, default=None)
     if worst is None or worst.offset <= APART_PX:
         return result
-    return result.doubted(beside_ink(worst, registered.mm_per_pixel))
+    return result.doubted(ink_off_line(worst, registered.mm_per_pixel))

@@ -46,7 +46,9 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
     report = replace(
         report,
         alternatives=_alternatives(model),
-        measures=_measures(result.measures) if result.measures and report.measures_told else None,
+        measures=_measures(result.measures)
+        if result.measures and report.has_measure_bound
+        else None,
         assumptions=(
             *(
                 Assumption(Code.NOTHING_HIDDEN, message, None, _INSIDE)

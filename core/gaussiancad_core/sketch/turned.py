@@ -26,8 +26,8 @@ from gaussiancad_core.sketch.turned_views import (
     lies_along,
     moved_to,
     one_way,
+    side_views_of,
     step_of,
-    views_beside,
 )
 
 _ON = 0.5
@@ -46,7 +46,7 @@ def without_slopes(
         grid: mm of a step of the sheet's coordinates.
     """
     found = {role: list(plane_lines) for role, plane_lines in lines.items()}
-    seens = list(views_beside(lines, axis, centre, grid))
+    seens = list(side_views_of(lines, axis, centre, grid))
     widest = shapely.union_all([_half(seen, side) for seen in seens for side in (1.0, -1.0)])
     slopes = tuple(_slopes(seens, widest, centre, grid)) if not widest.is_empty else ()
     if not slopes:

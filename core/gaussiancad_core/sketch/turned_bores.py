@@ -26,8 +26,8 @@ from gaussiancad_core.sketch.turned_views import (
     lies_along,
     moved_to,
     one_way,
+    side_views_of,
     step_of,
-    views_beside,
 )
 
 _ASIDE = 2.0
@@ -57,7 +57,7 @@ def without_bore_slopes(
     near = MEETING * grid
     sides = [
         (this_seen, side)
-        for this_seen in views_beside(lines, axis, centre, grid)
+        for this_seen in side_views_of(lines, axis, centre, grid)
         for side in (1.0, -1.0)
     ]
     planes = {

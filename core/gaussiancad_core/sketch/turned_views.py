@@ -118,7 +118,7 @@ def turning_centre(
     return None
 
 
-def views_beside(
+def side_views_of(
     lines: Lines, axis: Axis, centre: tuple[float, float], grid: float
 ) -> Iterator[Seen]:
     """The views of a turned part from beside whose outlines close.

@@ -37,7 +37,7 @@ def undrawn_divisions(
     for column, across, lines in neighbours:
         untold[column] += _uprights(lines, across, grid)
     for column, places in enumerate(untold):
-        known = [0.0, size[column], *_told(plan, column)]
+        known = [0.0, size[column], *_line_ends(plan, column)]
         untold[column] = [
             at for at in _distinct(places, near) if min(abs(at - value) for value in known) > near
         ]
@@ -66,7 +66,7 @@ def _uprights(lines: Sequence[PlaneLine], across: int, grid: float) -> Iterator[
             yield float(line.points[:, across].mean())
 
 
-def _told(plan: Sequence[PlaneLine], column: int) -> Iterator[float]:
+def _line_ends(plan: Sequence[PlaneLine], column: int) -> Iterator[float]:
     """Where lines of the plan begin, end, or turn back along a coordinate."""
     for line in plan:
         yield from line.points[[0, -1], column].tolist()

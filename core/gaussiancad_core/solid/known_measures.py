@@ -84,12 +84,12 @@ class DimensionEvidence:
 
     def coordinates(self, axis: int, numbers: Points) -> Known:
         """Those that numbers tell."""
-        return self._told(self.places.values[Axis(axis)], numbers)
+        return self._known_by_numbers(self.places.values[Axis(axis)], numbers)
 
     def radii(self, numbers: Points) -> Known:
         """Those that numbers tell."""
-        return self._told(self.places.radii, numbers)
+        return self._known_by_numbers(self.places.radii, numbers)
 
-    def _told(self, stated: Sequence[float], numbers: Points) -> Known:
+    def _known_by_numbers(self, stated: Sequence[float], numbers: Points) -> Known:
         apart = np.abs(numbers[:, None] - np.array(stated)[None, :])
         return apart.min(axis=1, initial=np.inf) <= self.near

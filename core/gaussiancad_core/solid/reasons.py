@@ -89,7 +89,7 @@ def reasons_of(
         reasons.append((Code.SOLID_UNSOUND, "the solid is not one valid closed body"))
     if verification.flaws:
         reasons.append(_unexplained(verification))
-    if verification.retold:
+    if verification.relaxed_linetypes:
         reasons.append(_RETOLD)
     if verification.apart:
         reasons.append(_apart(verification))
@@ -111,7 +111,7 @@ def reasons_of(
     return reasons
 
 
-def beside_ink(offset: InkOffset, pixel: float) -> Reason:
+def ink_off_line(offset: InkOffset, pixel: float) -> Reason:
     """That the ink runs off a line of the solid.
 
     Args:

@@ -68,9 +68,9 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
     model = modelled(ModelKind.OPEN_LINETYPES, unsure, work, deadline)
     if unsure is not None and model is not None:
         other = _remodelled(replace(work, views=unsure), model, limits)
-        retold = other.search.retold(deadline)
-        if retold.labels is not None:
-            yield other, retold
+        relaxed_linetypes = other.search.relaxed_linetypes(deadline)
+        if relaxed_linetypes.labels is not None:
+            yield other, relaxed_linetypes
             yield from _followed(other, unsure, limits, deadline)
         # What is given up may be linetypes as well.
         work, lines = other, unsure

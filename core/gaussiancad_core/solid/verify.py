@@ -131,7 +131,7 @@ class Verification:
     misfit: float
     apart: bool
     thin: int = 0
-    retold: bool = False
+    relaxed_linetypes: bool = False
     lines: Mapping[Role, tuple[DrawnStroke, ...]] = field(default_factory=dict)
     areas: Mapping[Role, float] = field(default_factory=dict)
 
@@ -180,12 +180,12 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         if cut.areas is not None:
             areas[role] = _overlap(section.areas, cut.areas)
             flaws += _area_flaws(role, section.areas, cut.areas, tolerance)
-    drawn_views, retold = with_unsure_kinds(views) or views, False
+    drawn_views, relaxed_linetypes = with_unsure_kinds(views) or views, False
     askew = False
     for role in views.roles:
         lines = lines_of_strokes(drawn[role], tolerance / STEPS_PER_TOLERANCE)
         strokes = as_drawn(drawn_views.strokes[role], lines, tolerance)
-        retold |= strokes != tuple(drawn_views.strokes[role])
+        relaxed_linetypes |= strokes != tuple(drawn_views.strokes[role])
         if role in views.without_hidden:
             # A hidden line of the solid is none that the view lacks.
             lines = Lines(
@@ -218,7 +218,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         misfit,
         apart,
         _thin(shape, views),
-        retold,
+        relaxed_linetypes,
         drawn,
         areas,
     )
@@ -272,7 +272,7 @@ def _spread(strokes: Iterable[DrawnStroke], result: Lines, tolerance: float, lea
     for stroke in strokes:
         if stroke.linetype in trees and stroke.length >= least:
             points = stroke.sample(tolerance / 4.0)
-            offset = float(np.median(_beside(points, trees[stroke.linetype])))
+            offset = float(np.median(_off_lines(points, trees[stroke.linetype])))
             if offset <= tolerance:
                 worst = max(worst, offset * min(1.0, stroke.length / (_STEADY * tolerance)))
     return worst
@@ -298,7 +298,7 @@ def _is_askew(strokes: Iterable[DrawnStroke], result: Lines, least: float) -> bo
     return False
 
 
-def _beside(points: npt.NDArray[np.float64], tree: cKDTree) -> npt.NDArray[np.float64]:
+def _off_lines(points: npt.NDArray[np.float64], tree: cKDTree) -> npt.NDArray[np.float64]:
     """(n,) mm between points and the lines through their two nearest points of lines."""
     distances, nearest = tree.query(points, k=2)
     one, other = tree.data[nearest[:, 0]], tree.data[nearest[:, 1]]

@@ -34,7 +34,7 @@ def unforeseen(error: BaseException, files: Iterable[Path] = ()) -> EngineError:
         files: of the input.
     """
     kind = type(error).__name__
-    path = _written(_told(error, files))
+    path = _written(_description(error, files))
     if path is None:
         return EngineError(
             Code.UNFORESEEN,
@@ -52,7 +52,7 @@ def unforeseen(error: BaseException, files: Iterable[Path] = ()) -> EngineError:
     )
 
 
-def _told(error: BaseException, files: Iterable[Path]) -> str:
+def _description(error: BaseException, files: Iterable[Path]) -> str:
     versions = {"gaussiancad": __version__, "python": platform.python_version()}
     versions.update(installed_versions(ENGINE_PACKAGES))
     lines = [f"{name} {version}" for name, version in versions.items()]

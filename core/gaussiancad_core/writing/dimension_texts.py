@@ -130,7 +130,7 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
     for level in (True, False):
         this_rules = [rule for rule in rules if rule.level is level]
         across = [rule for rule in rules if rule.level is not level]
-        for line, weight in _lines_beside(text, level, this_rules):
+        for line, weight in _nearby_lines(text, level, this_rules):
             stops = _stops(line, across, _head(text))
             borders = _stops(line, [edge for edge in edges if edge.level is not level], _TOUCH)
             spans = _spans(text, line, stops, borders)
@@ -145,7 +145,7 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
     return tuple(unique)
 
 
-def extents_beside(text: SheetText, boxes: Iterable[Box]) -> tuple[Span, ...]:
+def adjacent_extents(text: SheetText, boxes: Iterable[Box]) -> tuple[Span, ...]:
     """The extents of the views that a text stands beside, in the middle of a side: a dimension of
     a few px may be all heads, without a line that could be found.
 
@@ -181,7 +181,7 @@ def _sides(box: Box, level: bool) -> tuple[tuple[float, float], tuple[float, flo
     return (x, y) if level else (y, x)
 
 
-def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[tuple[Rule, float]]:
+def _nearby_lines(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[tuple[Rule, float]]:
     """Lines of a direction that run under, over or through a text, pieces joined, and how likely
     each is its own; the nearest first."""
     if level and not text.level:
@@ -334,13 +334,13 @@ def _spans(
     along, across = _sides(text.box, line.level)
     centre = 0.5 * (along[0] + along[1])
     height = min(along[1] - along[0], across[1] - across[0])
-    found = _beside(line.level, centre, stops, 1.0, _REACH * height)
+    found = _adjacent(line.level, centre, stops, 1.0, _REACH * height)
     ends = [_nearest(stops, end) for end in (line.low, line.high)] if (stops) else []
     if ends and ends[0] < ends[1] and _meets(ends, line, _head(text)):
         found.append(Span(line.level, ends[0], ends[1], 1.0 if not found else 0.8))
     if borders:
         every = sorted([*stops, *borders])
-        found += _beside(line.level, centre, every, 0.5, _REACH * height)
+        found += _adjacent(line.level, centre, every, 0.5, _REACH * height)
         ends = [_nearest(every, end) for end in (line.low, line.high)]
         if ends[0] < ends[1] and _meets(ends, line, _TOUCH):
             found.append(Span(line.level, ends[0], ends[1], 0.7))
@@ -351,7 +351,7 @@ def _meets(ends: Sequence[float], line: Rule, near: float) -> bool:
     return abs(ends[0] - line.low) <= near and abs(ends[1] - line.high) <= near
 
 
-def _beside(
+def _adjacent(
     level: bool, centre: float, stops: Sequence[float], weight: float, reach: float
 ) -> list[Span]:
     """Between the stops on both sides of a text's middle, or the nearest two on one side."""

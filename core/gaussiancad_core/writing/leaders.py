@@ -109,7 +109,7 @@ def circles_at(
     ends = np.array(leaders, dtype=float).reshape(-1, 2)
     starting = _distances(text.box, ends) <= near
     for shelf in shelves:
-        if _beside(shelf, text.box, near):
+        if _runs_along_text(shelf, text.box, near):
             for end in shelf:
                 starting |= np.hypot(*(ends - end).T) <= _TOUCH
     centres = np.array([arc.centre for arc in arcs]).reshape(-1, 2)
@@ -135,7 +135,7 @@ def _beyond(start: Points, tip: Points, points: Points) -> Points:
     return points[(offsets @ way > length) & (neighbour <= _ALIGNED)]
 
 
-def _beside(shelf: Leader, box: Box, near: float) -> bool:
+def _runs_along_text(shelf: Leader, box: Box, near: float) -> bool:
     """Whether a level line runs along a text, or starts beside it."""
     left, right = sorted(float(end[0]) for end in shelf)
     level = float(shelf[0][1])

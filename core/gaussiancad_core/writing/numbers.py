@@ -170,7 +170,7 @@ def parse_dimension(text: str, *, bare_point_is_inch: bool = True) -> DimensionT
     if not value:
         return None
     sign = _SIGNS.get(found["sign"] or ("DIA" if found["after"] else ""), Sign.LENGTH)
-    unit = own_unit(found["number"], found["unit"], bare_point_is_inch=bare_point_is_inch)
+    unit = unit_of_number(found["number"], found["unit"], bare_point_is_inch=bare_point_is_inch)
     return DimensionText(value, sign, unit)
 
 
@@ -191,7 +191,7 @@ def value_of(number: str) -> float:
     return float(sum(int(inches) for inches in whole) + Fraction(over, under))
 
 
-def own_unit(number: str, mark: str | None, *, bare_point_is_inch: bool) -> Unit | None:
+def unit_of_number(number: str, mark: str | None, *, bare_point_is_inch: bool) -> Unit | None:
     """The unit of a number, where it tells.
 
     Args:

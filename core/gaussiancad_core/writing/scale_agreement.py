@@ -201,7 +201,7 @@ def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None
     scale = _group(measured, unit, _commonest(measured, unit), _AGREE, 2)
     if scale is None:
         scale = _group(measured, unit, paper_scale, _PAPER, 1)
-    read_dimensions = tuple(_told(dimension, unit, scale) for dimension in dimensions)
+    read_dimensions = tuple(_read_dimension(dimension, unit, scale) for dimension in dimensions)
     return Agreement(scale, read_dimensions)
 
 
@@ -287,7 +287,7 @@ def _refined(members: Sequence[Dimension], unit: Unit, scale: float, share: floa
     return float((values * pixels)[near].sum() / (pixels**2)[near].sum())
 
 
-def _told(dimension: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
+def _read_dimension(dimension: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
     best = _best(dimension, unit, scale) if scale else None
     candidate = best or next(iter(dimension.candidates), None)
     if scale and best:

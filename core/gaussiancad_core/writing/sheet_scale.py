@@ -23,7 +23,7 @@ from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
 from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
 from gaussiancad_core.writing.dimension_texts import (
     Span,
-    extents_beside,
+    adjacent_extents,
     file_lines,
     file_rules,
     mark_rules,
@@ -343,7 +343,7 @@ def _candidates(
 ) -> tuple[Candidate, ...]:
     found = []
     if said.sign is not Sign.RADIUS:
-        spans = (*_spans(text, lines), *extents_beside(text, lines.boxes))
+        spans = (*_spans(text, lines), *adjacent_extents(text, lines.boxes))
         found += [Candidate(span.length, span.weight, span) for span in spans]
     # Where the sign was not read, the leader tells that it is a diameter.
     times = 1.0 if said.sign is Sign.RADIUS else 2.0

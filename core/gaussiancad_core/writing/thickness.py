@@ -7,7 +7,14 @@ before the number or behind it, in a longer note, too.
 import re
 from dataclasses import dataclass
 
-from gaussiancad_core.writing.numbers import NUMBER, UNIT, Unit, own_unit, plain_text, value_of
+from gaussiancad_core.writing.numbers import (
+    NUMBER,
+    UNIT,
+    Unit,
+    plain_text,
+    unit_of_number,
+    value_of,
+)
 
 _UNITS = r"[:\u00b0%]|(?:[\u00b5\u03bcuckd]?m|[CFKs]|sec|min|h|k?Nm?|[kMG]?Pa|bar|k?g|HRC|HB|deg)\b"
 """What follows numbers that are no thickness in millimetres or inches: temperatures, times, forces,
@@ -103,6 +110,6 @@ def take_thickness(
     value = value_of(found["number"]) if found else 0.0
     if not found or not value:
         return None, plain
-    unit = own_unit(found["number"], found["unit"], bare_point_is_inch=bare_point_is_inch)
+    unit = unit_of_number(found["number"], found["unit"], bare_point_is_inch=bare_point_is_inch)
     adjacent = (plain[: found.start()].rstrip(" ,;"), plain[found.end() :].lstrip(" ,;."))
     return Thickness(value, unit), ", ".join(name for name in adjacent if name)

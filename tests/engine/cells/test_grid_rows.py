@@ -14,7 +14,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.tolerances import SHORTEST
 from gaussiancad_core.labelling import part_model as reasoning_part
 from gaussiancad_core.labelling.part_model import PartModel, model_part
-from gaussiancad_core.labelling.visibility_rules import groups_beside
+from gaussiancad_core.labelling.visibility_rules import groups_at
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 
 _NAMES = ("stepped-block", "counterbored-block", "wedge-block", "ball-knob")
@@ -58,7 +58,7 @@ def test_lines_that_are_left_out_say_nothing(part: PartModel) -> None:
                     at = low + SHARE * (high - low)
                     point = (value, at) if place == 0 else (at, value)
                     piece = Piece(plane.roles[0], point, across, None, high - low)
-                    assert groups_beside(part.space, piece) is None
+                    assert groups_at(part.space, piece) is None
 
 
 def _axis_values(

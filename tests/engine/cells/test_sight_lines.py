@@ -11,7 +11,7 @@ from gaussiancad_core.cells.sight_lines import SightLines, body_table
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.labelling import visibility_rules
 from gaussiancad_core.labelling.part_model import PartModel, model_part
-from gaussiancad_core.labelling.visibility_rules import groups_beside, rules_of
+from gaussiancad_core.labelling.visibility_rules import groups_at, rules_of
 from gaussiancad_core.samples.classed import PartClass, classed_part
 
 _SAMPLES = ("stepped-block", "counterbored-block", "filleted-block", "countersunk-plate")
@@ -71,7 +71,7 @@ def test_each_piece_is_told_by_itself(part: PartModel) -> None:
     pieces = _pieces(part)
     said = {id(piece): stated for piece, stated in lines.said(pieces)}
     for piece in pieces[::7]:
-        assert (groups_beside(space, piece) is not None) == (id(piece) in said)
+        assert (groups_at(space, piece) is not None) == (id(piece) in said)
         alone = dict(SightLines(_fresh(part)).said([piece]))
         assert alone == ({piece: said[id(piece)]} if id(piece) in said else {})
 
@@ -82,7 +82,7 @@ def test_views_from_behind_tell_the_groups_the_other_way_round(part: PartModel) 
         role = type(piece.role)(opposite[piece.role.value])
         space = _fresh(part)
         ways = [list(SightLines(space).said([replace(piece, role=r)])) for r in (piece.role, role)]
-        one, other = (groups_beside(space, replace(piece, role=r)) for r in (piece.role, role))
+        one, other = (groups_at(space, replace(piece, role=r)) for r in (piece.role, role))
         assert (one is None) == (other is None) == (not ways[0]) == (not ways[1])
         if one is not None:
             assert one == other[::-1]

@@ -17,7 +17,7 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 
 from gaussiancad_core.comparison.compare_command import compare_files
 from gaussiancad_core.comparison.comparison_options import CompareOptions, Protocol
-from gaussiancad_core.comparison.comparison_page import overlay_beside
+from gaussiancad_core.comparison.comparison_page import overlay_of_result
 from gaussiancad_core.comparison.deviation import measure_deviation
 from gaussiancad_core.comparison.page_geometry import MOST_TRIANGLES, page_geometry
 from gaussiancad_core.comparison.queries import SurfaceQueries
@@ -103,14 +103,14 @@ def test_the_sheet_beside_the_result_is_shown(page: Path) -> None:
 
 
 def test_what_is_no_picture_is_not_shown(tmp_path: Path) -> None:
-    assert overlay_beside(tmp_path / "part.stl") is None
+    assert overlay_of_result(tmp_path / "part.stl") is None
     (tmp_path / "overlay.png").write_bytes(b"\x89PNG broken")
-    assert overlay_beside(tmp_path / "part.stl") is None
+    assert overlay_of_result(tmp_path / "part.stl") is None
 
 
 def test_a_large_sheet_is_made_smaller(tmp_path: Path) -> None:
     cv2.imwrite(str(tmp_path / "overlay.png"), np.full((1000, 4000, 3), 255, dtype=np.uint8))
-    kind, content = overlay_beside(tmp_path / "part.stl")
+    kind, content = overlay_of_result(tmp_path / "part.stl")
     assert kind == "image/jpeg"
     assert cv2.imdecode(np.frombuffer(content, np.uint8), 1).shape == (450, 1800, 3)
 

@@ -10,7 +10,7 @@ from gaussiancad_core.features.as_json import solid_values
 from gaussiancad_core.features.build123d_script import script_of
 from gaussiancad_core.features.constraints import Numbers
 from gaussiancad_core.features.feature_model import FeatureList, Holes
-from gaussiancad_core.features.features_command import numbers_beside, write_features
+from gaussiancad_core.features.features_command import numbers_of_report, write_features
 from gaussiancad_core.features.frames import MAIN_FRAMES
 from gaussiancad_core.features.thread_notes import Thread, ThreadNote, threads_of
 from gaussiancad_core.kernel.brep_files import write_step
@@ -82,7 +82,7 @@ def test_notes_are_those_of_the_report_beside_the_solid(tmp_path: Path) -> None:
     note = {"text": "2x M6", "kind": "thread", "value_mm": 6.0, "count": 2, "depth_mm": None}
     report = {"measures": {"uncertainty_mm": 0.01}, "dimensions": [], "notes": [note]}
     (tmp_path / "report.json").write_text(json.dumps(report), encoding="utf-8")
-    assert numbers_beside(tmp_path / "solid.step").threads == (ThreadNote("M6", 6.0, 2),)
+    assert numbers_of_report(tmp_path / "solid.step").threads == (ThreadNote("M6", 6.0, 2),)
     write_features(tmp_path / "solid.step", tmp_path / "out")
     values = json.loads((tmp_path / "out" / "features.json").read_text(encoding="utf-8"))
     (holes,) = (f for f in values["solids"][0]["features"] if f["kind"] == "hole")

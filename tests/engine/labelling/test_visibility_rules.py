@@ -26,7 +26,7 @@ from gaussiancad_core.labelling.visibility_rules import (
     Group,
     Rule,
     drawn_under,
-    groups_beside,
+    groups_at,
     rules_of,
 )
 from gaussiancad_core.lines.hlr import LineDrawing
@@ -118,9 +118,9 @@ def test_columns_that_are_alike_say_what_their_groups_say(
 ) -> None:
     part = model_part(sample_views(name))
     pieces = list(find_pieces(part.space, part.carriers.planes, _NEAR))
-    quick = [groups_beside(part.space, piece) for piece in pieces]
+    quick = [groups_at(part.space, piece) for piece in pieces]
     monkeypatch.setattr(visibility_rules, "_aligned", lambda *_: None)
-    assert [groups_beside(part.space, piece) for piece in pieces] == quick
+    assert [groups_at(part.space, piece) for piece in pieces] == quick
 
 
 _ONE: Cell = (1, 1, 1, 0)

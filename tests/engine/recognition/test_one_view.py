@@ -10,7 +10,7 @@ from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.processes.events import Progress, Silence
-from gaussiancad_core.recognition.one_view import shown_extents, stated_unseen
+from gaussiancad_core.recognition.one_view import shown_extents, unseen_extent_of
 from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.sheet.reading_options import ReadingOptions
@@ -72,7 +72,7 @@ def _told(
     notes: tuple[SheetNote, ...] = (),
 ) -> Unseen | None:
     run = _notes()
-    found = stated_unseen((view,), scale, notes, options, run)
+    found = unseen_extent_of((view,), scale, notes, options, run)
     assert [reason.code for reason in run.report.reasons] == ["second-view-assumed"]
     return found
 
@@ -115,7 +115,7 @@ def test_without_a_thickness_or_a_scale_one_view_is_no_part(
     options: ReadingOptions, notes: tuple[SheetNote, ...], case: str | None
 ) -> None:
     with pytest.raises(NoModelError) as raised:
-        stated_unseen((_view(*_SIDES),), _scale(), notes, options, _notes())
+        unseen_extent_of((_view(*_SIDES),), _scale(), notes, options, _notes())
     assert raised.value.code == "one-view"
     args = raised.value.message.args
     assert (args["axis"], args.get("case")) == ("y", case)
@@ -123,7 +123,7 @@ def test_without_a_thickness_or_a_scale_one_view_is_no_part(
 
 def test_of_two_views_nothing_is_asked() -> None:
     views = (_view(*_SIDES), SimpleNamespace(role=Role.TOP, box=(0.0, 0.0, 7.0, 8.0)))
-    assert stated_unseen(views, None, (), ReadingOptions(), _notes()) is None
+    assert unseen_extent_of(views, None, (), ReadingOptions(), _notes()) is None
     assert set(shown_extents(views)) == set(Axis)
     assert set(shown_extents(views[:1])) == {Axis.X, Axis.Z}
 
@@ -131,5 +131,5 @@ def test_of_two_views_nothing_is_asked() -> None:
 def test_of_two_lengths_one_is_the_scale_and_one_the_thickness() -> None:
     options = ReadingOptions(lengths=((Axis.Y, 3.0), (Axis.X, 80.0)))
     views = (_view(*_SIDES),)
-    assert stated_unseen(views, _scale(), (), options, _notes()) == Unseen(Axis.Y, 3.0)
+    assert unseen_extent_of(views, _scale(), (), options, _notes()) == Unseen(Axis.Y, 3.0)
     assert options.scaling_length(shown_extents(views)) == (Axis.X, 80.0)

@@ -6,7 +6,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.sheet.annotations.annotation_marks import line_mark
 from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
-from gaussiancad_core.writing.dimension_texts import Span, extents_beside, mark_rules, spans_of
+from gaussiancad_core.writing.dimension_texts import Span, adjacent_extents, mark_rules, spans_of
 from gaussiancad_core.writing.leaders import circles_at, leaders_of, shelves_of
 from gaussiancad_core.writing.sheet_texts import SheetText
 
@@ -200,11 +200,11 @@ def test_a_text_in_the_middle_of_a_side_may_tell_the_extent(level: bool) -> None
     box = (100.0, 100.0, 300.0, 106.0) if level else (100.0, 100.0, 106.0, 300.0)
     neighbour = (320.0, 94.0, 370.0, 112.0) if level else (78.0, 320.0, 128.0, 338.0)
     thin = Span(not level, 100.0, 106.0, 0.4)
-    assert extents_beside(text(neighbour), [box]) == (thin,)
+    assert adjacent_extents(text(neighbour), [box]) == (thin,)
     # Far away, or off the middle, it tells nothing.
     x0, y0, x1, y1 = neighbour
     far = 200.0
     away = (x0 + far, y0, x1 + far, y1) if level else (x0, y0 + far, x1, y1 + far)
     off = (x0, y0 + 30.0, x1, y1 + 30.0) if level else (x0 + 40.0, y0, x1 + 40.0, y1)
-    assert extents_beside(text(away), [box]) == ()
-    assert extents_beside(text(off), [box]) == ()
+    assert adjacent_extents(text(away), [box]) == ()
+    assert adjacent_extents(text(off), [box]) == ()
