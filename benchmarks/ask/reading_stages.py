@@ -51,9 +51,9 @@ def _no(*_arguments: object) -> bool:
 
 _CHANGES = (
     "without_shadows", "ended_where_lines_touch", "ended_before_slants", "_refitted",
-    "with_fitted_slants", "with_close_fits", "parted_at_corners", "_with_curved_fillets",
-    "with_short_legs", "with_drill_tips", "with_corners_reached", "with_bows", "with_run_outs",
-    "with_ends_behind_edges", "with_met_ends", "with_changes_at_junctions",
+    "with_fitted_slants", "with_close_fits", "parted_at_corners",
+    "with_short_legs", "with_corners_reached", "with_bows", "with_ends_behind_edges",
+    "with_met_ends", "with_changes_at_junctions",
 )  # fmt: skip
 _FINDS = (
     "find_remaining_dashes", "find_corner_dashes", "find_jogs", "find_rungs", "find_slanted_rungs",
@@ -69,15 +69,13 @@ STAGES: dict[str, Neutral] = {
     **dict.fromkeys(_FINDS, _none),
     **dict.fromkeys(_ASKS, _no),
     "own_runs": _given(1),
-    "told_runs": lambda _sheet, _shape, runs, _pens: [(run, 0.0) for run in runs],
+    "run_odds": lambda _sheet, _shape, runs, _pens: [(run, 0.0) for run in runs],
     "with_dashes_beside": _given(2),
     "told_linetypes": lambda _shape, runs, *_: [odds for _, odds in runs],
     "with_dashes_led_to": _given(3),
-    "with_dashes_between": _given(2),
     "bridged": _given(2),
     "_closed": _given(1),
     "up_to_tangents": lambda _shape, piece, *_: piece,
-    "with_edged_chamfers": lambda _weight, pieces, _width: (list(pieces), []),
     "with_chamfers": _given(1),
 }
 """Of the module ``strokes``, with what each gives where it is left out."""

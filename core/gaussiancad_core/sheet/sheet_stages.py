@@ -14,6 +14,7 @@ from gaussiancad_core.model.views import Linetype, Stroke, ViewSet
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
+from gaussiancad_core.sheet.picture_noise import ON_LINE
 from gaussiancad_core.sheet.reading_options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.registration.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.registration.shared_axes import share_axes
@@ -36,9 +37,6 @@ from gaussiancad_core.sheet.registration.view_registration import (
     strokes_in_plane,
     view_box,
 )
-from gaussiancad_core.sheet.tracing.dash_blocks import with_dash_blocks
-from gaussiancad_core.sheet.tracing.dashed_rings import with_rings
-from gaussiancad_core.sheet.tracing.edge_dashes import with_edge_dashes
 from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
 from gaussiancad_core.sheet.tracing.twin_lines import with_twins
 from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
@@ -49,9 +47,6 @@ from gaussiancad_protocol.codes import Code
 
 _MOST_STROKES = 3000
 """Of a view: each is looked at beside the others, and parts have some hundred."""
-
-_LEAST_PX = 0.5
-"""px that a view is wide and high at least: less lies between the edges of one line."""
 
 _ALONE = 0.6
 """Gaps by which a line may be longer than its only dash: lines at its ends cover the rest."""
@@ -170,10 +165,8 @@ def read_views(
         if role not in exact:
             shapes[role] = find_shapes(sheet, box, finder)
         progress(index / (len(layout.boxes) + 1))
-    shapes = dict(zip(shapes, with_rings(shapes, layout.boxes), strict=True))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
-    lines = with_twins(with_dash_blocks(list(shapes.values()), rhythm), rhythm)
-    shapes = dict(zip(shapes, with_edge_dashes(lines, rhythm), strict=True))
+    shapes = dict(zip(shapes, with_twins(list(shapes.values()), rhythm), strict=True))
     pens = view_pens(list(shapes.values()), rhythm)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)
@@ -201,7 +194,7 @@ def _check_outline(view: ReadView) -> None:
     x0, y0, x1, y1 = view.box
     if view.outline is None:
         case, fault = "gap", "is not closed: draw its visible edges without gaps"
-    elif min(x1 - x0, y1 - y0) < _LEAST_PX:
+    elif min(x1 - x0, y1 - y0) < ON_LINE:
         # Two edges that melted into one line are closed, and bound nothing.
         case = "thin"
         fault = "encloses nothing, its edges are one line: export the sheet with more pixels"

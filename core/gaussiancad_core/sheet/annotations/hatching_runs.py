@@ -17,6 +17,8 @@ from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.line_conventions import HATCHING, UNEVEN
+from gaussiancad_core.sheet.picture_noise import PARALLEL
 from gaussiancad_core.sheet.tracing.ink_runs import Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
@@ -27,20 +29,11 @@ Pixels = npt.NDArray[np.uint8]
 _SLANTED = np.radians(12.0)
 """Least angle between hatching and the sheet's own directions."""
 
-_PARALLEL = np.radians(2.0)
-"""Largest angle between the lines of a family."""
-
-_LEAST_LINES = 4
-"""Lines of a family at least."""
-
 _LONG = 6.0
 """Length of the lines that show a family, in stroke widths; its others may be shorter."""
 
 _PITCH = (2.0, 25.0)
 """Distance of the lines, in stroke widths."""
-
-_UNEVEN = 0.15
-"""Difference of two distances in a family, as a share of them; a px and a half is free."""
 
 _FREE_PX = 1.5
 
@@ -203,7 +196,7 @@ class _Family:
         """(n,) whether points lie on lines of the family."""
         normal = np.array([-self.way[1], self.way[0]])
         turns = (points @ normal - self.offset) / self.pitch
-        return np.abs(turns - np.round(turns)) * self.pitch < max(_FREE_PX, _UNEVEN * self.pitch)
+        return np.abs(turns - np.round(turns)) * self.pitch < max(_FREE_PX, UNEVEN * self.pitch)
 
     def _kernel(self) -> Pixels:
         reach = 2 * int(np.ceil(_REACH * self.pitch)) + 1
@@ -264,7 +257,7 @@ def _between(one: float, other: float) -> float:
 
 def _is_parallel(piece: _Piece, angle: float) -> bool:
     """Whether a piece runs along a direction; the shorter it is, the less exactly it is known."""
-    return _between(piece.angle, angle) < max(_PARALLEL, _LOOSE_PX / piece.run.length)
+    return _between(piece.angle, angle) < max(PARALLEL, _LOOSE_PX / piece.run.length)
 
 
 def _directions(pieces: Sequence[_Piece], stroke_width: float) -> list[float]:
@@ -275,17 +268,17 @@ def _directions(pieces: Sequence[_Piece], stroke_width: float) -> list[float]:
     order = np.argsort(angles, kind="stable")
     # After half a turn they come again: those near to each are in a row, whichever it is.
     around = np.concatenate([angles[order] + turn for turn in (-np.pi, 0.0, np.pi)])
-    first = np.searchsorted(around, angles - _PARALLEL, side="right")
-    last = np.searchsorted(around, angles + _PARALLEL, side="left")
+    first = np.searchsorted(around, angles - PARALLEL, side="right")
+    last = np.searchsorted(around, angles + PARALLEL, side="left")
     found: list[float] = []
     left = np.ones(len(long), dtype=bool)
-    while left.sum() >= _LEAST_LINES:
+    while left.sum() >= HATCHING:
         rows = np.tile(np.where(left, lengths, 0.0)[order], 3)
         total = np.concatenate([[0.0], np.cumsum(rows)])
         best = int(np.argmax(np.where(left, total[last] - total[first], -1.0)))
         offset = (angles - angles[best] + np.pi / 2) % np.pi - np.pi / 2
-        near = left & (np.abs(offset) < _PARALLEL)
-        if near.sum() < _LEAST_LINES:
+        near = left & (np.abs(offset) < PARALLEL)
+        if near.sum() < HATCHING:
             break
         found.append(float(angles[best] + np.average(offset[near], weights=lengths[near])))
         left &= ~near
@@ -297,7 +290,7 @@ def _families(pieces: Sequence[_Piece], angle: float, sheet: CleanSheet) -> list
     way = np.array([np.cos(angle), np.sin(angle)])
     normal = np.array([-way[1], way[0]])
     long = [piece for piece in pieces if piece.run.length > _LONG * sheet.stroke_width]
-    if len(long) < _LEAST_LINES:
+    if len(long) < HATCHING:
         return []
     ends = np.array([_ends(piece) for piece in long])
     spans = np.sort(ends @ way, axis=1)
@@ -312,7 +305,7 @@ def _families(pieces: Sequence[_Piece], angle: float, sheet: CleanSheet) -> list
         if not distances:
             continue
         lines, pitch, first = _even(offsets[members], float(np.median(distances)))
-        if lines >= _LEAST_LINES and _ending(this_pieces, sheet) > _ENDING:
+        if lines >= HATCHING and _ending(this_pieces, sheet) > _ENDING:
             families.append(_Family(tuple(this_pieces), angle, pitch, first))
     return families
 
@@ -359,17 +352,17 @@ def _joined(steps: dict[int, tuple[int, float]], count: int) -> list[list[int]]:
     for k, (nearest, distance) in steps.items():
         # A line may be missing, or have been taken for a flat arc.
         times = float(np.clip(np.round(distance / usual), 1.0, _MISSING))
-        if abs(distance / times - usual) <= max(_FREE_PX, _UNEVEN * usual):
+        if abs(distance / times - usual) <= max(_FREE_PX, UNEVEN * usual):
             parent[root(k)] = root(nearest)
     groups: dict[int, list[int]] = {}
     for k in range(count):
         groups.setdefault(root(k), []).append(k)
-    return [members for members in groups.values() if len(members) >= _LEAST_LINES]
+    return [members for members in groups.values() if len(members) >= HATCHING]
 
 
 def _usual(distances: Floats) -> float:
     """The distance that most others are like."""
-    like = np.abs(distances[:, None] - distances) <= np.maximum(_FREE_PX, _UNEVEN * distances)
+    like = np.abs(distances[:, None] - distances) <= np.maximum(_FREE_PX, UNEVEN * distances)
     return float(distances[int(np.argmax(like.sum(axis=1)))])
 
 

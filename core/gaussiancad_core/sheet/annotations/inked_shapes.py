@@ -8,13 +8,11 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.annotations.short_dashes import with_dots
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import OVERRUN
 from gaussiancad_core.sheet.tracing.ink_runs import InkField, Run, circle_runs, line_runs
 from gaussiancad_core.sheet.tracing.line_widths import run_width
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
 from gaussiancad_core.sheet.tracing.shape_growth import Grown
-
-_BEYOND = 3.0
-"""px by which a shape is looked at beyond its last ridge point."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ def inked_shape(
         raise ValueError("the shape is no line or circle")
     if isinstance(geometry, Line):
         along, _ = geometry.coordinates(ridges.points[grown.members])
-        runs = line_runs(field, geometry, along.min() - _BEYOND, along.max() + _BEYOND)
+        runs = line_runs(field, geometry, along.min() - OVERRUN, along.max() + OVERRUN)
     else:
         runs = circle_runs(field, geometry)
     runs = with_dots(sheet.weight, sheet.stroke_width, geometry, runs)

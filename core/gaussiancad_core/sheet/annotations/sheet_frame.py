@@ -13,9 +13,8 @@ import numpy as np
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
 from gaussiancad_core.sheet.image.deskew import Turn
-
-_SPAN = 0.6
-"""Share of the sheet that a piece of a frame spans one way at least."""
+from gaussiancad_core.sheet.line_conventions import CELLS, FRAME, MARGIN
+from gaussiancad_core.sheet.votes import MOST, NEARLY_ALL
 
 _MIDDLE = (0.1, 0.1, 0.9, 0.8)
 """Left, top, right and bottom of the middle of a frame, as shares of its box: its lines and title
@@ -27,20 +26,8 @@ _IN_MIDDLE = 0.1
 _EVEN = 4
 """px within which pieces of a frame are as wide, or as high, as each other."""
 
-_MARGIN = 0.15
-"""Share of the sheet that its margin is wide at most."""
-
-_FIELDS = 3
-"""Fields with writing that a title block has at least."""
-
-_ALL = 0.95
-"""Share of the sheet's ink that lies inside of a frame, with its own."""
-
 _LARGEST = 0.3
 """Share of the sheet that the drawing area has at least: less is a view drawn large."""
-
-_FILLED = 0.6
-"""Share of its box that a field fills at least; corners between two zones do not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,8 +54,8 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     # Lines of one pixel that a scan broke still hold together.
     closed = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8))
     _, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
-    spans = (stats[:, cv2.CC_STAT_WIDTH] > _SPAN * width) | (
-        stats[:, cv2.CC_STAT_HEIGHT] > _SPAN * height
+    spans = (stats[:, cv2.CC_STAT_WIDTH] > FRAME * width) | (
+        stats[:, cv2.CC_STAT_HEIGHT] > FRAME * height
     )
     spans[0] = False
     boxed = _boxed(labels, stats, np.flatnonzero(spans), ink.shape)
@@ -132,7 +119,7 @@ def _boxed(
             apart = np.abs(low - low[label])[:, way], np.abs(extents - extents[label])[:, way]
             even = spanning[np.maximum(*apart)[spanning] <= _EVEN]
             first, last = low[even].min(axis=0), (low + extents)[even].max(axis=0)
-            reach = (first <= _MARGIN * size).all() and (last >= (1.0 - _MARGIN) * size).all()
+            reach = (first <= MARGIN * size).all() and (last >= (1.0 - MARGIN) * size).all()
             if reach and any(_is_written(labels, stats[k], int(k)) for k in even if k != label):
                 found[even] = True
     return found
@@ -144,7 +131,7 @@ def _is_written(labels: np.ndarray, fact: np.ndarray, label: int) -> bool:
     values = labels[y : y + h, x : x + w]
     _, areas = cv2.connectedComponents((values != label).astype(np.uint8), connectivity=4)
     within = np.unique(areas[(values != label) & (values > 0)])
-    return len(within) >= _FIELDS
+    return len(within) >= CELLS
 
 
 def _middle_of(box: tuple[int, int, int, int]) -> tuple[slice, slice]:
@@ -166,14 +153,14 @@ def _contains_all(ink: np.ndarray, fact: np.ndarray) -> bool:
     """Whether a piece goes around nearly all ink and most of the paper: a frame that is smaller
     than the paper, not in proportion to it."""
     x, y, w, h = (int(value) for value in fact[:4])
-    large = w > _SPAN * ink.shape[1] and h > _SPAN * ink.shape[0]
-    return large and float(ink[y : y + h, x : x + w].sum()) > _ALL * float(ink.sum())
+    large = w > FRAME * ink.shape[1] and h > FRAME * ink.shape[0]
+    return large and float(ink[y : y + h, x : x + w].sum()) > NEARLY_ALL * float(ink.sum())
 
 
 def _is_field(ink: Mask, fact: np.ndarray) -> bool:
     """Whether an area is a rectangle with writing in it, away from its border."""
     x, y, w, h, filled = (int(value) for value in fact)
-    return filled > _FILLED * w * h and bool(ink[y + 2 : y + h - 2, x + 2 : x + w - 2].any())
+    return filled > MOST * w * h and bool(ink[y + 2 : y + h - 2, x + 2 : x + w - 2].any())
 
 
 def _box(fact: np.ndarray) -> tuple[float, float, float, float]:

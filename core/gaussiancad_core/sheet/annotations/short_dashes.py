@@ -10,14 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
-from gaussiancad_core.sheet.tracing.ink_runs import STEP, Run
+from gaussiancad_core.sheet.line_conventions import SLENDER
+from gaussiancad_core.sheet.picture_noise import FAINT, STEP
+from gaussiancad_core.sheet.tracing.ink_runs import Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 
-_INKED, _BLANK = 0.3, 0.2
-"""Darkness from which there is a dot, and up to which there is paper around it."""
-
-_LONGEST = 2.5
-"""Length of a dot at most, in stroke widths; a longer one has a direction, and is a run."""
+_BLANK = 0.2
+"""Darkness up to which there is paper around a dot."""
 
 _LEAST_BLANK_PX = 1.0
 """Paper at either end of a dot at least."""
@@ -59,7 +58,7 @@ def _dot(
         return None
     across = (0.5 * stroke_width + _BESIDE_PX) * np.array([-1.0, 0.0, 1.0])
     ink = _ink(weight, geometry, along, across)
-    on = np.flatnonzero(ink[:, 1] > _INKED)
+    on = np.flatnonzero(ink[:, 1] > FAINT)
     # The ink of the runs themselves reaches into the gap by a fraction of a pixel.
     inner = (along[on] > gap.start + _LEAST_BLANK_PX) & (along[on] < gap.end - _LEAST_BLANK_PX)
     on = on[inner]
@@ -67,12 +66,12 @@ def _dot(
         return None
     dot = Run(float(along[on[0]]) - STEP / 2, float(along[on[-1]]) + STEP / 2)
     off = abs(0.5 * (dot.start + dot.end) - 0.5 * (gap.start + gap.end))
-    if dot.length > _LONGEST * stroke_width or off > _OFF_CENTRE * gap.length:
+    if dot.length > SLENDER * stroke_width or off > _OFF_CENTRE * gap.length:
         return None
     ends = [_lightest(ink[:, 1], along, gap.start, dot.start)]
     ends += [_lightest(ink[:, 1], along, dot.end, gap.end)]
     adjacent = ink[on][:, [0, 2]]
-    return dot if max(ends) < _INKED and adjacent.max() < _BLANK else None
+    return dot if max(ends) < FAINT and adjacent.max() < _BLANK else None
 
 
 def _lightest(

@@ -14,6 +14,7 @@ from scipy.spatial import ConvexHull, QhullError, cKDTree
 
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 
 _SHORTEST, _LONGEST = 4.0, 80.0
 """px of a head along its axis: 0.5 to 10 mm at 200 dpi."""
@@ -27,9 +28,6 @@ _NARROWEST = 0.08
 _EVEN, _ROUNDED = 0.04, 0.75
 """Share, and px, by which its two sides may differ."""
 
-_MEET = 0.75
-"""px within which ends of lines are one corner."""
-
 _BESIDE = 0.06
 """Share of a filled shape's size by which its points may lie beside the triangle's corners."""
 
@@ -38,9 +36,6 @@ _CROWDED = 24
 
 _AROUND = 1.1
 """Distance of a head's corners from its tip at most, in its length."""
-
-_SAME = 1.0
-"""px within which two tips are one."""
 
 _ANGLES = np.radians([0.0, 22.5, 45.0, 67.5])
 
@@ -74,7 +69,7 @@ def arrowheads(strokes: Iterable[VectorStroke]) -> tuple[Head, ...]:
         head = _head(corners)
         if head is None:
             continue
-        x, y = round(head.tip[0] / _SAME), round(head.tip[1] / _SAME)
+        x, y = round(head.tip[0] / ONE_PLACE), round(head.tip[1] / ONE_PLACE)
         near = [
             this_head
             for dx in (-1, 0, 1)
@@ -171,7 +166,7 @@ def _drawn(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
             continue
         keys = []
         for end in (curve.start, curve.end):
-            key = round(end[0] / _MEET), round(end[1] / _MEET)
+            key = round(end[0] / ONE_PLACE), round(end[1] / ONE_PLACE)
             places.setdefault(key, np.array(end))
             keys.append(key)
         if keys[0] != keys[1]:

@@ -10,7 +10,9 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.sheet.dash_noise import FEWEST, ROW
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Floats, Ints, Touches
+from gaussiancad_core.sheet.votes import MOST
 
 _GAP = 3.0
 """Gap to the next dash in lengths of the longer of both, at most."""
@@ -21,15 +23,6 @@ the curvature of arcs of some dashes is within it."""
 
 _SLACK = 0.3
 """px beside that are allowed besides."""
-
-_MOST = 0.7
-"""Share of a pen's strokes that go on in others, where it draws dashes."""
-
-_FEWEST = 4
-"""Strokes of such a pen at least."""
-
-_LINKS = 3
-"""Pieces of a chain line at least."""
 
 _SHORT = 0.6
 """Length of a short piece in that of the longer one beside it, at most (ISO 128-2: a fiftieth to a
@@ -67,11 +60,11 @@ def dashes(
     for pen in np.unique(numbers[chosen]):
         values = np.flatnonzero(chosen & short & (numbers == pen))
         total = int((chosen & (numbers == pen)).sum())
-        if len(values) < max(_FEWEST, _MOST * total):
+        if len(values) < max(ROW, MOST * total):
             continue
         lengths = np.array([strokes[index].curve.length for index in values.tolist()])
         going_on = _go_on(touches.ends[values], lengths)
-        if going_on.sum() >= _MOST * total:
+        if going_on.sum() >= MOST * total:
             found[values] = True
     return found
 
@@ -91,7 +84,7 @@ def chain_pieces(strokes: Sequence[VectorStroke], touches: Touches, chosen: Flag
         dtype=bool,
     )
     values = np.flatnonzero(chosen & lines)
-    if len(values) < _LINKS:
+    if len(values) < FEWEST:
         return found
     ends = touches.ends[values]
     lengths = np.array([strokes[index].curve.length for index in values.tolist()])
@@ -115,7 +108,7 @@ def chain_pieces(strokes: Sequence[VectorStroke], touches: Touches, chosen: Flag
 def _is_chain(lengths: Floats) -> bool:
     """Whether pieces of so many px along a line are long and short by turns: the first and the last
     may be cut, as the dashes of a hidden line may."""
-    if len(lengths) < _LINKS:
+    if len(lengths) < FEWEST:
         return False
     longest = np.maximum(lengths[:-2], lengths[2:])
     short = lengths[1:-1] <= _SHORT * longest

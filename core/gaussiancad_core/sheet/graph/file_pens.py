@@ -12,12 +12,10 @@ import numpy as np
 
 from gaussiancad_core.files.vectors import Colour, StrokeKind, StrokeRole, VectorStroke
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Ints, Touches
+from gaussiancad_core.sheet.votes import NEARLY_ALL
 
 _ALIKE = 1.1
 """Ratio of widths up to which they are one pen's."""
-
-_ALSO_CLOSES = 0.95
-"""Share of the strokes of a pen that meet others at both ends, where it draws outlines alone."""
 
 _EDGES = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 """Kinds of strokes that may be edges, as the file tells."""
@@ -55,7 +53,7 @@ class PenEvidence:
     @property
     def closes_outlines(self) -> bool:
         """Whether it draws nothing else; outlines of filled shapes have no width."""
-        return self.closed >= _ALSO_CLOSES and self.pen.width != 0.0
+        return self.closed >= NEARLY_ALL and self.pen.width != 0.0
 
     @property
     def weight(self) -> float:
@@ -131,6 +129,6 @@ def other_layers(
         if number == best or (pen.width, pen.colour) != look or not item.any():
             continue
         meets = touches.closed | touches.met(item | part).all(axis=1)
-        if meets[item].mean() >= _ALSO_CLOSES:
+        if meets[item].mean() >= NEARLY_ALL:
             found.append(number)
     return found

@@ -14,26 +14,19 @@ import numpy as np
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke, VectorText
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.free_frames import Spanning, free_frames
-from gaussiancad_core.sheet.graph.stroke_groups import CLOSED, EVEN, Groups, grouped
+from gaussiancad_core.sheet.graph.stroke_groups import EVEN, Groups, grouped
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Floats, Ints, Touches
+from gaussiancad_core.sheet.line_conventions import CELLS, FRAME, MARGIN
+from gaussiancad_core.sheet.votes import NEARLY_ALL
 
 _LEVEL = 1e-3
 """Slope of a line up to which it is level, or upright."""
-
-_SPAN = 0.6
-"""Share of the sheet that the longest lines of a frame are long, level and upright, at least."""
-
-_MARGIN = 0.15
-"""Share of the sheet that its margin, a title strip or filing margin with it, is wide at most."""
 
 _SIDES = 4
 """Lines of a box at least."""
 
 _DIVIDING = 2
 """Lines from side to side that make a table's cells, at least."""
-
-_CELLS = 3
-"""Cells with writing that a table has at least."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,14 +70,14 @@ def furniture(
     for pen in np.unique(numbers[level]):
         chosen = level & (numbers == pen)
         groups = grouped(touches, chosen)
-        closed = groups.means(touches.met(chosen).mean(axis=1)) >= CLOSED
+        closed = groups.means(touches.met(chosen).mean(axis=1)) >= NEARLY_ALL
         divided = closed & (groups.sums(touches.dividing(chosen)) >= _DIVIDING)
         found[_boxed_frames(groups, closed, divided, touches, size)] = True
         longest = groups.most(touches.boxes[:, 2:] - touches.boxes[:, :2])
-        spans = (longest >= _SPAN * np.array(size)).all(axis=1) & _fill(groups.boxes, size)
+        spans = (longest >= FRAME * np.array(size)).all(axis=1) & _fill(groups.boxes, size)
         for group in np.flatnonzero(spans | divided).tolist():
             lines = groups.members(group)
-            written = divided[group] and _written_cells(touches.boxes[lines], middles) >= _CELLS
+            written = divided[group] and _written_cells(touches.boxes[lines], middles) >= CELLS
             if spans[group] and not has_paper:
                 spanning.append(Spanning(lines, groups.boxes[group], bool(written)))
             elif spans[group] or written:
@@ -127,7 +120,7 @@ def _is_written(lines: Ints, touches: Touches) -> bool:
     middles = (touches.boxes[:, :2] + touches.boxes[:, 2:]) / 2.0
     inside = ((middles > box[:2]) & (middles < box[2:])).all(axis=1)
     inside[lines] = False
-    return _written_cells(touches.boxes[lines], middles[inside]) >= _CELLS
+    return _written_cells(touches.boxes[lines], middles[inside]) >= CELLS
 
 
 def _around(boxes: Floats) -> Floats:
@@ -137,7 +130,7 @@ def _around(boxes: Floats) -> Floats:
 
 def _fill(boxes: Floats, size: tuple[int, int]) -> Flags:
     """(k,) which boxes reach to the margins of the sheet, on all four sides."""
-    margin = _MARGIN * np.array(size)
+    margin = MARGIN * np.array(size)
     return np.all((boxes[:, :2] <= margin) & (boxes[:, 2:] >= size - margin), axis=1)
 
 

@@ -19,8 +19,9 @@ from enum import Enum
 import numpy as np
 
 from gaussiancad_core.files.vectors import VectorText
-from gaussiancad_core.sheet.graph.stroke_groups import CLOSED, EVEN, Groups, grouped, within
+from gaussiancad_core.sheet.graph.stroke_groups import EVEN, Groups, grouped, within
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Floats, Ints, Touches
+from gaussiancad_core.sheet.votes import NEARLY_ALL
 
 _VIEW = 0.1
 """Share of a frame's width and height that a view in it has at least: engraved letters have
@@ -120,7 +121,7 @@ def _by_views(box: Floats, rest: Flags, touches: Touches, *, has_margins: bool) 
     if not rest.any():
         return _Surety.NONE
     groups = grouped(touches, rest)
-    closed = groups.means(touches.closed | touches.met(rest).all(axis=1)) >= CLOSED
+    closed = groups.means(touches.closed | touches.met(rest).all(axis=1)) >= NEARLY_ALL
     large = (groups.sizes >= _VIEW * (box[2:] - box[:2])).all(axis=1)
     divided = groups.sums(touches.dividing(rest)) > 0
     views = large & (divided | _holding(groups, large & closed, closed))

@@ -8,20 +8,16 @@ import numpy.typing as npt
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Ints, Touches
-
-_REACH = 0.6
-"""px within which ends and places of lines are one."""
+from gaussiancad_core.sheet.line_conventions import HATCHING, UNEVEN
+from gaussiancad_core.sheet.picture_noise import ON_LINE
+from gaussiancad_core.sheet.votes import MOST
 
 _ALONG, _ROUGH, _LEAN = 1e-2, 0.05, 0.2
 """Sines of angles: up to the first, lines are parallel, up to the second short ones whose ends are
 rounded; from the third, they are slanted."""
 
-_HATCH, _IN_VIEW = 4, 2
-"""Parallel lines of a hatching at least: on the sheet, and among edges that touch."""
-
-_UNEVEN, _EVENLY = 0.15, 0.7
-"""Share of the distance of neighbouring lines by which it may differ, and share of the lines that
-are so evenly apart."""
+_IN_VIEW = 2
+"""Parallel lines of a hatching among edges that touch, at least."""
 
 
 def is_named_hatching(stroke: VectorStroke) -> bool:
@@ -58,16 +54,16 @@ def hatch_lines(
             continue
         across = np.array([-ways[index][1], ways[index][0]])
         aside = np.abs((touches.ends[:, 1] - touches.ends[:, 0]) @ across)
-        parallel = aside < np.clip(0.5 * _REACH, _ALONG * lengths, _ROUGH * lengths)
+        parallel = aside < np.clip(0.5 * ON_LINE, _ALONG * lengths, _ROUGH * lengths)
         along = chosen[parallel[chosen]]
         # A line by itself is none, however many run its way in other views.
         along = along[np.bincount(views[along])[views[along]] >= _IN_VIEW]
         places = np.sort(touches.ends[along, 0] @ across)
         apart = np.diff(places)
-        apart = apart[apart > _REACH]
-        if len(apart) >= _HATCH - 1:
+        apart = apart[apart > ON_LINE]
+        if len(apart) >= HATCHING - 1:
             steps = apart / np.median(apart)
-            even = bool((np.abs(steps - np.rint(steps)) < _UNEVEN).mean() >= _EVENLY)
+            even = bool((np.abs(steps - np.rint(steps)) < UNEVEN).mean() >= MOST)
             found[along] |= even | ~edges[along]
             if even:
                 rest = np.flatnonzero(candidates & slanted & ~found & parallel)
@@ -94,7 +90,7 @@ def _between(
         at = float(touches.ends[index, 0] @ across)
         low, high = np.sort(touches.ends[index] @ way).tolist()
         steps = (places[(spans[:, 0] < high) & (spans[:, 1] > low)] - at) / pitch
-        near = np.rint(steps[np.abs(steps - np.rint(steps)) < _UNEVEN])
+        near = np.rint(steps[np.abs(steps - np.rint(steps)) < UNEVEN])
         if np.isin(near, (-2, -1)).any() and np.isin(near, (1, 2)).any():
             found.append(index)
     return found

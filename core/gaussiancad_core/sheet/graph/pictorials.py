@@ -10,12 +10,10 @@ import numpy as np
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Touches
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.drawing_names import Lines, slanted_kind
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
-
-_IN_LINE_PX = 1.0
-"""px by which the ends of views of one part may differ."""
 
 
 def pictorials(
@@ -65,7 +63,7 @@ def _lies_in(box: Box, other: Box) -> bool:
 def _is_in_line(box: Box, other: Box) -> bool:
     """Whether two drawings begin and end at the same places of an axis of the sheet."""
     return box != other and any(
-        max(abs(box[at] - other[at]), abs(box[at + 2] - other[at + 2])) <= _IN_LINE_PX
+        max(abs(box[at] - other[at]), abs(box[at + 2] - other[at + 2])) <= ONE_PLACE
         for at in (0, 1)
     )
 

@@ -16,10 +16,8 @@ from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import to_point
+from gaussiancad_core.sheet.file_noise import SAME_POINT
 from gaussiancad_core.sheet.graph.touching_ends import Floats
-
-_SAME = 0.02
-"""px within which the ends of lines are one."""
 
 _BESIDE = 0.01
 """px by which points of a straight edge may lie beside it, and what they are rounded to besides."""
@@ -99,7 +97,7 @@ def _chains(lines: dict[int, LineSegment]) -> Iterator[tuple[int, Floats]]:
 
 
 def _place(point: tuple[float, float]) -> tuple[int, int]:
-    return round(point[0] / _SAME), round(point[1] / _SAME)
+    return round(point[0] / SAME_POINT), round(point[1] / SAME_POINT)
 
 
 def _next(

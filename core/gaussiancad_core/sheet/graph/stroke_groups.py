@@ -6,9 +6,6 @@ import numpy as np
 
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Floats, Ints, Touches
 
-CLOSED = 0.9
-"""Share of the lines of a closed group, or of their ends, that meet others of it at least."""
-
 EVEN = 2.0
 """px by which what lies within a box may reach over it, and by which boxes that are as wide, or as
 high, as each other differ: half of a wide line (ISO 128-2)."""

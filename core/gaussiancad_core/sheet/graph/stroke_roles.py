@@ -7,12 +7,8 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.vectors import (
-    StrokeKind,
-    StrokeRole,
-    VectorDrawing,
-    VectorStroke,
-)
+from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorDrawing, VectorStroke
+from gaussiancad_core.sheet.file_noise import DOT
 from gaussiancad_core.sheet.graph.arrowhead_shapes import Head, arrowheads
 from gaussiancad_core.sheet.graph.drawn_dashes import chain_pieces, dashes
 from gaussiancad_core.sheet.graph.file_pens import (
@@ -26,20 +22,9 @@ from gaussiancad_core.sheet.graph.frames_and_tables import furniture
 from gaussiancad_core.sheet.graph.hatch_lines import hatch_lines, is_named_hatching
 from gaussiancad_core.sheet.graph.pictorials import pictorials
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Ints, Touches, touching
+from gaussiancad_core.sheet.picture_noise import ON_LINE
 from gaussiancad_core.sheet.reading_options import Box
-
-_REACH = 0.6
-"""px within which an end lies on a stroke."""
-
-_SHORTEST = 0.05
-"""px: shorter strokes are dots."""
-
-_CLOSES = 0.6
-"""Share of the part's strokes that meet others at both ends, at least: else nothing tells them."""
-
-_OUTLINE = 0.6
-"""Share of the width and height of strokes that touch which those of them span that enclose
-something."""
+from gaussiancad_core.sheet.votes import MOST
 
 _LIKE_A_VIEW = 0.25
 """Share of the width and height of the largest outline from which strokes in the part's pen may be
@@ -112,11 +97,11 @@ def labelled(
         size: its width and height in px.
         heads: the arrowheads of the drawing, where they are known.
     """
-    strokes = tuple(s for s in drawing.strokes if s.curve.length >= _SHORTEST)
+    strokes = tuple(s for s in drawing.strokes if s.curve.length >= DOT)
     lines = tuple(s for s in strokes if s.kind is not StrokeKind.FILL)
     if not _LEAST <= len(lines) <= _MOST:
         return None
-    touches = touching([stroke.curve for stroke in lines], _REACH)
+    touches = touching([stroke.curve for stroke in lines], ON_LINE)
     pens, numbers = pens_of(lines)
     around = furniture(lines, drawing.texts, touches, numbers, size, has_paper=drawing.has_paper)
     framed = around.lines
@@ -126,7 +111,7 @@ def labelled(
     drawn = np.isin(numbers, [best, *other_layers(pens, numbers, best, touches, candidates)])
     centres = ~framed & np.array([_may_be_centre(stroke) for stroke in lines], dtype=bool)
     edges = _outlines(touches, candidates & drawn, centres)
-    if found[best].closed < _CLOSES or edges.sum() < _LEAST:
+    if found[best].closed < MOST or edges.sum() < _LEAST:
         return None
     other = np.isin(numbers, [n for n, evidence in enumerate(found) if evidence.closes_outlines])
     if _is_large(touches, candidates & (drawn | other) & ~edges, edges):
@@ -189,7 +174,7 @@ def _outlines(touches: Touches, edges: Flags, centres: Flags) -> Flags:
         item = groups == group
         if (core & item).any():
             whole, closed = _extent(touches, item), _extent(touches, core & item)
-            found |= item & bool((closed >= _OUTLINE * whole).all())
+            found |= item & bool((closed >= MOST * whole).all())
     return found
 
 
@@ -228,7 +213,7 @@ def _is_pointed(ends: npt.NDArray[np.float64], tips: Sequence[tuple[float, float
     if not tips:
         return False
     away = np.hypot(*np.moveaxis(ends[:, None] - np.array(tips)[None], 2, 0))
-    return bool(away.min() <= _REACH)
+    return bool(away.min() <= ON_LINE)
 
 
 def _views(touches: Touches, edges: Flags) -> Ints:
@@ -237,7 +222,7 @@ def _views(touches: Touches, edges: Flags) -> Ints:
     found = np.full(len(edges), -1)
     for group in np.unique(groups[edges]):
         box = touches.boxes[groups == group]
-        low, high = box[:, :2].min(axis=0) - _REACH, box[:, 2:].max(axis=0) + _REACH
+        low, high = box[:, :2].min(axis=0) - ON_LINE, box[:, 2:].max(axis=0) + ON_LINE
         inside = (touches.boxes[:, :2] >= low) & (touches.boxes[:, 2:] <= high)
         found[inside.all(axis=1)] = group
     return found

@@ -16,8 +16,10 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Ellipse, Segment, Stroke
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.votes import MOST
 
 _SMOOTH = 0.03
 """Sine of the angle between two strokes that go over into each other, at most."""
@@ -25,13 +27,6 @@ _SMOOTH = 0.03
 _NEAR, _NEAR_STEPS, _NEAR_COARSE = 0.3, 1.8, 1.0
 """px within which ends meet, and coordinates of two views are one, of exact strokes; steps of the
 grid of a file that was rounded by which that is more; px of strokes of pictures, and at most."""
-
-_MOSTLY = 0.7
-"""Share of the places on outlines where faces meet smoothly that have their line, if a sheet draws
-them; those inside are hidden from the side."""
-
-_ONE_PX = 1.0
-"""px by which the circles of pieces of one may differ."""
 
 _LEVEL = 0.3
 """px by which the ends of a line along the sheet may differ across."""
@@ -114,7 +109,7 @@ def _are_drawn(
             seen = [place for line in segments if (place := _place(line, view, axis)) is not None]
             places += len(wanted)
             drawn += sum(_has(np.array(seen), at, near) for at in wanted)
-    return drawn >= _MOSTLY * max(places, 1)
+    return drawn >= MOST * max(places, 1)
 
 
 def _distinct(places: Floats, near: float) -> list[float]:
@@ -229,8 +224,8 @@ def _is_one(strokes: Sequence[Stroke]) -> bool:
         return False
     first = arcs[0]
     return all(
-        np.hypot(*np.subtract(arc.centre, first.centre)) <= _ONE_PX
-        and abs(arc.radius - first.radius) <= _ONE_PX
+        np.hypot(*np.subtract(arc.centre, first.centre)) <= ONE_PLACE
+        and abs(arc.radius - first.radius) <= ONE_PLACE
         for arc in arcs
     )
 

@@ -10,13 +10,11 @@ from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.geometry.chains import LineSegment, chain_distances
 from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.sheet.picture_noise import COARSE_STEP
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 Flags = npt.NDArray[np.bool_]
-
-_CHORD = 2.0
-"""px of the chords that stand for a curve."""
 
 _CLOSED = 0.1
 """px between the ends of a curve that is closed."""
@@ -103,4 +101,4 @@ def touching(curves: Sequence[Curve], reach: float) -> Touches:
 
 
 def _chords(curve: Curve) -> Floats:
-    return curve.vertices(np.inf if isinstance(curve, LineSegment) else _CHORD)
+    return curve.vertices(np.inf if isinstance(curve, LineSegment) else COARSE_STEP)

@@ -10,31 +10,15 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-_SLENDER = 2.5
-"""Times a free dash is as long as wide, at least, and stroke widths that it is wide, at most."""
-
-_LONGEST_PX = 120.0
-"""Length of a dash at most."""
-
-_ALIKE = 0.25
-"""Share by which dashes that follow each other differ in length at most."""
-
-_WIDEST = 1.5
-"""Gap between them, in their lengths, at most."""
-
-_FEWEST = 6
-"""Gaps that tell anything, at least."""
-
-_MOST = 0.7
-"""Share of gaps beside dashes that other strokes cross that agree at least."""
-
-_BESIDE_PX = 1.5
-"""px by which they may lie beside each other."""
-
-_LEAN = 0.5
-"""Share of a dash that has nothing beside it at least: other strokes cross the rest."""
+from gaussiancad_core.sheet.dash_noise import TELLING
+from gaussiancad_core.sheet.line_conventions import LONGEST_DASH, SLENDER, WIDEST_GAP
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
+from gaussiancad_core.sheet.votes import HALF, MOST
 
 Boxes = npt.NDArray[np.float64]
+
+_ALIKE = 0.25
+"""Share by which dashes that follow each other, and the gaps of a sheet, differ at most."""
 
 
 def dash_gap(ink: npt.NDArray[np.bool_], stroke_width: float) -> float:
@@ -50,13 +34,13 @@ def dash_gap(ink: npt.NDArray[np.bool_], stroke_width: float) -> float:
     gaps: list[float] = []
     for order in ([0, 1, 2, 3], [1, 0, 3, 2]):
         gaps += _gaps(boxes[:, order], stroke_width)
-    if len(gaps) < _FEWEST:
+    if len(gaps) < TELLING:
         gaps = []
         for order, turned in ([0, 1, 2, 3], ink), ([1, 0, 3, 2], ink.T):
             gaps += _gaps_beside(boxes[:, order], turned, stroke_width)
         if not _agree(gaps):
             return 0.0
-    return float(np.median(gaps)) if len(gaps) >= _FEWEST else 0.0
+    return float(np.median(gaps)) if len(gaps) >= TELLING else 0.0
 
 
 def _gaps(boxes: Boxes, stroke_width: float) -> list[float]:
@@ -69,7 +53,7 @@ def _gaps(boxes: Boxes, stroke_width: float) -> list[float]:
         for one, other in pairwise(row):
             gap, longer = other[0] - one[0] - one[2], max(one[2], other[2])
             alike = abs(one[2] - other[2]) <= _ALIKE * longer
-            if alike and 0.0 < gap <= _WIDEST * longer:
+            if alike and 0.0 < gap <= WIDEST_GAP * longer:
                 found.append(float(gap))
     return found
 
@@ -77,8 +61,8 @@ def _gaps(boxes: Boxes, stroke_width: float) -> list[float]:
 def _slender(boxes: Boxes, stroke_width: float) -> Boxes:
     """Those of a free dash."""
     _, _, length, height = boxes.T
-    slender = (length >= _SLENDER * height) & (length <= _LONGEST_PX)
-    return boxes[slender & (height <= _SLENDER * stroke_width)]
+    slender = (length >= SLENDER * height) & (length <= LONGEST_DASH)
+    return boxes[slender & (height <= SLENDER * stroke_width)]
 
 
 def _gaps_beside(boxes: Boxes, ink: npt.NDArray[np.bool_], stroke_width: float) -> list[float]:
@@ -90,7 +74,7 @@ def _gaps_beside(boxes: Boxes, ink: npt.NDArray[np.bool_], stroke_width: float) 
         stroke_width: px.
     """
     found = []
-    neighbour = round(stroke_width + _BESIDE_PX)
+    neighbour = round(stroke_width + ONE_PLACE)
     for start, top, length, height in _slender(boxes, stroke_width).astype(int):
         row = top + height // 2
         above, below = max(row - neighbour, 0), min(row + neighbour, len(ink) - 1)
@@ -101,10 +85,10 @@ def _gaps_beside(boxes: Boxes, ink: npt.NDArray[np.bool_], stroke_width: float) 
         ):
             at = 0
             while True:
-                gap, other = _next(line[at : at + int((_WIDEST + 2.0) * length)])
+                gap, other = _next(line[at : at + int((WIDEST_GAP + 2.0) * length)])
                 alike = abs(other - length) <= _ALIKE * max(length, other)
                 lean = ~aside[at + gap : at + gap + other]
-                if not alike or not stroke_width < gap <= _WIDEST * length or lean.mean() < _LEAN:
+                if not alike or not stroke_width < gap <= WIDEST_GAP * length or lean.mean() < HALF:
                     break
                 found.append(float(gap))
                 at += gap + other
@@ -117,7 +101,7 @@ def _agree(gaps: list[float]) -> bool:
         return False
     values = np.array(gaps)
     middle = float(np.median(values))
-    return float((np.abs(values - middle) <= _ALIKE * middle).mean()) >= _MOST
+    return float((np.abs(values - middle) <= _ALIKE * middle).mean()) >= MOST
 
 
 def _next(line: npt.NDArray[np.bool_]) -> tuple[int, int]:
@@ -129,5 +113,5 @@ def _next(line: npt.NDArray[np.bool_]) -> tuple[int, int]:
 def _rows(middle: npt.NDArray[np.float64]) -> list[npt.NDArray[np.int64]]:
     """Indices of the dashes at each height."""
     order = np.argsort(middle, kind="stable")
-    borders = np.flatnonzero(np.diff(middle[order]) > _BESIDE_PX) + 1
+    borders = np.flatnonzero(np.diff(middle[order]) > ONE_PLACE) + 1
     return [row for row in np.split(order, borders) if len(row) > 1]

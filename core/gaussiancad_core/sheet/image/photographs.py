@@ -24,6 +24,7 @@ from gaussiancad_core.sheet.image.perspective import (
     segments_of,
 )
 from gaussiancad_core.sheet.image.roundness import proportion
+from gaussiancad_core.sheet.votes import MOST
 from gaussiancad_protocol.codes import Code
 
 Floats = npt.NDArray[np.float64]
@@ -31,9 +32,6 @@ Grey = npt.NDArray[np.uint8]
 
 _CLEARLY = 1.2
 """Factor by which a slant explains more of the lines than a mere turn does, to be believed."""
-
-_MOST = 0.6
-"""Share of the lines' length that it explains at least."""
 
 _LEAST_LINES = 12
 """Straight pieces of line from which a sheet tells how it was seen."""
@@ -131,7 +129,7 @@ def _slanted(segments: Segments) -> Sight | None:
     turned = explained(find_turned(segments), segments)
     sight = find_sight(segments)
     along = explained(sight, segments)
-    if along < _CLEARLY * turned or along < _MOST * segments.lengths.sum():
+    if along < _CLEARLY * turned or along < MOST * segments.lengths.sum():
         return None
     return sight if sight.tilt >= _LEAST_SLANT else None
 

@@ -9,6 +9,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.votes import HALF
+
 Floats = npt.NDArray[np.float64]
 
 _BLOCK, _CONTRAST = 41, 25
@@ -25,9 +27,6 @@ _SHALLOW = 0.85
 
 _SAME = 0.006
 """Share by which proportions of circles differ, which the median of them bears."""
-
-_APART = 0.5
-"""Distance of the centres of two circles that are two, in the smaller one's radius."""
 
 
 @dataclass(frozen=True)
@@ -86,6 +85,6 @@ def _oval(points: npt.NDArray[np.integer | np.floating]) -> _Oval | None:
 def _several(ovals: list[_Oval]) -> bool:
     first = ovals[0]
     return any(
-        np.hypot(*(oval.centre - first.centre)) > _APART * min(oval.radius, first.radius)
+        np.hypot(*(oval.centre - first.centre)) > HALF * min(oval.radius, first.radius)
         for oval in ovals[1:]
     )

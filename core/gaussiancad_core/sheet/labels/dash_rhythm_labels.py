@@ -6,22 +6,18 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
+from gaussiancad_core.sheet.dash_noise import FEWEST
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
+from gaussiancad_core.sheet.log_odds import SURE
 
 Floats = npt.NDArray[np.float64]
 
 _LONGER = 2.0
 """Length of a long dash at least, in that of the short ones beside it."""
 
-_FEWEST = 3
-"""Dashes with one on either side from which a line has a rhythm."""
-
 _SHARES = (0.3, 0.7)
 """Shares of them that are long or short by turns: up to the first the line is no centre line, from
 the second it is; lines that it crosses join some of its dashes."""
-
-_TELLS = 3.0
-"""Log-odds that a rhythm tells at most."""
 
 
 def rhythm_odds(shape: InkedShape, run: InkedRun, log_p: Floats) -> Floats:
@@ -37,7 +33,7 @@ def rhythm_odds(shape: InkedShape, run: InkedRun, log_p: Floats) -> Floats:
     share = alternating([inked_run.run.length for inked_run in shape.runs])
     stated = np.clip((share - _SHARES[0]) / (_SHARES[1] - _SHARES[0]), 0.0, 1.0)
     hidden = 1.0 / (1.0 + np.exp(log_p[:, InkClass.VISIBLE] - log_p[:, InkClass.HIDDEN]))
-    return -_TELLS * stated * hidden
+    return -SURE * stated * hidden
 
 
 def alternating(lengths: Sequence[float]) -> float:
@@ -48,7 +44,7 @@ def alternating(lengths: Sequence[float]) -> float:
         lengths: of the dashes of a line, in order.
     """
     values = np.asarray(lengths, dtype=np.float64)
-    if len(values) < _FEWEST + 2:
+    if len(values) < FEWEST + 2:
         return 0.0
     before, inner, after = values[:-2], values[1:-1], values[2:]
     long = inner > _LONGER * np.maximum(before, after)

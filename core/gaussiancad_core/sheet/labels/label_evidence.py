@@ -17,6 +17,7 @@ from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_a
 from gaussiancad_core.sheet.labels.ink_classes import PART, Evidence, InkClass
 from gaussiancad_core.sheet.labels.labels_network import log_odds_factor, part_odds
 from gaussiancad_core.sheet.labels.line_decoding import LabelledRun, likeliest
+from gaussiancad_core.sheet.picture_noise import COARSE_STEP
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_protocol.reading_kinds import DOUBT
 
@@ -24,9 +25,6 @@ Floats = npt.NDArray[np.float64]
 
 _LONG = 5.0
 """Length of a line from which a doubt of it matters, in widths of a line."""
-
-_STEP = 2.0
-"""px between the points of a line."""
 
 _LEAST_POINTS = 4
 """Points of a curve at least: fewer are left where lines cross."""
@@ -92,7 +90,7 @@ def labelled_lines(
         labelled: the pieces of each.
     """
     return tuple(
-        _line(points_along(shape.geometry, piece.run.run, _STEP) + _CENTRE, piece)
+        _line(points_along(shape.geometry, piece.run.run, COARSE_STEP) + _CENTRE, piece)
         for shape, pieces in zip(shapes, labelled, strict=True)
         for piece in pieces
     )
@@ -190,7 +188,7 @@ class SheetLabels:
         """
         found = []
         for stroke in strokes:
-            line = self.along(stroke.sample(_STEP), part=True)
+            line = self.along(stroke.sample(COARSE_STEP), part=True)
             weight = solver_weight(line.confidence) if line is not None else 1.0
             found.append(replace(stroke, confidence=min(stroke.confidence, weight)))
         return tuple(found)

@@ -30,15 +30,13 @@ from gaussiancad_core.sheet.tracing.ink_runs import ink_field
 from gaussiancad_core.sheet.tracing.level_rules import rule_of
 from gaussiancad_core.sheet.tracing.ridges import ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_shapes
+from gaussiancad_core.sheet.votes import HALF
 
 _BLOT = 1.4
 """Widths of a line within which another one shares its ink."""
 
 _LEAST_POINT = 0.4
 """Size of a decimal point at least, in widths of a line."""
-
-_TEXT_SHARE = 0.5
-"""Share of a piece of ink that is writing from which all of it is."""
 
 _KINDS = {
     InkClass.CENTRE: AnnotationKind.CENTRE_LINE,
@@ -115,7 +113,7 @@ def _writing(ink: Mask, best: np.ndarray) -> Mask:
     count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
     sizes = np.bincount(labels.ravel(), minlength=count)
     inside = np.bincount(labels[item], minlength=count)
-    most = inside > _TEXT_SHARE * sizes
+    most = inside > HALF * sizes
     most[0] = False
     return most[labels] | item
 

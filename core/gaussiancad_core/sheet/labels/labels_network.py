@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
+from gaussiancad_core.sheet.log_odds import IMPOSSIBLE
 
 if TYPE_CHECKING:
     from onnxruntime import InferenceSession
@@ -39,9 +40,6 @@ _PAPER = 250
 _BESIDE = 4
 """Px beside ink up to which it is asked what a pixel is: lines are followed to a pixel, and their
 dots looked for in the gaps."""
-
-_FLOOR = -20.0
-"""Least log-probability."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +126,7 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
     height, width = grey.shape
     padded = np.full((_up(height), _up(width)), 255, np.uint8)
     padded[:height, :width] = grey
-    log_p = np.full((len(InkClass), *padded.shape), _FLOOR, np.float16)
+    log_p = np.full((len(InkClass), *padded.shape), IMPOSSIBLE, np.float16)
     log_p[InkClass.PAPER] = 0.0
     adjacent = np.ones((2 * _BESIDE + 1, 2 * _BESIDE + 1), np.uint8)
     near = cv2.erode(padded, adjacent) < _PAPER
@@ -145,7 +143,7 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
         rows, columns = np.nonzero(near[inner])
         at = (rows + top - above) * seen.shape[1] + columns + left - before
         item = logits[0, : len(InkClass)].reshape(len(InkClass), -1).take(at, axis=1)
-        log_p[:, rows + top, columns + left] = np.maximum(_log_softmax(item), _FLOOR)
+        log_p[:, rows + top, columns + left] = np.maximum(_log_softmax(item), IMPOSSIBLE)
     return InkLabels(log_p[:, :height, :width])
 
 

@@ -13,17 +13,13 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape, points_along
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
 from gaussiancad_core.sheet.labels.ink_classes import PART, Evidence, InkClass
 from gaussiancad_core.sheet.labels.labels_network import InkLabels, part_odds
+from gaussiancad_core.sheet.log_odds import IMPOSSIBLE, OF_A_POINT
 from gaussiancad_core.sheet.tracing.ink_runs import Run
 
 Floats = npt.NDArray[np.float64]
-
-SURE = 3.0
-"""Margin from which a line's label is believed, where others learn from it."""
-
-_CLIP = 4.0
-"""Log-odds of one point at most."""
 
 _SHARED = 0.1
 """Weight of a point that lies on another line's ink, too: a crossing has the other's label."""
@@ -40,14 +36,8 @@ _CHANGE_AT_GAP = 1.5
 _CHANGE_IN_ROW = 8.0
 """The same between dashes of a row: they are of one kind, whatever crosses them."""
 
-_ALIKE = 1.35
-"""Ratio of the lengths of dashes in a row at most."""
-
 _STEP = 1.0
 """px between the points."""
-
-_NEVER = -20.0
-"""Log-probability of what is known not to be."""
 
 _TELLING_PX = 40.0
 """px of a line that tell what it is: what one stretch of it looks like, the rest does, too."""
@@ -95,7 +85,7 @@ class LabelledRun:
     def no_longer(self, ink: InkClass) -> "LabelledRun":
         """The same where it is known that it is not of a class: the others tell what it is."""
         log_p = self.log_p.copy()
-        log_p[ink] = _NEVER
+        log_p[ink] = IMPOSSIBLE
         margin = float(part_odds(log_p[None])[0])
         ink = likeliest(log_p, margin > 0.0)
         why = Evidence.FIGURE
@@ -145,7 +135,7 @@ def labelled_runs(
         network = part_odds(log_p)
         odds = network + sum(pen(shape, inked_run, log_p) for pen in pens)
         weights = np.where(values_at(shared, where), _SHARED, 1.0)
-        odds, network = (np.clip(each, -_CLIP, _CLIP) for each in (odds, network))
+        odds, network = (np.clip(each, -OF_A_POINT, OF_A_POINT) for each in (odds, network))
         points.append(_Points(log_p, odds, network, weights))
     if not points:
         return []
@@ -172,7 +162,9 @@ def labelled_runs(
 def _rows(lengths: Sequence[float]) -> npt.NDArray[np.bool_]:
     """(n,) whether each run of a line goes on a row of dashes with the one before it."""
     values = np.asarray(lengths)
-    alike = np.maximum(values[1:], values[:-1]) <= _ALIKE * np.minimum(values[1:], values[:-1])
+    alike = np.maximum(values[1:], values[:-1]) <= (1.0 + LIKE_A_DASH) * np.minimum(
+        values[1:], values[:-1]
+    )
     # Two of equal length may be anything; three are a row.
     adjacent = np.pad(alike, 1)
     return np.concatenate([[False], alike & (adjacent[:-2] | adjacent[2:])])
@@ -199,7 +191,7 @@ def _with_row_linetypes(points: list[_Points], rows: npt.NDArray[np.bool_]) -> l
 def _weighed(odds: Floats | float) -> Floats | float:
     """What log-odds of the network are worth: small ones are right as often as not, large ones
     nearly always."""
-    return odds * np.abs(odds) / _CLIP
+    return odds * np.abs(odds) / OF_A_POINT
 
 
 def _cheapest(stated: Floats, change: Floats) -> npt.NDArray[np.bool_]:

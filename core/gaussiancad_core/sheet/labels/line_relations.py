@@ -17,6 +17,8 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
 from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
 from gaussiancad_core.sheet.labels.line_decoding import LabelledRun
+from gaussiancad_core.sheet.log_odds import SURE
+from gaussiancad_core.sheet.picture_noise import COARSE_STEP
 
 Floats = npt.NDArray[np.float64]
 
@@ -32,17 +34,11 @@ _REACH = 1.2
 _SPARE_PX = 2.0
 """The same, px more."""
 
-_DOUBTFUL = 3.0
-"""Margin up to which pieces that hang together are turned together."""
-
 _ROUNDS = 20
 """Turns of one group or piece after which it is enough."""
 
 _LEAST_GAIN = 1e-9
 """What a turn has to save at least."""
-
-_STEP = 2.0
-"""px between the points of a piece."""
 
 Labelled = list[list[LabelledRun]]
 
@@ -59,7 +55,7 @@ def related(shapes: Sequence[InkedShape], labelled: Labelled, stroke_width: floa
     if not pieces:
         return labelled
     points = [
-        points_along(shape.geometry, run.run.run, _STEP)
+        points_along(shape.geometry, run.run.run, COARSE_STEP)
         for shape, each in zip(shapes, labelled, strict=True)
         for run in each
     ]
@@ -128,7 +124,7 @@ def _without_loose_ends(
     doubtful = {
         k
         for k, piece in enumerate(pieces)
-        if abs(piece.margin) <= _DOUBTFUL and piece.is_part is (piece.margin > 0.0)
+        if abs(piece.margin) <= SURE and piece.is_part is (piece.margin > 0.0)
     }
     part = [piece.is_part for piece in pieces]
     pairs = [

@@ -12,7 +12,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape, points_along
-from gaussiancad_core.sheet.labels.line_decoding import SURE, LabelledRun
+from gaussiancad_core.sheet.labels.line_decoding import LabelledRun
+from gaussiancad_core.sheet.log_odds import SURE
+from gaussiancad_core.sheet.picture_noise import COARSE_STEP
 
 Floats = npt.NDArray[np.float64]
 Tints = npt.NDArray[np.uint8]
@@ -23,12 +25,6 @@ _HUES, _PENS = 180, 12
 
 _LEAST = 60.0
 """Length of a pen's sure lines from which they tell what it draws, in stroke widths."""
-
-_TELLS = 3.0
-"""Log-odds that a colour tells at most."""
-
-_STEP = 2.0
-"""px between the points at which a line is looked at."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,10 +79,10 @@ def learnt_colours(
     if known.sum() < 2:
         return None
     share = np.divide(part, sure, out=np.full(len(sure), 0.5), where=sure > 0)
-    return ColourPens(pens, np.where(known, _TELLS * (2.0 * share - 1.0), 0.0))
+    return ColourPens(pens, np.where(known, SURE * (2.0 * share - 1.0), 0.0))
 
 
 def _pen_of(pens: npt.NDArray[np.uint8], shape: InkedShape, run: InkedRun) -> int:
     """The pen that most of a run is drawn with."""
-    seen = values_at(pens, points_along(shape.geometry, run.run, _STEP))
+    seen = values_at(pens, points_along(shape.geometry, run.run, COARSE_STEP))
     return int(np.bincount(seen, minlength=_PENS + 1).argmax())

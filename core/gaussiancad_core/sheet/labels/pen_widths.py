@@ -13,7 +13,9 @@ import numpy.typing as npt
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
-from gaussiancad_core.sheet.labels.line_decoding import SURE, LabelledRun
+from gaussiancad_core.sheet.labels.line_decoding import LabelledRun
+from gaussiancad_core.sheet.line_conventions import THIN
+from gaussiancad_core.sheet.log_odds import SURE
 from gaussiancad_core.sheet.tracing.line_widths import run_width, widths_along
 
 Floats = npt.NDArray[np.float64]
@@ -26,12 +28,6 @@ _LEAST = 4
 
 _MOST = 80.0
 """Per cent of the thin lines that are thinner than as many of the thick ones."""
-
-_APART = 0.75
-"""Width of the thin pen at most, in that of the thick one."""
-
-_TELLS = 3.0
-"""Log-odds that a width tells at most."""
 
 _THIN = (InkClass.DIMENSION, InkClass.CENTRE)
 """What is drawn with the thin pen, if there is one."""
@@ -70,7 +66,7 @@ class Pens:
         along = np.interp(np.linspace(0.0, 1.0, len(log_p)), at[known], widths[known])
         seen = np.interp(np.linspace(0.0, 1.0, len(log_p)), at, known.astype(float))
         middle, half = 0.5 * (self.thick + self.thin), 0.5 * (self.thick - self.thin)
-        stated = _TELLS * np.clip((along - middle) / half, -1.0, 1.0) * seen
+        stated = SURE * np.clip((along - middle) / half, -1.0, 1.0) * seen
         visible = 1.0 / (1.0 + np.exp(log_p[:, InkClass.HIDDEN] - log_p[:, InkClass.VISIBLE]))
         return np.where(stated < 0.0, stated * visible, stated)
 
@@ -102,7 +98,7 @@ def learnt_pens(
         return None
     wide, narrow = float(np.median(thick)), float(np.median(thin))
     apart = np.percentile(thin, _MOST) < np.percentile(thick, 100.0 - _MOST)
-    return Pens(sheet, wide, narrow) if apart and narrow <= _APART * wide else None
+    return Pens(sheet, wide, narrow) if apart and narrow <= THIN * wide else None
 
 
 def _by_width_alone(

@@ -11,6 +11,7 @@ from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
 from gaussiancad_core.sheet.labels.labels_network import InkLabels
 from gaussiancad_core.sheet.labels.writing_lines import written_groups
+from gaussiancad_core.sheet.log_odds import IMPOSSIBLE
 
 _LETTER = (3.0, 14.0)
 """Size of a letter, in stroke widths."""
@@ -30,9 +31,6 @@ _DASH = {InkClass.HIDDEN: 0.5, InkClass.VISIBLE: 0.2, InkClass.CENTRE: 0.2, InkC
 _WRITING = {InkClass.TEXT: 0.9, InkClass.VISIBLE: 0.05, InkClass.HIDDEN: 0.05}
 """The same of ink that stands like writing."""
 
-_NEVER = -20.0
-"""Log-probability of all else."""
-
 
 def plain_labels(sheet: CleanSheet) -> InkLabels:
     """What ink stands for by the sizes of its pieces.
@@ -50,7 +48,7 @@ def plain_labels(sheet: CleanSheet) -> InkLabels:
     words = np.zeros(len(stats), bool)
     for group in written_groups(boxes):
         words[letters[group]] = len(group) > 1
-    log_p = np.full((len(InkClass), *sheet.ink.shape), _NEVER, np.float16)
+    log_p = np.full((len(InkClass), *sheet.ink.shape), IMPOSSIBLE, np.float16)
     short = np.concatenate([[False], sizes <= _LETTER[1]]) & ~words
     written, dashes = words[pieces], short[pieces]
     kinds = ((~written & ~dashes, _LINE), (dashes, _DASH), (written, _WRITING))

@@ -14,9 +14,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype, Segment, Stroke
-
-_COVERED = 0.94
-"""Share of the material's depth that a hole's walls must show."""
+from gaussiancad_core.sheet.votes import NEARLY_ALL
 
 _SAMPLES = 2000
 """Places along the depth that are looked at."""
@@ -91,7 +89,7 @@ def is_through(
             for outer in around:
                 wider = _wall_samples(view, depth_axis, outer[shared][side], samples, tolerance)
                 covered = covered | wider.hidden
-            if covered[material].mean() < _COVERED:
+            if covered[material].mean() < NEARLY_ALL:
                 return False
     return hidden_somewhere
 

@@ -18,6 +18,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype, Segment, Stroke, View
+from gaussiancad_core.sheet.picture_noise import OVERSHOOT
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.registration.axis_residuals import Residual
 from gaussiancad_core.sheet.registration.shared_axes import ViewMap
@@ -42,8 +43,8 @@ _NEAR_EXACT = 4.0
 _LEVEL, _SHORTEST_SIDE = 0.6, 8.0
 """px: largest lean and shortest length of a stroke along a side."""
 
-_LONGEST_OVERSHOOT, _UPON = 6.0, 0.75
-"""px by which strokes may be drawn beyond an edge that ends them, and within which they are not."""
+_UPON = 0.75
+"""px beyond an edge that ends strokes within which they are not drawn too long."""
 
 _MARGIN = 4
 """Blank mask px around the view's box."""
@@ -149,7 +150,7 @@ def _overshot(
 ) -> float | None:
     """The outermost stroke along a side, if all that reaches beyond it crosses it and ends soon."""
     levels = [level for stroke in strokes for level in _levels(stroke, direction)]
-    inside = [level for level in levels if 0.0 < (level - near) * inward < _LONGEST_OVERSHOOT]
+    inside = [level for level in levels if 0.0 < (level - near) * inward < OVERSHOOT]
     if not inside:
         return None
     side = min(inside, key=lambda level: level * inward)
@@ -157,7 +158,7 @@ def _overshot(
     for stroke in strokes:
         ends = stroke.extremes()
         depths = (ends[:, direction] - side) * inward
-        crosses = isinstance(stroke, Segment) and depths.max() > _LONGEST_OVERSHOOT
+        crosses = isinstance(stroke, Segment) and depths.max() > OVERSHOOT
         if depths.min() < -_UPON:
             if not crosses:
                 return None

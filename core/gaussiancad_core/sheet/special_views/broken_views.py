@@ -14,11 +14,9 @@ from scipy.ndimage import median_filter
 
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.votes import LARGELY, MOST, NEARLY_ALL
 
 Floats = npt.NDArray[np.float64]
-
-_BESIDE = 0.9
-"""Share of the lower half's height in which the higher one stands beside it at least."""
 
 _WIDEST = 0.6
 """Gap between the halves at most, in widths of the part."""
@@ -29,15 +27,11 @@ _ENDS = 0.06
 _ALIKE_PX = 3.5
 """px by which the break lines may differ."""
 
-_ALIKE = 0.85
-"""Share of the break lines that are alike at least."""
-
 _LEAST_SWING_PX = 5.0
 """px by which a break line swings at least."""
 
-_EDGE_PX, _EDGE = 6, 0.7
-"""px about the side of a box in which a straight edge along it lies, and share of the side that it
-takes at least."""
+_EDGE_PX = 6
+"""px about the side of a box in which a straight edge along it lies."""
 
 _TURNS = 0.2
 """Way that a break line goes each way at least, in its swing: an edge goes one way only."""
@@ -111,7 +105,7 @@ def _is_edge(ink: Mask, box: Box, side: int) -> bool:
     """Whether a straight edge runs along most of the left (0) or right (2) side of a box."""
     at = int(box[side])
     columns = ink[int(box[1]) : int(box[3]), max(at - _EDGE_PX, 0) : at + _EDGE_PX]
-    return bool(columns.size) and float(columns.mean(axis=0).max()) > _EDGE
+    return bool(columns.size) and float(columns.mean(axis=0).max()) > MOST
 
 
 def _swapped(box: Box) -> Box:
@@ -122,7 +116,7 @@ def _face(one: Box, other: Box) -> bool:
     """Whether one box stands close to the left of another, beside it."""
     heights = one[3] - one[1], other[3] - other[1]
     shared = min(one[3], other[3]) - max(one[1], other[1])
-    adjacent = shared > _BESIDE * min(heights)
+    adjacent = shared > NEARLY_ALL * min(heights)
     return adjacent and 0.0 < other[0] - one[2] < _WIDEST * min(heights)
 
 
@@ -134,14 +128,14 @@ def _break_lines(ink: Mask, one: Box, other: Box, stroke_width: float) -> Mask |
     middle = int(0.5 * (one[2] + other[0]))
     left, right = ink[rows, int(one[0]) : middle], ink[rows, middle : int(other[2])]
     both = left.any(axis=1) & right.any(axis=1)
-    if both.sum() < max(_ALIKE * len(rows), 12):
+    if both.sum() < max(LARGELY * len(rows), 12):
         return None
     first = int(one[0]) + left.shape[1] - 1 - np.argmax(left[:, ::-1], axis=1)
     second = middle + np.argmax(right, axis=1)
     first, second = (median_filter(side.astype(float), 5) for side in (first, second))
     apart = (second - first)[both]
     alike = np.abs(apart - np.median(apart)) < _ALIKE_PX
-    if alike.mean() < _ALIKE or not _swings(first[both][alike]):
+    if alike.mean() < LARGELY or not _swings(first[both][alike]):
         return None
     lines = np.zeros(ink.shape, dtype=bool)
     reach = int(np.ceil(stroke_width)) + 2

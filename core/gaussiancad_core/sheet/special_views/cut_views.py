@@ -5,12 +5,10 @@ import numpy as np
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
+from gaussiancad_core.sheet.votes import LARGELY
 
 _LEAST = 0.015
 """Share of a view that is hatched at least, for it to be a section."""
-
-_WHOLE = 0.75
-"""Share of a section's width and height that its hatching spans at least."""
 
 _HALF = 0.6
 """Share of its half, and of the other direction, that the hatching of a half section spans."""
@@ -31,7 +29,7 @@ def section_kind(hatched: Mask, box: Box) -> SpecialKind | None:
     if not window.size or window.mean() < _LEAST:
         return None
     spans = [_span(np.any(window, axis=axis)) for axis in (0, 1)]
-    if all(high - low > _WHOLE for low, high in spans):
+    if all(high - low > LARGELY for low, high in spans):
         return SpecialKind.SECTION
     for pair, other in (spans, spans[::-1]):
         if other[1] - other[0] > _HALF and _is_half(pair):

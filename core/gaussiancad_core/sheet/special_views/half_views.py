@@ -15,22 +15,16 @@ from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.annotations.erase import Told
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.line_conventions import SMALLEST_VIEW
+from gaussiancad_core.sheet.picture_noise import LEVEL
 from gaussiancad_core.sheet.reading_options import Box
-
-_LEVEL = 0.02
-"""Sine of the largest angle between a centre line and the sheet's own directions."""
+from gaussiancad_core.sheet.votes import HALF
 
 _NEAR = 2.0
 """Distance of the centre line from the side of the view at most, in stroke widths."""
 
 _COVERED = 0.05
 """Share of the side that the centre line may miss at either end: it reaches beyond it."""
-
-_OPEN = 0.5
-"""Share of the side along which there is ink at most."""
-
-_LEAST_SIDE_PX = 32.0
-"""Length of the open side at least."""
 
 _LEAST_EDGES = 2
 """Edges that end at the centre line at least."""
@@ -66,8 +60,8 @@ class Half:
         """Whether a small drawing is what is left of a mark of symmetry on the centre line."""
         x0, y0, x1, y1 = box if self.upright else (box[1], box[0], box[3], box[2])
         on_line = x0 - _NEAR <= self.at <= x1 + _NEAR
-        within = y0 > self.span[0] - _LEAST_SIDE_PX and y1 < self.span[1] + _LEAST_SIDE_PX
-        return on_line and within and max(x1 - x0, y1 - y0) < _LEAST_SIDE_PX
+        within = y0 > self.span[0] - SMALLEST_VIEW and y1 < self.span[1] + SMALLEST_VIEW
+        return on_line and within and max(x1 - x0, y1 - y0) < SMALLEST_VIEW
 
 
 def find_halves(
@@ -88,7 +82,7 @@ def find_halves(
             x0, y0, x1, y1 = box if upright else (box[1], box[0], box[3], box[2])
             length = y1 - y0
             covers = span[0] < y0 + _COVERED * length and span[1] > y1 - _COVERED * length
-            if length < _LEAST_SIDE_PX or not covers:
+            if length < SMALLEST_VIEW or not covers:
                 continue
             for side, beyond in ((x1, True), (x0, False)):
                 near = abs(side - at) < _NEAR * stroke_width + 1.0
@@ -110,7 +104,7 @@ def _centre_lines(stated: Told) -> list[tuple[bool, float, tuple[float, float]]]
             continue
         ends = np.array([shape.geometry.at(runs[0].start), shape.geometry.at(runs[-1].end)]) + 0.5
         way = np.abs(shape.geometry.direction)
-        if way.min() > _LEVEL:
+        if way.min() > LEVEL:
             continue
         across = int(np.argmin(way))
         low, high = sorted(ends[:, 1 - across].tolist())
@@ -131,7 +125,7 @@ def _is_open(
     neighbour = ink[first:last, max(start, 0) : start + 2 * reach + 2].any(axis=1)
     ending = np.concatenate([[False], neighbour & along])
     edges = int(np.count_nonzero(ending[1:] & ~ending[:-1]))
-    return float(along.mean()) < _OPEN and edges >= _LEAST_EDGES
+    return float(along.mean()) < HALF and edges >= _LEAST_EDGES
 
 
 def completed(sheet: CleanSheet, half: Half, others: Sequence[Box]) -> CleanSheet | None:

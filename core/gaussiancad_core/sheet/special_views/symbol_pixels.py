@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.special_views.symbol_shape import (
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_shapes
+from gaussiancad_core.sheet.votes import LARGELY, MOST
 
 Floats = npt.NDArray[np.float64]
 
@@ -29,12 +30,6 @@ _SMALLEST_PX = 8
 
 _MOST_PIECES = 15_000
 """Of such a size on a sheet among which it is looked for: sheets of writing have some thousands."""
-
-_DRAWN = 0.75
-"""Share of a circle that has ridge points at least."""
-
-_BAR = 0.6
-"""Share of the cone's ends that is inked at least."""
 
 
 def pixel_symbol(sheet: CleanSheet, largest: float) -> ProjectionSymbol | None:
@@ -93,7 +88,7 @@ def _ringed(shapes: Sequence[Grown], ridges: RidgePoints) -> list[Circle]:
         shape.geometry
         for shape in shapes
         if isinstance(shape.geometry, Circle)
-        and _share_drawn(shape.geometry, ridges.points[shape.members]) > _DRAWN
+        and _share_drawn(shape.geometry, ridges.points[shape.members]) > LARGELY
     ]
     return [outer for outer in whole if any(is_around(outer, inner) for inner in whole)]
 
@@ -117,6 +112,6 @@ def _is_closed(ends: Ends, weight: npt.NDArray[np.float32]) -> bool:
             points = centre + (along + shift) * ends.axis + steps
             values = sample(weight, points[:, :1], points[:, 1:])[:, 0]
             inked = max(inked, float((values > 0.35).mean()))
-        if inked < _BAR:
+        if inked < MOST:
             return False
     return True

@@ -13,6 +13,7 @@ from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.whole_curves import Circle
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.special_views.symbol_shape import (
     AXES,
     Ends,
@@ -21,26 +22,18 @@ from gaussiancad_core.sheet.special_views.symbol_shape import (
     is_around,
     symbol_beside,
 )
+from gaussiancad_core.sheet.votes import LARGELY
 
 Floats = npt.NDArray[np.float64]
 
 _SMALLEST = 0.15
 """Length of a symbol at least, as a share of the largest one: 5 mm on paper."""
 
-_SAME_PX = 1.0
-"""px by which the pieces of one circle may differ in centre and radius."""
-
 _ROUND = 0.04
 """The same share by which points of one may lie beside it, in its radius."""
 
-_WHOLE = 0.75
-"""Share of a circle that is drawn at least."""
-
 _ON_END = 0.12
 """Distance of a line from the end of a cone that it closes at most, in the circles' radius."""
-
-_DRAWN = 0.8
-"""Share of an end that is drawn at least."""
 
 _BEYOND = 0.3
 """Length by which what closes a cone goes beyond its sides at most, in the circles' radius: the
@@ -102,7 +95,7 @@ def _circles(strokes: list[VectorStroke], largest: float) -> list[Circle]:
     if not arcs:
         return []
     places = np.array(arcs)
-    pairs = cKDTree(places[:, :3]).query_pairs(_SAME_PX, output_type="ndarray")
+    pairs = cKDTree(places[:, :3]).query_pairs(ONE_PLACE, output_type="ndarray")
     joined = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(places), len(places)))
     count, groups = connected_components(joined, directed=False)
     swept = np.bincount(groups, weights=places[:, 3], minlength=count)
@@ -110,7 +103,7 @@ def _circles(strokes: list[VectorStroke], largest: float) -> list[Circle]:
     x, y, radius = np.array(means) / np.bincount(groups, minlength=count)
     return [
         Circle((float(x[i]), float(y[i])), float(radius[i]))
-        for i in np.flatnonzero(swept >= _WHOLE * FULL_TURN)
+        for i in np.flatnonzero(swept >= LARGELY * FULL_TURN)
     ]
 
 
@@ -159,7 +152,7 @@ def _is_closed(ends: Ends, lines: Floats) -> bool:
         steps = np.linspace(across.min(), across.max(), _SLICES + 2)[1:-1, None]
         covered = ((low <= steps) & (steps <= high)).any(axis=1)
         beyond = _BEYOND * ends.circle.radius
-        if covered.mean() < _DRAWN:
+        if covered.mean() < LARGELY:
             return False
         if low.min() < across.min() - beyond or high.max() > across.max() + beyond:
             return False

@@ -14,9 +14,11 @@ from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.annotations.erase import Told
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
+from gaussiancad_core.sheet.votes import MOST, NEARLY_ALL
 
 _DRAWN = (0.6, 0.9)
 """Share of the thin circle that is drawn: about three quarters."""
@@ -27,18 +29,8 @@ _BROKEN = 0.08
 _RATIO = (0.7, 0.95)
 """The smaller radius in larger ones: minor diameters are 0.8 to 0.9 of major ones."""
 
-_CONCENTRIC_PX = 1.5
-"""px between the centres of a thread's circles, and between its lines and where they belong."""
-
-_WHOLE = 0.98
-"""Share of a circle from which it is drawn whole."""
-
 _SHORTEST_PX = 3.0
 """px of a line that shows a thread from the side at least."""
-
-_ALONG = 0.7
-"""Share of such a line beside which the rim runs at least: at the end of a blind hole the
-drill went farther."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +104,7 @@ def arcs_of(stated: Told) -> list[Arc]:
 
 def _symbols(view: ReadView, arcs: Sequence[Arc]) -> Iterator[ThreadSymbol]:
     strokes = [stroke for stroke in view.strokes if isinstance(stroke, Arc)]
-    rims = [arc for arc in strokes if _share(arc) >= _WHOLE]
+    rims = [arc for arc in strokes if _share(arc) >= NEARLY_ALL]
     seen: list[Arc] = []
     for arc in (*arcs, *strokes):
         if not _DRAWN[0] < _share(arc) < _DRAWN[1] or any(_same(arc, other) for other in seen):
@@ -130,13 +122,13 @@ def _share(arc: Arc) -> float:
 
 
 def _same(arc: Arc, other: Arc) -> bool:
-    near = np.hypot(*np.subtract(arc.centre, other.centre)) <= _CONCENTRIC_PX
-    return bool(near) and abs(arc.radius - other.radius) <= _CONCENTRIC_PX
+    near = np.hypot(*np.subtract(arc.centre, other.centre)) <= ONE_PLACE
+    return bool(near) and abs(arc.radius - other.radius) <= ONE_PLACE
 
 
 def _about(arc: Arc, rim: Arc) -> bool:
     small, large = sorted((arc.radius, rim.radius))
-    near = np.hypot(*np.subtract(arc.centre, rim.centre)) <= _CONCENTRIC_PX
+    near = np.hypot(*np.subtract(arc.centre, rim.centre)) <= ONE_PLACE
     return bool(near) and _RATIO[0] < small / large < _RATIO[1]
 
 
@@ -164,7 +156,7 @@ def _is_beside(stroke: Segment, upright: bool, at: float, strokes: Sequence[Stro
         if isinstance(segment, Segment) and _runs_at(segment, upright, at):
             first, last = sorted((segment.start[along], segment.end[along]))
             covered += max(0.0, min(last, high) - max(first, low))
-    return covered >= _ALONG * (high - low)
+    return covered >= MOST * (high - low)
 
 
 def _sides(
@@ -208,7 +200,7 @@ def _runs_at(stroke: Segment, upright: bool, at: float) -> bool:
     along, across = (1, 0) if upright else (0, 1)
     ends = stroke.start, stroke.end
     offset = max(abs(end[across] - at) for end in ends)
-    return offset <= _CONCENTRIC_PX and abs(ends[0][along] - ends[1][along]) >= _SHORTEST_PX
+    return offset <= ONE_PLACE and abs(ends[0][along] - ends[1][along]) >= _SHORTEST_PX
 
 
 def _shared_axes_of(one: Role, other: Role) -> list[Axis]:

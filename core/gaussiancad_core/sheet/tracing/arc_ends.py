@@ -10,18 +10,14 @@ from collections.abc import Iterable
 import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
+from gaussiancad_core.sheet.picture_noise import TOUCHING
+from gaussiancad_core.sheet.votes import HALF
 
 _WIDE_PX = 40.0
 """Radius of such arcs at least: others leave a line within a few px."""
 
-_TOUCHING_PX = 1.2
-"""px by which an arc may miss the line that touches it."""
-
 _LEAVING_PX = 3.0
 """px across by which an arc has left its tangent where no ink of it is the line's any more."""
-
-_SHARE = 0.5
-"""Of a line's ink that stays at least."""
 
 
 def without_arc_ends(
@@ -41,7 +37,7 @@ def without_arc_ends(
             continue
         foot = float(line.positions(np.array([circle.centre]))[0])
         away = float(line.distances(np.array([circle.centre]))[0])
-        if abs(away - circle.radius) > _TOUCHING_PX:
+        if abs(away - circle.radius) > TOUCHING:
             continue
         leaving = float(np.sqrt(2.0 * circle.radius * _LEAVING_PX))
         if 0.0 < foot - start <= leaving:
@@ -49,7 +45,7 @@ def without_arc_ends(
         elif 0.0 < end - foot <= leaving:
             high = min(high, foot)
     cut = [(max(a, low), min(b, high)) for a, b in spans if a < high and b > low]
-    return cut if _length(cut) >= _SHARE * _length(spans) else spans
+    return cut if _length(cut) >= HALF * _length(spans) else spans
 
 
 def _length(spans: list[tuple[float, float]]) -> float:

@@ -3,22 +3,18 @@
 import numpy as np
 from numba import njit
 
+from gaussiancad_core.sheet.picture_noise import LARGEST_RADIUS, SMALLEST_RADIUS
 from gaussiancad_core.sheet.tracing.growth_kernels import (
     CONSUMED,
     CONSUMED_COSINE,
+    NEARER,
     scratch_of,
     stacked,
     with_room,
 )
 
-_NEARER = 0.05
-"""px by which a line's point may be nearer to the line than to an arc that has it as well."""
-
 _CHAINS = (6, 11, 20, 34)
 """px of chain on each side of a point from which an arc is started, in turn."""
-
-_SMALLEST, _LARGEST = 3.0, 6_000.0
-"""px: radii of arcs that can be told from a blot and from a line."""
 
 
 @njit(cache=True)
@@ -120,10 +116,10 @@ def _osculating(tables, seed, item, number, circle):  # noqa: ANN001, ANN202
         along = np.hypot(ox, oy) * (1.0 if way >= 0.0 else -1.0)
         moment += along * along
         turning += along * turn
-    if moment < 1e-9 or abs(turning) < moment / _LARGEST:
+    if moment < 1e-9 or abs(turning) < moment / LARGEST_RADIUS:
         return False
     radius = moment / turning
-    if abs(radius) < _SMALLEST:
+    if abs(radius) < SMALLEST_RADIUS:
         return False
     circle[0], circle[1], circle[2] = x - radius * dy, y + radius * dx, abs(radius)
     fits = True
@@ -191,10 +187,7 @@ def _along_circle(tables, circle, seed, limits, work):  # noqa: ANN001, ANN202
                     ox, oy = points[i, 0] - x, points[i, 1] - y
                     distance = np.hypot(ox, oy)
                     # A tangent's points are the tangent's, however near to the arc.
-                    if (
-                        abs(distance - radius) > min(band, neighbour[i] + _NEARER)
-                        or distance < 1e-9
-                    ):
+                    if abs(distance - radius) > min(band, neighbour[i] + NEARER) or distance < 1e-9:
                         continue
                     # A point counts where it lies, not where it is first seen from.
                     if abs(ox * sine_here - oy * cosine_here) > 1.0:
@@ -237,4 +230,4 @@ def _fit_circle(points, item, number, circle):  # noqa: ANN001, ANN202
     circle[0] += change[0]
     circle[1] += change[1]
     circle[2] += change[2]
-    return _SMALLEST <= circle[2] <= _LARGEST
+    return SMALLEST_RADIUS <= circle[2] <= LARGEST_RADIUS

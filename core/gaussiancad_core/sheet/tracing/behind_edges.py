@@ -14,21 +14,14 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import CLEAR, FINE_STEP, ONE_PLACE
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
+from gaussiancad_core.sheet.votes import MOST, NEARLY_ALL
 
 Floats = npt.NDArray[np.float64]
-
-_STEP = 0.25
-"""px between the places that are looked at."""
-
-_AT_PX = 1.0
-"""px between an end and the edge that it lies on, or the next one and the line, at most."""
-
-_CLEAR = 0.75
-"""px beside a stroke's ink from which there is paper."""
 
 _BESIDE = 1.5
 """px beside a line's own ink where its flanks are."""
@@ -39,12 +32,9 @@ _DARKER = 0.25
 _SHORTEST = 1.5
 """px of such ink at least, in one piece or at both edges."""
 
-_KNOWN = 0.6
-"""Share of what lies between the ink of both edges that is no other stroke's at least."""
-
-_WHOLE, _SOLID = 0.6, 0.95
-"""Dashes, and the share of such a stretch that is inked, from which it is rather an edge that goes
-on as the hidden line."""
+_WHOLE = 0.6
+"""Dashes from which such a stretch that is inked is rather an edge that goes on as the hidden line.
+"""
 
 _MOST = 3
 """Edges, one behind the other, that an end is led past at most."""
@@ -103,7 +93,7 @@ def _next_edge(
     """
     at, way = end
     reach = rhythm.dash + 2.0 * rhythm.gap
-    ahead = at + way * np.arange(0.0, reach, _STEP)
+    ahead = at + way * np.arange(0.0, reach, FINE_STEP)
     points = line.points_at(ahead)
     corner = points[:1]
     near = [
@@ -113,24 +103,24 @@ def _next_edge(
     ]
     away = np.array([distances_to(pair, points) for pair in near]).reshape(len(near), len(points))
     edges = np.array([piece.linetype is Linetype.VISIBLE for _, piece in near], dtype=bool)
-    left = np.array([distances_to(pair, corner)[0] <= _AT_PX for pair in near], dtype=bool)
+    left = np.array([distances_to(pair, corner)[0] <= ONE_PLACE for pair in near], dtype=bool)
     if not (edges & left).any():
         return None
-    met = (edges & ~left)[:, None] & (away <= _AT_PX / 2.0)
+    met = (edges & ~left)[:, None] & (away <= ONE_PLACE / 2.0)
     places = np.flatnonzero(met.any(axis=0))
     if not len(places):
         return None
     first = int(np.argmax(met[:, places[0]]))
     target = places[0] + int(np.argmin(away[first, places[0] :]))
     # Ink beside edges and along other hidden lines is theirs.
-    half = sheet.stroke_width / 2.0 + _CLEAR
+    half = sheet.stroke_width / 2.0 + CLEAR
     clear = (away[:, :target] > half).all(axis=0)
-    if clear.sum() < _KNOWN * (target - 2.0 * half / _STEP):
+    if clear.sum() < MOST * (target - 2.0 * half / FINE_STEP):
         return None
     inked = _inked(line, points[:target][clear], sheet)
-    if inked.sum() * _STEP < _SHORTEST:
+    if inked.sum() * FINE_STEP < _SHORTEST:
         return None
-    solid = inked.mean() >= _SOLID and len(inked) * _STEP >= _WHOLE * rhythm.dash
+    solid = inked.mean() >= NEARLY_ALL and len(inked) * FINE_STEP >= _WHOLE * rhythm.dash
     return None if solid else float(ahead[target])
 
 

@@ -8,10 +8,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Line, WholeCurve
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH, ROW
+from gaussiancad_core.sheet.picture_noise import ASLANT
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 
-_LEAST_SINE, _MOST_SINE = 0.05, 0.6
-"""Of the angle between two lines that share a dash: less is one line, more is clearly across."""
+_MOST_SINE = 0.6
+"""Sine of the angle between two lines that share a dash: more is clearly across."""
 
 _LONGEST = 2.5
 """Extent of what a slanted line has of lines that it crosses at most, in dashes and gaps."""
@@ -22,12 +24,6 @@ _FAR = 2.0
 _NEAR, _TOUCHED = 0.5, 1.0
 """Distance of a run's middle from the line whose dash it is at most, in stroke widths; the same of
 a run shorter than a stroke is wide, where a dash was just touched."""
-
-_FEWEST = 4
-"""Dashes that line has at least."""
-
-_ALIKE = 0.35
-"""Share of a dash by which those of a line may differ, and of a gap."""
 
 Dashed = tuple[Line, Sequence[Run]]
 """A line and those of its runs that are as long as dashes."""
@@ -59,9 +55,9 @@ def own_runs(
     crossed = [
         (line, [run for run in other if _is_like(run.length, rhythm.dash)])
         for line, other in lines
-        if _LEAST_SINE < _sine(line, geometry) < _MOST_SINE
+        if ASLANT < _sine(line, geometry) < _MOST_SINE
     ]
-    crossed = [pair for pair in crossed if len(pair[1]) >= _FEWEST]
+    crossed = [pair for pair in crossed if len(pair[1]) >= ROW]
 
     def is_borrowed(run: Run) -> bool:
         points = geometry.points_at(np.array([run.start, run.end]))
@@ -78,7 +74,7 @@ def _sine(one: Line, other: Line) -> float:
 
 
 def _is_like(length: float, usual: float) -> bool:
-    return abs(length - usual) <= _ALIKE * usual
+    return abs(length - usual) <= LIKE_A_DASH * usual
 
 
 def _groups(runs: Sequence[Run], far: float) -> list[list[Run]]:

@@ -17,6 +17,16 @@ from scipy.special import ndtr
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import (
+    AROUND,
+    CLOSER,
+    DARK,
+    DASH_END,
+    EVEN,
+    FEWEST_PIXELS,
+    FINE_STEP,
+    ONE_PLACE,
+)
 from gaussiancad_core.sheet.tracing.close_strands import Strand, find_bundles, scaled
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, runs_of_ink
@@ -25,35 +35,16 @@ from gaussiancad_core.sheet.tracing.junctions import is_full_circle
 from gaussiancad_core.sheet.tracing.leftover import dash_pen
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.pen_profile import Pen, visible_pen
+from gaussiancad_core.sheet.work_limits import PLACES
 
 Floats = npt.NDArray[np.float64]
 
-_BESIDE, _CLEAR, _AT_END = 2.0, 1.5, 3.0
-"""px beside the ink of a bundle that are looked at; px from the ink of other strokes, and from
-where one of the bundle ends."""
-
-_DARK, _STEP, _FADES = 0.5, 0.25, 1.5
-"""Share of a dash's ink from which a place is one's; px between the places along a line; px from
-the end of a dash in which its ink falls off."""
-
-_MOST = 4000
-"""Pixels that are looked at."""
-
-_FEWEST = 40
+_CLEAR, _AT_END = 1.5, 3.0
+"""px from the ink of other strokes, and from where one of the bundle ends."""
 
 _LEAST_BLUR = 0.35
 """px by which the edge of ink is blurred at least: pixels are no points, and what has no slope
 leads nowhere."""
-
-_MOVED = 1.2
-"""px by which a line may be off."""
-
-_BETTER, _EVEN = 0.8, 0.12
-"""Share of the squares of what the lines as they were leave of the ink, and mean ink by which the
-pixels around any of them may differ from the pens', at most."""
-
-_AROUND = 1.0
-"""px beside a line's ink that are around it."""
 
 
 def with_close_fits(
@@ -101,7 +92,7 @@ def _fitted(
 
     bundle = [_dashed(strand, sheet, pens) for strand in bundle]
     pixels = _pixels(bundle, others, sheet, pens[Linetype.VISIBLE])
-    if len(pixels) < _FEWEST:
+    if len(pixels) < FEWEST_PIXELS:
         return list(bundle)
     ink = sheet.weight[pixels[:, 1].astype(int), pixels[:, 0].astype(int)].astype(np.float64)
     facing = _facing(bundle[0])
@@ -130,15 +121,15 @@ def _fitted(
 
     start = np.zeros(len(places))
     before = float(np.square(residual(start)).sum())
-    found = least_squares(residual, start, bounds=(-_MOVED, _MOVED), diff_step=1e-3)
+    found = least_squares(residual, start, bounds=(-ONE_PLACE, ONE_PLACE), diff_step=1e-3)
     after = float(np.square(found.fun).sum())
-    if after > _BETTER * before or np.abs(found.x).max() > 0.99 * _MOVED:
+    if after > CLOSER * before or np.abs(found.x).max() > 0.99 * ONE_PLACE:
         return list(bundle)
     fitted = strands(found.x)
     for this_strand, pen in zip(fitted, own_pens, strict=True):
-        near = np.abs(this_strand.offsets(pixels, facing)) <= pen.width / 2.0 + _AROUND
+        near = np.abs(this_strand.offsets(pixels, facing)) <= pen.width / 2.0 + ONE_PLACE
         # What bends away from its line was none.
-        if near.any() and float(np.abs(found.fun[near]).mean()) > _EVEN:
+        if near.any() and float(np.abs(found.fun[near]).mean()) > EVEN:
             return list(bundle)
     return fitted
 
@@ -154,10 +145,10 @@ def _dashed(strand: Strand, sheet: CleanSheet, pens: Mapping[Linetype, Pen]) -> 
     """A hidden strand with its dashes, where its ink is more than half of the pen's."""
     if strand.kind is Linetype.VISIBLE:
         return strand
-    dark = _DARK * float(pens[Linetype.HIDDEN].ink(np.zeros(1))[0])
+    dark = DARK * float(pens[Linetype.HIDDEN].ink(np.zeros(1))[0])
     dashes = []
     for piece in strand.pieces:
-        along = np.arange(piece.start, piece.end, _STEP)
+        along = np.arange(piece.start, piece.end, FINE_STEP)
         points = strand.geometry.points_at(along)
         ink = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0]
         dashes += [(float(along[a]), float(along[b])) for a, b in runs_of_ink(ink > dark)]
@@ -192,7 +183,7 @@ def _pixels(
     bundle: Sequence[Strand], others: Sequence[Placed], sheet: CleanSheet, pen: Pen
 ) -> Floats:
     """(n, 2) pixels on and beside a bundle, clear of other strokes and of its own ends."""
-    reach = pen.width / 2.0 + _BESIDE
+    reach = pen.width / 2.0 + AROUND
     found = []
     for strand in bundle:
         for piece in strand.pieces:
@@ -211,8 +202,8 @@ def _pixels(
     height, width = sheet.weight.shape
     x, y = pixels.T
     pixels = pixels[(x >= 0) & (y >= 0) & (x < width) & (y < height)].astype(np.float64)
-    if len(pixels) > _MOST:
-        pixels = pixels[np.linspace(0, len(pixels) - 1, _MOST).astype(int)]
+    if len(pixels) > PLACES:
+        pixels = pixels[np.linspace(0, len(pixels) - 1, PLACES).astype(int)]
     clear = pen.width / 2.0 + _CLEAR
     for other in others:
         pixels = pixels[distances_to(other, pixels) > clear]
@@ -220,7 +211,7 @@ def _pixels(
         for tip in (tip for dash in strand.dashes or () for tip in dash):
             # A dash leaves off within a few px.
             along, across = strand.line.coordinates(pixels)
-            pixels = pixels[(np.abs(along - tip) > _FADES) | (np.abs(across) > clear)]
+            pixels = pixels[(np.abs(along - tip) > DASH_END) | (np.abs(across) > clear)]
         for piece in strand.pieces:
             if is_full_circle(strand.geometry, piece):
                 continue

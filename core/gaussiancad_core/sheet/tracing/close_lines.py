@@ -13,14 +13,12 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import DARK, ON_LINE, PARALLEL, SIDE_BY_SIDE
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, fine_ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_straight
 
 Floats = npt.NDArray[np.float64]
-
-_PARALLEL = np.cos(np.radians(2.0))
-"""Cosine of the largest angle between two lines that run along each other."""
 
 _NEAREST = 1.9
 """px between two lines that can be told apart, at least."""
@@ -28,17 +26,8 @@ _NEAREST = 1.9
 _REACH = 2.5
 """px beyond a stroke's width up to which lines are pulled by each other."""
 
-_SHORTEST = 8.0
-"""px along which two lines must run beside each other."""
-
 _PALER = 0.88
 """Ink between two lines, as a share of that on the paler one, at most."""
-
-_OWN = 0.4
-"""px from a line within which another one is the same."""
-
-_DARK = 0.45
-"""Ink of a stroke's centre line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,10 +77,10 @@ def _fine(grown: Grown, ridges: RidgePoints) -> _Fine:
 def _run_beside(one: _Fine, other: _Fine, width: float) -> bool:
     """Whether two lines run along each other, too close for wide smoothing."""
     a, b = np.array(one.line.direction), np.array(other.line.direction)
-    if abs(float(a @ b)) < _PARALLEL:
+    if abs(float(a @ b)) < np.cos(PARALLEL):
         return False
     along = _overlap(one, other)
-    if along[1] - along[0] < _SHORTEST:
+    if along[1] - along[0] < SIDE_BY_SIDE:
         return False
     away = other.line.distances(one.line.points_at(np.array(along)))
     return bool(away.min() >= _NEAREST and away.max() <= width + _REACH)
@@ -113,8 +102,8 @@ def _shows(one: _Fine, other: _Fine, sheet: CleanSheet) -> bool:
     middle = 0.5 * (first + second)
     between = sample(sheet.weight, middle[:, :1], middle[:, 1:])[:, 0]
     for values in dark:
-        inked = values > _DARK
-        if inked.sum() < _SHORTEST or between[inked].mean() > _PALER * values[inked].mean():
+        inked = values > DARK
+        if inked.sum() < SIDE_BY_SIDE or between[inked].mean() > _PALER * values[inked].mean():
             return False
     return True
 
@@ -127,11 +116,11 @@ def _is_between(line: Line, one: _Fine, other: _Fine) -> bool:
         return False
     off = line.coordinates(ends)[1]
     adjacent = line.coordinates(other.line.points_at(other.line.positions(ends)))[1]
-    inside = (np.minimum(off, adjacent) <= _OWN) & (np.maximum(off, adjacent) >= -_OWN)
-    flag = (np.abs(off) <= _OWN).all() or (np.abs(adjacent) <= _OWN).all()
+    inside = (np.minimum(off, adjacent) <= ON_LINE) & (np.maximum(off, adjacent) >= -ON_LINE)
+    flag = (np.abs(off) <= ON_LINE).all() or (np.abs(adjacent) <= ON_LINE).all()
     return bool(inside.all()) and not flag
 
 
 def _is_same(line: Line, fine: _Fine) -> bool:
     ends = fine.line.points_at(np.array([fine.start, fine.end]))
-    return bool(line.distances(ends).max() <= 2.0 * _OWN)
+    return bool(line.distances(ends).max() <= 2.0 * ON_LINE)

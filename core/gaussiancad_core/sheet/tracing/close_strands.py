@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE, PARALLEL, SIDE_BY_SIDE
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 
@@ -20,15 +21,6 @@ Floats = npt.NDArray[np.float64]
 _NEAREST, _PAPER = 0.6, 3.0
 """Line widths between two lines that are told apart, at least; px of paper between two that pull
 each other, at most."""
-
-_PARALLEL = np.sin(np.radians(2.0))
-"""Sine of the largest angle between two lines beside each other."""
-
-_CONCENTRIC = 1.0
-"""px between the centres of two circles beside each other, at most."""
-
-_SHORTEST = 10.0
-"""px along which two run beside each other, at least."""
 
 
 @dataclass(frozen=True)
@@ -140,18 +132,18 @@ def _run_beside(one: Strand, other: Strand, width: float) -> bool:
     apart = _NEAREST * width, width + _PAPER
     a, b = one.geometry, other.geometry
     if isinstance(a, Circle) and isinstance(b, Circle):
-        near = np.hypot(*np.subtract(a.centre, b.centre)) <= _CONCENTRIC
+        near = np.hypot(*np.subtract(a.centre, b.centre)) <= ONE_PLACE
         return bool(near and apart[0] <= abs(a.radius - b.radius) <= apart[1])
     if not isinstance(a, Line) or not isinstance(b, Line):
         return False
     (x, y), (u, v) = a.direction, b.direction
-    if abs(x * v - y * u) > _PARALLEL:
+    if abs(x * v - y * u) > PARALLEL:
         return False
     for piece in one.pieces:
         for adjacent_piece in other.pieces:
             ends = a.positions(b.points_at(np.array([adjacent_piece.start, adjacent_piece.end])))
             start, end = max(piece.start, float(ends.min())), min(piece.end, float(ends.max()))
-            if end - start >= _SHORTEST:
+            if end - start >= SIDE_BY_SIDE:
                 away = b.distances(a.points_at(np.array([start, end])))
                 if apart[0] <= away.min() and away.max() <= apart[1]:
                     return True

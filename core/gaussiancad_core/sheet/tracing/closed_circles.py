@@ -10,16 +10,14 @@ import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import DARK, STEP, TOUCHING
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.junctions import is_full_circle
 
-_TOUCHING_PX, _OWN_INKED, _TELLING = 1.0, 0.25, 1.5
-"""px that a line passes nearer or farther by than the radius at most, to touch a circle; share of
-what is not beside such lines that is ink at least; gaps that it is long at least to tell."""
-
-_STEP, _DARK = 0.5, 0.5
-"""px between the places that are looked at; weight from which one is ink."""
+_OWN_INKED, _TELLING = 0.25, 1.5
+"""Share of what is not beside lines that touch a circle that is ink at least; gaps that it is long
+at least to tell."""
 
 
 def is_closed_by_others(
@@ -57,13 +55,13 @@ def has_ink_of_its_own(
         sheet: the ink.
         rhythm: of its dashes.
     """
-    points = circle.points_at(np.arange(piece.end, piece.start + circle.around, _STEP))
+    points = circle.points_at(np.arange(piece.end, piece.start + circle.around, STEP))
     adjacent = np.zeros(len(points), np.bool_)
-    near = sheet.stroke_width / 2.0 + _TOUCHING_PX
+    near = sheet.stroke_width / 2.0 + TOUCHING
     for line, drawn in lines:
         if (
             abs(abs(float(line.coordinates(np.array([circle.centre]))[1][0])) - circle.radius)
-            > _TOUCHING_PX
+            > TOUCHING
         ):
             continue
         along, off = line.coordinates(points)
@@ -72,8 +70,8 @@ def has_ink_of_its_own(
             adjacent |= inside & (np.abs(off) <= near)
     point = points[~adjacent]
     # A gap of the circle's own dashes may lie there.
-    if len(point) * _STEP < _TELLING * rhythm.gap:
+    if len(point) * STEP < _TELLING * rhythm.gap:
         return True
     return bool(
-        (sample(sheet.weight, point[:, :1], point[:, 1:])[:, 0] > _DARK).mean() >= _OWN_INKED
+        (sample(sheet.weight, point[:, :1], point[:, 1:])[:, 0] > DARK).mean() >= _OWN_INKED
     )

@@ -12,31 +12,22 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import DARK, INFERRED, ONE_PLACE, STEP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, runs_of_ink, widest_gap
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.outline_jogs import distance_to
 from gaussiancad_core.sheet.tracing.parted_lines import wide_gaps
 from gaussiancad_core.sheet.tracing.small_fillets import boxes_of
+from gaussiancad_core.sheet.work_limits import ENDS
 
 _LONGEST = 2.0
 """Dashes with their gaps that a leg is long at most."""
 
 _TICK = 2.0
 """px of ink beside the line at least that its dash goes on with."""
-
-_LONGEST_TICK = 1.3
-"""Length of ink beyond a gap that is a dash at most, in dashes."""
-
-_MOST = 600
-"""Pieces of a view up to which legs are looked for: of more each would cost too much."""
-
-_STEP = 0.5
-"""px between the places that are looked at."""
-
-_DARK = 0.5
-"""Weight from which a pixel is ink."""
 
 _INKED = 0.35
 """Share of a leg that is ink, at least."""
@@ -47,13 +38,8 @@ _SOLID = 0.8
 _WITHIN = (0.25, 0.5)
 """Widths of a stroke by which a corner lies before the end of its ink."""
 
-_CLEAR = 1.0
-"""px beyond a stroke's ink from which ink is not its own."""
-
 _ALONG = 0.99
 """Cosine of the angle between a leg and a line that it is a dash of."""
-
-_CONFIDENCE = 0.6
 
 Floats = npt.NDArray[np.float64]
 
@@ -76,10 +62,10 @@ def find_corner_dashes(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
         rhythm: of its dashes.
     """
     found: list[Placed] = []
-    if len(pieces) > _MOST:
+    if len(pieces) > ENDS:
         return found
     boxes = boxes_of(pieces)
-    reach = _LONGEST * (rhythm.dash + rhythm.gap) + sheet.stroke_width + _CLEAR
+    reach = _LONGEST * (rhythm.dash + rhythm.gap) + sheet.stroke_width + ONE_PLACE
     for corner in _corners(pieces, sheet, rhythm):
         near = (boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)
         near[corner.index] = False
@@ -116,14 +102,16 @@ def _next_dash_end(
 ) -> float | None:
     """Where the ink ends that follows a line's end after a gap, if it is a dash or a part of one:
     so short beside its corner that no ridge runs along it."""
-    away = np.arange(1.0, widest_gap(rhythm) + _LONGEST_TICK * rhythm.dash + 2.0, _STEP)
+    away = np.arange(1.0, widest_gap(rhythm) + (1.0 + LIKE_A_DASH) * rhythm.dash + 2.0, STEP)
     points = line.points_at(at + way * away)
-    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > DARK
     stretches = runs_of_ink(dark)
     if not stretches:
         return None
     first, last = stretches[0]
-    long_enough = sheet.stroke_width <= away[last] - away[first] <= _LONGEST_TICK * rhythm.dash
+    long_enough = (
+        sheet.stroke_width <= away[last] - away[first] <= (1.0 + LIKE_A_DASH) * rhythm.dash
+    )
     gap = 1.0 < away[first] <= widest_gap(rhythm) + 1.0
     return at + way * float(away[last]) if gap and long_enough and last < len(away) - 1 else None
 
@@ -133,9 +121,9 @@ def _leg(
 ) -> Placed | None:
     """The leg that leaves a corner; None if no ink does, or it is another stroke's."""
     width = sheet.stroke_width
-    places = np.arange(0.0, _LONGEST * (rhythm.dash + rhythm.gap), _STEP)
+    places = np.arange(0.0, _LONGEST * (rhythm.dash + rhythm.gap), STEP)
     points = corner.place + places[:, None] * corner.aside
-    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > DARK
     offset = width / 2.0
     tick = (places > offset) & (places < offset + _TICK)
     if not dark[tick].all() or _is_taken(points[tick][-1], others, width):
@@ -145,7 +133,7 @@ def _leg(
     if end is None or _is_led_on(corner.aside, points[end], others):
         return None
     inked = dark[: end + 1]
-    blank = longest_blank(inked) * _STEP
+    blank = longest_blank(inked) * STEP
     if inked.mean() < _INKED or blank > widest_gap(rhythm):
         return None
     if blank < 1.0 and places[end] > _SOLID * rhythm.dash:
@@ -153,7 +141,7 @@ def _leg(
         return None
     (x, y), (dx, dy) = map(float, corner.place), map(float, corner.aside)
     line = Line((x, y), (dx, dy))
-    return line, Piece(0.0, float(places[end]), Linetype.HIDDEN, _CONFIDENCE)
+    return line, Piece(0.0, float(places[end]), Linetype.HIDDEN, INFERRED)
 
 
 def _is_led_on(way: Floats, point: Floats, others: Sequence[Placed]) -> bool:
@@ -162,14 +150,14 @@ def _is_led_on(way: Floats, point: Floats, others: Sequence[Placed]) -> bool:
         isinstance(other[0], Line)
         and other[1].linetype is Linetype.HIDDEN
         and abs(float(np.dot(other[0].direction, way))) > _ALONG
-        and distance_to(other, point) <= _CLEAR
+        and distance_to(other, point) <= ONE_PLACE
         for other in others
     )
 
 
 def _is_taken(point: Floats, others: Sequence[Placed], width: float) -> bool:
     """Whether a point lies on another stroke, or within its ink."""
-    return any(distance_to(other, point) <= width / 2.0 + _CLEAR for other in others)
+    return any(distance_to(other, point) <= width / 2.0 + ONE_PLACE for other in others)
 
 
 def longest_blank(dark: npt.NDArray[np.bool_]) -> int:

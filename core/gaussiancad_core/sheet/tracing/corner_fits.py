@@ -8,24 +8,19 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle
+from gaussiancad_core.sheet.picture_noise import CLOSER, FEWEST_PLACES
 
 Floats = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.intp]
 
-_BETTER = 0.6
-"""Share of the arc's residuals that the two lines leave at most."""
-
 _ROUGH = 0.1
 """px root mean square from which an arc is doubted: better ones are arcs."""
 
-_ROUGH_OF_THREE, _BETTER_BY_THREE = 0.2, 0.68
+_ROUGH_OF_THREE = 0.2
 """The same where there are three lines, which follow anything more closely."""
 
 _MOST = 200
 """Points up to which three lines are looked for: larger corners are found as lines."""
-
-_LEAST = 6
-"""Points of each line."""
 
 _WIDEST, _WIDEST_OF_THREE = 2.0, 2.8
 """Radians that a doubtful arc sweeps at most: no single corner looks like more, nor two."""
@@ -33,7 +28,7 @@ _WIDEST, _WIDEST_OF_THREE = 2.0, 2.8
 
 def is_corner(circle: Circle, points: Floats) -> bool:
     """Whether (n, 2) px along an arc lie on two or three lines rather than on it."""
-    if len(points) < 2 * _LEAST:
+    if len(points) < 2 * FEWEST_PLACES:
         return False
     offsets = points - np.array(circle.centre)
     rms = float(np.sqrt(np.mean((np.hypot(*offsets.T) - circle.radius) ** 2)))
@@ -44,11 +39,11 @@ def is_corner(circle: Circle, points: Floats) -> bool:
     if np.ptp(angles) > _WIDEST_OF_THREE:
         return False
     ordered = points[np.argsort(angles)]
-    if np.ptp(angles) <= _WIDEST and _two_lines_rms(ordered) < _BETTER * rms:
+    if np.ptp(angles) <= _WIDEST and _two_lines_rms(ordered) < CLOSER * rms:
         return True
-    if rms < _ROUGH_OF_THREE or not 3 * _LEAST <= len(points) <= _MOST:
+    if rms < _ROUGH_OF_THREE or not 3 * FEWEST_PLACES <= len(points) <= _MOST:
         return False
-    return _three_lines_rms(ordered) < _BETTER_BY_THREE * rms
+    return _three_lines_rms(ordered) < CLOSER * rms
 
 
 def _turned(vector: Floats) -> Floats:
@@ -62,7 +57,7 @@ def _two_lines_rms(points: Floats) -> float:
     count = len(points)
     left = _residuals(points)
     right = _residuals(points[::-1])[::-1]
-    breaks = np.arange(_LEAST, count - _LEAST + 1)
+    breaks = np.arange(FEWEST_PLACES, count - FEWEST_PLACES + 1)
     return float(np.sqrt((left[breaks - 1] + right[breaks]).min() / count))
 
 
@@ -70,9 +65,11 @@ def _three_lines_rms(points: Floats) -> float:
     """The same of three lines, at the best two breaks."""
     count = len(points)
     left, right = _residuals(points), _residuals(points[::-1])[::-1]
-    first = np.arange(_LEAST, count - 2 * _LEAST + 1)[:, None]
-    second = np.arange(2 * _LEAST, count - _LEAST + 1)
-    middle = np.where(second - first >= _LEAST, _residuals_between(points, first, second), np.inf)
+    first = np.arange(FEWEST_PLACES, count - 2 * FEWEST_PLACES + 1)[:, None]
+    second = np.arange(2 * FEWEST_PLACES, count - FEWEST_PLACES + 1)
+    middle = np.where(
+        second - first >= FEWEST_PLACES, _residuals_between(points, first, second), np.inf
+    )
     return float(np.sqrt((left[first - 1] + middle + right[second]).min() / count))
 
 

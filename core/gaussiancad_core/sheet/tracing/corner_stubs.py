@@ -12,25 +12,14 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.whole_curves import Circle, Line
+from gaussiancad_core.sheet.picture_noise import ASLANT, ON_LINE, ONE_PLACE
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 
 Placed = tuple[Line | Circle | WholeEllipse, Piece]
 """A piece and the shape that it is a stretch of."""
 
-_SHORTEST = 0.5
-"""px of a stub at least."""
-
-_ON = 0.5
-"""px between a stub's end and the line that it ends on, at most."""
-
-_BESIDE = 1.0
-"""px of paper between two strokes' ink that is not seen, at most."""
-
 _STEEPEST = 0.4
 """Cosine of the angle to the line under which a stub shows beside the line's ink."""
-
-_FLATTEST = 0.05
-"""Sine of the angle under which two lines meet nowhere for certain."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +46,7 @@ def without_stubs(placed: Sequence[Placed], stroke_width: float) -> list[Placed]
         return list(placed)
     cut = list(placed)
     # Two corners of a wedge on the line lie no farther apart than its height leaves them.
-    offset = stroke_width + _BESIDE
+    offset = stroke_width + ONE_PLACE
     pairs = cKDTree([end.place for end in ends]).query_pairs(8.0 * offset, output_type="ndarray")
     for i, k in pairs:
         one, other = ends[i], ends[k]
@@ -67,7 +56,7 @@ def without_stubs(placed: Sequence[Placed], stroke_width: float) -> list[Placed]
         if corner is None:
             continue
         stubs = [float((end.place - corner) @ end.outward) for end in (one, other)]
-        if min(stubs) < _SHORTEST:
+        if min(stubs) < ON_LINE:
             continue
         thirds = (pair for k, pair in enumerate(placed) if k not in (one.index, other.index))
         if any(_hides(third, corner, (one, other), offset) for third in thirds):
@@ -90,7 +79,7 @@ def _crossing(one: _End, other: _End) -> npt.NDArray[np.float64] | None:
     """(2,) px where the lines of two ends cross."""
     a, b = one.outward, other.outward
     cross = float(a[0] * b[1] - a[1] * b[0])
-    if abs(cross) < _FLATTEST:
+    if abs(cross) < ASLANT:
         return None
     gap = other.place - one.place
     return one.place + float(gap[0] * b[1] - gap[1] * b[0]) / cross * a
@@ -104,8 +93,8 @@ def _hides(
     if not isinstance(geometry, Line):
         return False
     along, across = geometry.coordinates(np.array([corner, *(end.place for end in ends)]))
-    within = (along >= piece.start - _ON) & (along <= piece.end + _ON)
-    both = bool((np.abs(across[1:]) <= _ON).all() and within[1:].all())
+    within = (along >= piece.start - ON_LINE) & (along <= piece.end + ON_LINE)
+    both = bool((np.abs(across[1:]) <= ON_LINE).all() and within[1:].all())
     slopes = [abs(float(np.dot(end.outward, geometry.direction))) for end in ends]
     if min(slopes) < _STEEPEST:
         return False
@@ -119,4 +108,4 @@ def _ended(placed: Placed, end: _End, corner: npt.NDArray[np.float64]) -> Placed
     geometry, piece = placed
     at = float(geometry.positions(corner[None])[0])
     moved = replace(piece, start=at) if end.at_start else replace(piece, end=at)
-    return (geometry, moved) if moved.end - moved.start > _SHORTEST else placed
+    return (geometry, moved) if moved.end - moved.start > ON_LINE else placed

@@ -12,15 +12,10 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE, OVERSHOOT
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.junctions import crossings_with
-
-_REACH = 6.0
-"""px by which an edge may be drawn too short or too long."""
-
-_MET = 1.0
-"""px beyond their common ink within which an edge ends at a crossing."""
 
 _CLEAR_PX = 4
 """px around an end in which there is no ink that no stroke explains: it may go on as a curve."""
@@ -55,11 +50,11 @@ def with_met_ends(
         joints = [end for this_piece in along for end in (this_piece.start, this_piece.end)]
         start, end = (
             at
-            if any(abs(joint - at) <= _MET for joint in joints)
+            if any(abs(joint - at) <= ONE_PLACE for joint in joints)
             else _met(geometry, piece, at, (others, unexplained, stroke_width))
             for at in (piece.start, piece.end)
         )
-        fits = end - start > _REACH
+        fits = end - start > OVERSHOOT
         moved.append((geometry, replace(piece, start=start, end=end) if fits else piece))
     return moved
 
@@ -87,16 +82,21 @@ def _met(
     for other, stretch in others:
         if _is_far(line, at, other, stretch):
             continue
-        longer = replace(stretch, start=stretch.start - _REACH, end=stretch.end + _REACH)
+        longer = replace(stretch, start=stretch.start - OVERSHOOT, end=stretch.end + OVERSHOOT)
         for crossing in crossings_with(line, piece, other, stretch, stroke_width):
-            if abs(crossing.at - at) <= crossing.reach + _MET:
-                if stretch.linetype is not Linetype.VISIBLE or way * (crossing.at - at) <= _MET:
+            if abs(crossing.at - at) <= crossing.reach + ONE_PLACE:
+                if (
+                    stretch.linetype is not Linetype.VISIBLE
+                    or way * (crossing.at - at) <= ONE_PLACE
+                ):
                     return at
                 short.append(crossing.at)
         if stretch.linetype is Linetype.VISIBLE:
             found = crossings_with(line, piece, other, longer, stroke_width)
             near += [
-                this_crossing.at for this_crossing in found if abs(this_crossing.at - at) <= _REACH
+                this_crossing.at
+                for this_crossing in found
+                if abs(this_crossing.at - at) <= OVERSHOOT
             ]
     return min(short or near, key=lambda place: abs(place - at), default=at)
 
@@ -105,9 +105,9 @@ def _is_far(line: Line, at: float, other: WholeCurve, stretch: Piece) -> bool:
     """Whether a stroke is nowhere near a place: most are not."""
     x, y = line.at(at)
     if not isinstance(other, Line):
-        return float(np.abs(other.distances(np.array([(x, y)])))[0]) > 2.0 * _REACH
+        return float(np.abs(other.distances(np.array([(x, y)])))[0]) > 2.0 * OVERSHOOT
     (dx, dy), ox, oy = other.direction, x - other.point[0], y - other.point[1]
-    if abs(oy * dx - ox * dy) > 2.0 * _REACH:
+    if abs(oy * dx - ox * dy) > 2.0 * OVERSHOOT:
         return True
     along = ox * dx + oy * dy
-    return along < stretch.start - 2.0 * _REACH or along > stretch.end + 2.0 * _REACH
+    return along < stretch.start - 2.0 * OVERSHOOT or along > stretch.end + 2.0 * OVERSHOOT

@@ -12,25 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import WholeCurve
+from gaussiancad_core.sheet.dash_noise import FEWEST, LIKE_A_DASH
+from gaussiancad_core.sheet.line_conventions import LONGEST_DASH, SLENDER, WIDEST_GAP
+from gaussiancad_core.sheet.picture_noise import AROUND, FAINT
 from gaussiancad_core.sheet.tracing.ink_runs import InkField, Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
-
-_FEWEST = 3
-"""Pairs that tell anything, at least."""
-
-_ALIKE = 0.25
-"""Share by which the two dashes of a pair, and all pairs, differ at most."""
-
-_WIDEST = 1.5
-"""Gap of a pair at most, in the longer one of its dashes."""
-
-_SHORTEST, _LONGEST_PX = 2.5, 120.0
-"""Length of a dash at least, in stroke widths, and at most."""
-
-_AROUND_PX = 2.5
-"""px beside and ahead of a free end, beyond half a stroke, in which there is no ink."""
-
-_INK = 0.35
 
 Drawn = tuple[InkField, WholeCurve, Sequence[Run]]
 
@@ -52,35 +38,33 @@ def paired_rhythm(drawn: Sequence[Drawn], stroke_width: float) -> Rhythm | None:
                 # Two shapes may have the same ink.
                 place = id(field), *np.rint(ends.mean(axis=0) / 2.0).astype(int).tolist()
                 pairs[place] = (one.length + other.length) / 2.0, other.start - one.end
-    if len(pairs) < _FEWEST:
+    if len(pairs) < FEWEST:
         return None
     found = np.array(list(pairs.values()))
     middle = np.median(found, axis=0)
-    near = (np.abs(found - middle) <= _ALIKE * middle).all(axis=1)
+    near = (np.abs(found - middle) <= LIKE_A_DASH * middle).all(axis=1)
     return (
-        Rhythm(*(float(v) for v in middle))
-        if near.sum() >= max(_FEWEST, 0.75 * len(near))
-        else None
+        Rhythm(*(float(v) for v in middle)) if near.sum() >= max(FEWEST, 0.75 * len(near)) else None
     )
 
 
 def _is_pair(one: Run, other: Run, stroke_width: float) -> bool:
     shorter, longer = sorted((one.length, other.length))
     return (
-        longer - shorter <= _ALIKE * longer
-        and shorter >= _SHORTEST * stroke_width
-        and longer <= _LONGEST_PX
-        and 0.0 < other.start - one.end <= _WIDEST * longer
+        longer - shorter <= LIKE_A_DASH * longer
+        and shorter >= SLENDER * stroke_width
+        and longer <= LONGEST_DASH
+        and 0.0 < other.start - one.end <= WIDEST_GAP * longer
     )
 
 
 def _is_free(field: InkField, geometry: WholeCurve, end: float, start: float) -> bool:
     """Whether there is no ink around two ends that face each other."""
     half = field.stroke_width / 2.0
-    adjacent = half + np.array([1.5, _AROUND_PX])
+    adjacent = half + np.array([1.5, AROUND])
     across = np.concatenate([-adjacent, adjacent])
     for position, outward in ((end, 1.0), (start, -1.0)):
-        along = position + outward * np.arange(-half, half + _AROUND_PX + 0.5, 0.5)
+        along = position + outward * np.arange(-half, half + AROUND + 0.5, 0.5)
         if _has_ink(field, geometry, along, across):
             return False
         if _has_ink(
@@ -99,4 +83,4 @@ def _has_ink(
     points, tangents = geometry.points_at(along), geometry.tangents_at(along)
     xs = points[:, :1] - tangents[:, 1:] * across
     ys = points[:, 1:] + tangents[:, :1] * across
-    return bool((sample(field.weight, xs, ys) > _INK).any())
+    return bool((sample(field.weight, xs, ys) > FAINT).any())

@@ -5,21 +5,13 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse, refined
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import AROUND, FEWEST_PIXELS, ONE_PLACE
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 
 Floats = npt.NDArray[np.float64]
 
-_REACH = 1.5
-"""px beside a stroke that its profile reaches."""
-
 _CUTOFFS = (1.5, 1.0, 0.7, 0.5)
 """Of each step of a fit: px beside the ellipse from which ink is not its own (Tukey)."""
-
-_FEWEST = 16
-"""Profiles that a fit needs."""
-
-_MOVED = 1.0
-"""px by which a fit may move an ellipse that the ridges gave."""
 
 
 def ellipse_profile(sheet: CleanSheet, ellipse: WholeEllipse) -> tuple[Floats, Floats]:
@@ -27,7 +19,7 @@ def ellipse_profile(sheet: CleanSheet, ellipse: WholeEllipse) -> tuple[Floats, F
     ellipse the stroke's centre line is, in px."""
     along = np.arange(0.0, ellipse.around)
     points, tangents = ellipse.points_at(along), ellipse.tangents_at(along)
-    reach = sheet.stroke_width / 2 + _REACH
+    reach = sheet.stroke_width / 2 + AROUND
     offsets = np.arange(-reach, reach + 0.25, 0.5)
     # Parameters grow from x to y: outside is to the tangent's right.
     xs = points[:, :1] + tangents[:, 1:] * offsets
@@ -58,11 +50,11 @@ def refit_ellipse(
         along, outside = ellipse_profile(sheet, fitted)
         places = np.floor(along * (ellipse.around / fitted.around)).astype(int)
         used = np.isin(places, inside) & (np.abs(outside) < cutoff)
-        if used.sum() < _FEWEST:
+        if used.sum() < FEWEST_PIXELS:
             return ellipse
         tangents = fitted.tangents_at(along[used])
         normals = np.stack([tangents[:, 1], -tangents[:, 0]], 1)
         points = fitted.points_at(along[used]) + outside[used, None] * normals
         fitted = refined(fitted, points, 1.0 - (outside[used] / cutoff) ** 2)
     moved = fitted.distances(ellipse.points_at(inside.astype(float)))
-    return fitted if moved.max() < _MOVED else ellipse
+    return fitted if moved.max() < ONE_PLACE else ellipse

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
@@ -27,9 +28,8 @@ _MIN_CLEAR = 0.25
 _MIN_STRAIGHT = 5
 """px of a line, one after the other, that nothing explains: enough by themselves."""
 
-_CROSSED, _DASH_UP_TO, _LIKE_A_DASH = 0.25, 1.3, 0.3
-"""Share of a dash that a stroke across it covers at least for it to seem longer; the length of what
-is left, in dashes, at most; by which share of a dash the one beside it may differ."""
+_CROSSED = 0.25
+"""Share of a dash that a stroke across it covers at least for it to seem longer."""
 
 _BENT = 0.12
 """Sagitta in px of what is new of an arc, from which it is a fillet between its tangents."""
@@ -177,7 +177,7 @@ def told_linetypes(
         if run.length <= rhythm.dash or not _has_dash_beside(runs, index, rhythm):
             continue
         old = _explained_along(geometry, run, explained)[0]
-        if old.mean() > _CROSSED and _longest_true(~old) <= _DASH_UP_TO * rhythm.dash:
+        if old.mean() > _CROSSED and _longest_true(~old) <= (1.0 + LIKE_A_DASH) * rhythm.dash:
             oddses[index] = max(oddses[index], TOLD)
     return oddses
 
@@ -201,7 +201,7 @@ def _has_dash_beside(runs: list[RunOdds], index: int, rhythm: Rhythm) -> bool:
         before, after = sorted((runs[index][0], runs[other][0]), key=lambda run: run.start)
         dash = runs[other][0].length
         even = abs(after.start - before.end - rhythm.gap) <= 0.5 * rhythm.gap
-        if even and abs(dash / rhythm.dash - 1.0) <= _LIKE_A_DASH:
+        if even and abs(dash / rhythm.dash - 1.0) <= LIKE_A_DASH:
             return True
     return False
 

@@ -6,24 +6,19 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
+from gaussiancad_core.sheet.picture_noise import AROUND, TOUCHING
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import Corner
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 
 Floats = npt.NDArray[np.float64]
 
-_AT_CORNER = 1.2
-"""px from a corner within which strokes end at it."""
-
-_AROUND = 3.0
-"""px beyond the strokes of a corner up to which pieces lie in it."""
-
 
 def has_flank(corner: Corner, placed: Sequence[Placed], boxes: Floats) -> bool:
     """Whether a straight piece cuts the corner at both of whose ends a third stroke ends: it is the
     flank of a groove, whose edges are seen, no chord of an arc."""
     neighbours = {corner.first.index, corner.second.index}
-    near = (np.abs(boxes - corner.place) <= corner.longest + _AROUND).all(axis=(1, 2))
+    near = (np.abs(boxes - corner.place) <= corner.longest + AROUND).all(axis=(1, 2))
     for index in set(np.flatnonzero(near).tolist()) - neighbours:
         line, piece = placed[index]
         if not isinstance(line, Line) or not is_within(line.points_at(samples(piece)), corner):
@@ -36,7 +31,7 @@ def has_flank(corner: Corner, placed: Sequence[Placed], boxes: Floats) -> bool:
         ]
         tips = np.concatenate([*thirds, np.empty((0, 2))])
         away = np.hypot(*np.moveaxis(tips[:, None] - ends, -1, 0))
-        if len(tips) and (away.min(axis=0) < _AT_CORNER).all():
+        if len(tips) and (away.min(axis=0) < TOUCHING).all():
             return True
     return False
 

@@ -15,6 +15,9 @@ CONSUMED = 1.3
 CONSUMED_COSINE = np.cos(np.radians(22.0))
 """Cosine of the largest angle between a shape and points that it explains."""
 
+NEARER = 0.05
+"""px by which a line's point may be nearer to the line than to a curve that has it as well."""
+
 
 @njit(cache=True)
 def scratch_of(count):  # noqa: ANN001, ANN201

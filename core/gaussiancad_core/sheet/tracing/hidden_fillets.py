@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import AROUND, BLANK, DARK, ONE_PLACE, STEP
 from gaussiancad_core.sheet.tracing.corner_dashes import longest_blank
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import (
@@ -30,7 +31,6 @@ from gaussiancad_core.sheet.tracing.outline_jogs import distance_to
 from gaussiancad_core.sheet.tracing.passing_corners import passing_corners
 from gaussiancad_core.sheet.tracing.pen_profile import Pen
 from gaussiancad_core.sheet.tracing.small_fillets import (
-    AROUND,
     Fillet,
     Key,
     best_of,
@@ -47,9 +47,6 @@ Floats = npt.NDArray[np.float64]
 
 _SMALLEST = 2.5
 """Stroke widths of a radius from which an arc leaves its corner clearly."""
-
-_FOREIGN = 0.1
-"""Ink beyond a stroke's own that is not counted: paper and blur."""
 
 _BETTER, _THAN_OTHER = 0.2, 0.5
 """Share of a sharp corner's squared error that a round or cut one may have, and of the other's."""
@@ -68,17 +65,11 @@ the one leg that a line which runs past leaves: the ink of both its ends is that
 _ROUNDS, _NEAR = 4, 1.2
 """How often an arc is fitted to the ink, and px from it within which ink is its own."""
 
-_MET = 1.0
-"""px beyond half a stroke within which another stroke has the corner."""
-
-_ONE_CORNER, _CLEARLY = 1.0, 4.0
-"""px between ends of strokes that are one corner, and from it to a line that is beyond it."""
+_CLEARLY = 4.0
+"""px from a corner to a line that is beyond it."""
 
 _TWO_DASHES = 2.0
 """Dashes from which a stroke is told by more than one of them."""
-
-_DARK, _STEP = 0.5, 0.5
-"""Weight from which a place is ink, and px between the places that are looked at."""
 
 
 def find_hidden_fillets(
@@ -132,13 +123,13 @@ def _beyond_no_corner(corners: Sequence[Corner], ends: Sequence[End]) -> list[Co
         corner
         for corner in corners
         if np.hypot(*(corner.place - corner.first.place)) < _CLEARLY
-        or (np.hypot(*(places - corner.first.place).T) <= _ONE_CORNER).sum() <= 1
+        or (np.hypot(*(places - corner.first.place).T) <= ONE_PLACE).sum() <= 1
     ]
 
 
 def _is_met(corner: Corner, placed: Sequence[Placed], boxes: Floats, stroke_width: float) -> bool:
     """Whether another stroke runs through a corner or ends there."""
-    near = stroke_width / 2.0 + _MET
+    near = stroke_width / 2.0 + ONE_PLACE
     around = (boxes[:, 0] <= corner.place + near) & (boxes[:, 1] >= corner.place - near)
     around[[corner.first.index, corner.second.index]] = False
     return any(
@@ -148,7 +139,7 @@ def _is_met(corner: Corner, placed: Sequence[Placed], boxes: Floats, stroke_widt
 
 
 def _dark(points: Floats, sheet: CleanSheet) -> npt.NDArray[np.bool_]:
-    return sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    return sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > DARK
 
 
 def _radius(
@@ -161,13 +152,13 @@ def _radius(
         return None
     offsets, ink = pixels_around(sheet.weight, corner, others, pen)
     # A line that runs past may be thicker than the dashes.
-    free = from_passing(corner, offsets) > sheet.stroke_width / 2.0 + _MET
+    free = from_passing(corner, offsets) > sheet.stroke_width / 2.0 + ONE_PLACE
     offsets, ink = offsets[free], ink[free]
     if not len(ink):
         return None
 
     def error(distance: Floats) -> float:
-        return float((np.maximum(ink - pen.ink(distance) - _FOREIGN, 0.0) ** 2).sum())
+        return float((np.maximum(ink - pen.ink(distance) - BLANK, 0.0) ** 2).sum())
 
     def rounded(radius: float) -> float:
         return error(from_fillet(corner, offsets, radius))
@@ -188,10 +179,10 @@ def _radius(
     if not least <= radius <= most:
         return None
     begin = radius / np.tan(corner.half)
-    legs = np.linspace(0.0, begin, max(2, int(np.ceil(begin / _STEP))))[:, None]
+    legs = np.linspace(0.0, begin, max(2, int(np.ceil(begin / STEP))))[:, None]
     way = [corner.place + legs * end.inward for end in (corner.first, corner.second)]
     half = np.pi / 2.0 - corner.half
-    count = max(2, int(np.ceil(2.0 * half * radius / _STEP)))
+    count = max(2, int(np.ceil(2.0 * half * radius / STEP)))
     arc = _facing(corner, radius, np.linspace(-half, half, count))
     sharp_way = way[0] if corner.passes else np.concatenate([way[0][::-1], way[1]])
     is_given = _blank(sharp_way, sheet) >= (_PAST if corner.passes else _WITHOUT) * gap
@@ -207,7 +198,7 @@ def _facing(corner: Corner, radius: float, angles: Floats) -> Floats:
 
 def _blank(points: Floats, sheet: CleanSheet) -> float:
     """px without ink at a stretch along a way, at most."""
-    return longest_blank(_dark(points, sheet)) * _STEP
+    return longest_blank(_dark(points, sheet)) * STEP
 
 
 def _refined(radius: float, corner: Corner, sheet: CleanSheet) -> float:
@@ -223,7 +214,7 @@ def _refined(radius: float, corner: Corner, sheet: CleanSheet) -> float:
         values = (np.abs(off) < half) & (np.abs(residual) < _NEAR)
         # Beside a line that runs past the ink is also that line's.
         places = corner.circle(radius).points_at(radius * angles) - corner.place
-        values &= from_passing(corner, places) > sheet.stroke_width + _MET
+        values &= from_passing(corner, places) > sheet.stroke_width + ONE_PLACE
         if not values.any():
             return radius
         weight = float((outward[values] ** 2).sum())

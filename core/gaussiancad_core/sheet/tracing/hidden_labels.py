@@ -5,16 +5,14 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.log_odds import OF_A_POINT
 
 TOLD = 2.0
 """Log-odds from which ink is hidden, or visible, whatever its length says."""
-
-_MOST = 4.0
-"""Log-odds that the label of a pixel tells at most."""
 
 
 def label_odds(sheet: CleanSheet, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """(n,) log-odds of hidden at points (n, 2) px; 0 where no labels told."""
     if sheet.hidden_odds is None:
         return np.zeros(len(points))
-    return np.clip(values_at(sheet.hidden_odds, points).astype(np.float64), -_MOST, _MOST)
+    return np.clip(values_at(sheet.hidden_odds, points).astype(np.float64), -OF_A_POINT, OF_A_POINT)

@@ -16,13 +16,11 @@ from gaussiancad_core.geometry.whole_curves import ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import STEP
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 
 Floats = npt.NDArray[np.float64]
-
-STEP = 0.5
-"""Distance in px between the places at which a shape is looked at."""
 
 _MAX_TURN = np.cos(np.radians(16.0))
 """Ink that runs in a direction further from the shape's than this belongs to another shape."""
@@ -320,35 +318,6 @@ def bridged(
             sure = max(first.confidence, last.confidence)
             joined = [*joined[1:-1], Piece(last.start, end, Linetype.HIDDEN, sure)]
     return joined
-
-
-def with_dashes_between(
-    geometry: WholeCurve, pieces: Sequence[Piece], chosen: Sequence[Piece], rhythm: Rhythm
-) -> list[Piece]:
-    """Of the pieces of a closed curve the chosen ones, and the hidden ones between two of these.
-
-    A few dashes between two crossings hardly bend, but are the curve's where it goes on as dashes
-    on both sides; of a circle that is drawn all around all pieces count.
-    """
-    if is_mostly_dashed(geometry, chosen):
-        return list(pieces)
-    longest = _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap)
-    around = geometry.around
-    kept = [piece for piece in chosen if piece.linetype is Linetype.HIDDEN]
-
-    def leads_on(piece: Piece) -> bool:
-        # Pieces beside each other may reach a little into each other.
-        before = any(
-            (piece.start - this_piece.end + longest) % around <= 2.0 * longest
-            for this_piece in kept
-        )
-        after = any(
-            (this_piece.start - piece.end + longest) % around <= 2.0 * longest
-            for this_piece in kept
-        )
-        return piece.linetype is Linetype.HIDDEN and before and after
-
-    return [piece for piece in pieces if piece in chosen or leads_on(piece)]
 
 
 def with_dashes_led_to(

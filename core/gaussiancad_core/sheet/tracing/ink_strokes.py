@@ -15,16 +15,14 @@ from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import MEETING
 from gaussiancad_core.sheet.tracing.behind_edges import with_ends_behind_edges
 from gaussiancad_core.sheet.tracing.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.tracing.close_fits import with_close_fits
 from gaussiancad_core.sheet.tracing.closed_circles import is_closed_by_others
 from gaussiancad_core.sheet.tracing.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
-from gaussiancad_core.sheet.tracing.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.tracing.dangling import with_met_ends
-from gaussiancad_core.sheet.tracing.drill_tips import with_drill_tips
-from gaussiancad_core.sheet.tracing.edged_chamfers import with_edged_chamfers
 from gaussiancad_core.sheet.tracing.explained_ink import (
     Explained,
     is_new,
@@ -41,7 +39,6 @@ from gaussiancad_core.sheet.tracing.ink_runs import (
     Rhythm,
     Run,
     bridged,
-    with_dashes_between,
     with_dashes_led_to,
 )
 from gaussiancad_core.sheet.tracing.ink_shapes import (
@@ -57,7 +54,6 @@ from gaussiancad_core.sheet.tracing.outline_jogs import find_jogs
 from gaussiancad_core.sheet.tracing.parted_lines import parted_at_corners
 from gaussiancad_core.sheet.tracing.remaining_dashes import find_remaining_dashes
 from gaussiancad_core.sheet.tracing.run_linetypes import classify
-from gaussiancad_core.sheet.tracing.run_outs import with_run_outs
 from gaussiancad_core.sheet.tracing.rungs import find_rungs
 from gaussiancad_core.sheet.tracing.shadows import without_shadows
 from gaussiancad_core.sheet.tracing.short_hidden_lines import with_corners_reached
@@ -71,10 +67,6 @@ from gaussiancad_core.sheet.tracing.small_fillets import Fillet, find_fillets, i
 from gaussiancad_core.sheet.tracing.square_corners import has_square_corner
 from gaussiancad_core.sheet.tracing.touching_arcs import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
-
-_ASLANT = 0.2
-"""Sine of the angle to both axes of the sheet at least of a line that meets the strokes at its ends
-at obtuse angles: their ink is beside it farther on than at a right one."""
 
 _OPEN = 0.4
 """Share of a circle that is blank at most: dashes at a corner lie on many small circles."""
@@ -111,16 +103,12 @@ def classify_strokes(
     parted = parted_at_corners(ended, view.sheet, rhythm)
     if len(parted) > len(ended):
         ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
-    ended, cuts = with_edged_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
-    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width, cuts)
+    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = _with_fillets(ended, rounded, explained)
-    ended = _with_curved_fillets(ended, view.sheet, explained)
     ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_short_legs(ended, view.sheet, rhythm)
-    ended = with_drill_tips(ended, view.sheet)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
-    ended = with_run_outs(ended, view.sheet)
     ended = with_ends_behind_edges(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for placed in ended:
@@ -146,8 +134,7 @@ def _seen_pieces(
     """The pieces of all shapes where their ink is seen, those with most ink first; ``explained``
     has their ink at last."""
     pieces: list[Placed] = []
-    unsure = (shape for shape in view.shapes if shape.given_linetype is None)
-    order = sorted(unsure, key=lambda shape: -shape.support)
+    order = sorted(view.shapes, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
     joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
     lines = [
@@ -156,11 +143,6 @@ def _seen_pieces(
         if isinstance(this_shape.geometry, Line)
     ]
     known = explained
-    for shape in view.shapes:
-        if shape.given_linetype is not None:
-            whole = Piece(0.0, shape.geometry.around, shape.given_linetype, 1.0)
-            pieces.append((shape.geometry, whole))
-            explained.add(shape.geometry, whole, close=True)
     for index, shape in enumerate(order):
         # Of two that share their ink neither explains the other's.
         if not shape.twin:
@@ -186,8 +168,7 @@ def _seen_pieces(
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, stated)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
-            curved = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
-            found = with_dashes_between(shape.geometry, found, curved, rhythm)
+            found = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [
@@ -245,7 +226,7 @@ def _touches(field: InkField, geometry: WholeCurve, run: Run) -> tuple[bool, boo
             along = position + share * outward * half
             here, ahead = path_points(geometry, along, along + 1.0)[[0, -1]]
             tangent = (ahead - here) / max(float(np.hypot(*(ahead - here))), 1e-9)
-            if share > 1.0 and not (np.abs(tangent).min() > _ASLANT and inked(here)):
+            if share > 1.0 and not (np.abs(tangent).min() > MEETING and inked(here)):
                 break
             normal = np.array([-tangent[1], tangent[0]])
             if inked(here + offset * normal) or inked(here - offset * normal):
@@ -283,18 +264,6 @@ def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explain
     gone = {index for fillet in fillets for index in fillet.instead}
     left = [pair for index, pair in enumerate(rounded) if index not in gone]
     return [pair for pair in left if not any(is_chord(pair, arc) for arc in arcs)] + arcs
-
-
-def _with_curved_fillets(
-    ended: list[Placed], sheet: CleanSheet, explained: Explained
-) -> list[Placed]:
-    """The pieces with the arcs between lines and arcs, which are fitted again without them."""
-    first = find_curved_fillets(sheet.weight, ended, sheet.stroke_width)
-    if not first:
-        return ended
-    better = _refitted(ended, _with_fillets(ended, first, explained.copy()), sheet)
-    fillets = find_curved_fillets(sheet.weight, better, sheet.stroke_width)
-    return _with_fillets(better, fillets, explained)
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:

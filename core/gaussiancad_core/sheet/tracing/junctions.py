@@ -14,31 +14,21 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import ONE_DASH
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE, SEEN_BEYOND, TOUCHING
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed, without_stubs
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
 
 FULL_TURN = 2 * np.pi
 
-_SEEN_BEYOND = 1.8
-"""px by which a run may seem to end beyond the ink it has in common with another stroke."""
-
-_TANGENT = 1.2
-"""px by which a line may miss or cut a curve and be its tangent."""
-
 _UNSEEN = 1.3
 """Share of the ink that a hidden piece has in common with another in which its dashes get lost."""
-
-_ABUTTING = 0.75
-"""px between the ends of pieces that continue each other."""
 
 _ROUNDS = 3
 """How often strokes are ended where the others were seen, or last found, to end."""
 
 _BLANK_END = 1.2
 """Stroke widths of a last dash that is too short to be seen, which a gap goes before."""
-
-_ROW = 1.75
-"""Dashes from which a hidden piece is more than one of them."""
 
 _CORNER = 2.0
 """Stroke widths by which a hidden piece ends rather in a corner than in a stroke that runs past."""
@@ -128,7 +118,7 @@ def _is_beyond(geometry: WholeCurve, piece: Piece, pair: _Met, met: Sequence[_Me
     way = 1.0 if crossing.at > (piece.start + piece.end) / 2.0 else -1.0
     seen = piece.end if way > 0.0 else piece.start
     visible = piece.linetype is Linetype.VISIBLE
-    if visible and abs(crossing.at - seen) > crossing.reach + _SEEN_BEYOND:
+    if visible and abs(crossing.at - seen) > crossing.reach + SEEN_BEYOND:
         return False
     tip = geometry.at(crossing.at)
     middles = [
@@ -140,7 +130,7 @@ def _is_beyond(geometry: WholeCurve, piece: Piece, pair: _Met, met: Sequence[_Me
         if (
             not isinstance(third, Line)
             or limits.linetype is not Linetype.VISIBLE
-            or not 0.0 < before <= first.reach + _SEEN_BEYOND
+            or not 0.0 < before <= first.reach + SEEN_BEYOND
         ):
             continue
         along, across = third.coordinates(np.array([tip, *middles]))
@@ -159,7 +149,7 @@ def _blank_end(piece: Piece, stretch: Piece, rhythm: Rhythm, stroke_width: float
     """px by which the end of a hidden stretch may not be seen where another hidden one ends: many
     programs start dashes at one end of a line, and leave off at the other wherever they are."""
     shortest = min(piece.end - piece.start, stretch.end - stretch.start)
-    if piece.linetype is stretch.linetype is Linetype.HIDDEN and shortest > _ROW * rhythm.dash:
+    if piece.linetype is stretch.linetype is Linetype.HIDDEN and shortest > ONE_DASH * rhythm.dash:
         return rhythm.gap + _BLANK_END * stroke_width
     return 0.0
 
@@ -182,12 +172,12 @@ def _nearest(
 ) -> float:
     """The crossing at which a piece that was seen to end at ``position`` really ends."""
     hidden = linetype is Linetype.HIDDEN
-    outward = 1.8 * rhythm.gap + 3.0 if hidden else _SEEN_BEYOND
+    outward = 1.8 * rhythm.gap + 3.0 if hidden else SEEN_BEYOND
     near = [
         (abs(crossing.at - position) - hidden * crossing.lead, crossing.at)
         for crossing in crossings
         # Dashes in ink that the other stroke has too are not seen.
-        if -crossing.reach - _SEEN_BEYOND
+        if -crossing.reach - SEEN_BEYOND
         <= crossing.at - position
         <= outward + hidden * _UNSEEN * crossing.reach
     ]
@@ -203,11 +193,11 @@ def _parted(pair: list[Piece], crossings: list[Crossing], rhythm: Rhythm) -> lis
     if len(pair) < 2 or pair[0].linetype is pair[1].linetype:
         return pair
     first, second = pair
-    if second.start - first.end > _ABUTTING:
+    if second.start - first.end > ONE_PLACE:
         return pair
     visible_first = first.linetype is Linetype.VISIBLE
     at = first.end if visible_first else second.start
-    if not any(abs(other.at - at) < other.reach + _SEEN_BEYOND for other in crossings):
+    if not any(abs(other.at - at) < other.reach + SEEN_BEYOND for other in crossings):
         inward = -1.0 if visible_first else 1.0
         dashes = {(other.at - at) * inward / rhythm.dash: other.at for other in crossings}
         likely = min(dashes, key=lambda dash: abs(dash - 1.0), default=0.0)
@@ -229,7 +219,7 @@ def _joined(pieces: list[Piece]) -> list[Piece]:
         if (
             before
             and before.linetype is piece.linetype
-            and abs(piece.start - before.end) < _ABUTTING
+            and abs(piece.start - before.end) < ONE_PLACE
         ):
             sure = max(before.confidence, piece.confidence)
             joined[-1] = replace(before, end=piece.end, confidence=sure)
@@ -337,10 +327,10 @@ def _line_ellipse(line: Line, ellipse: WholeEllipse) -> list[npt.NDArray[np.floa
     touch = np.arctan2(normal[1], normal[0])
     across = np.array([-line.direction[1], line.direction[0]])
     reach = abs(float((ellipse.at(np.array([touch]))[0] - np.array(ellipse.centre)) @ across))
-    if (distance - 1.0) * reach > _TANGENT:
+    if (distance - 1.0) * reach > TOUCHING:
         return []
     half = np.sqrt(max(1.0 - distance**2, 0.0))
-    halves = (0.0,) if abs(distance - 1.0) * reach < _TANGENT else (-half, half)
+    halves = (0.0,) if abs(distance - 1.0) * reach < TOUCHING else (-half, half)
     first = -float(start @ way) / length**2
     return [np.array(line.at(first + h / length)) for h in halves]
 
@@ -364,14 +354,14 @@ def _circle_circle(one: Circle, other: Circle) -> list[npt.NDArray[np.float64]]:
     """Two points, one where the circles touch within a tangent's tolerance, or none."""
     way = np.subtract(other.centre, one.centre)
     apart = float(np.hypot(*way))
-    if apart < _TANGENT:
+    if apart < TOUCHING:
         return []
     beyond = apart - one.radius - other.radius
     within = abs(one.radius - other.radius) - apart
-    if max(beyond, within) > _TANGENT:
+    if max(beyond, within) > TOUCHING:
         return []
     along = (apart**2 + one.radius**2 - other.radius**2) / (2.0 * apart)
-    touching = max(beyond, within) > -_TANGENT
+    touching = max(beyond, within) > -TOUCHING
     aside = 0.0 if touching else np.sqrt(max(one.radius**2 - along**2, 0.0))
     way = way / apart
     foot = np.array(one.centre) + (np.sign(along) * one.radius if touching else along) * way
@@ -385,9 +375,9 @@ def _line_circle(line: Line, circle: Circle) -> list[npt.NDArray[np.float64]]:
     (x, y), (dx, dy) = line.point, line.direction
     ox, oy = circle.centre[0] - x, circle.centre[1] - y
     along, distance = ox * dx + oy * dy, abs(oy * dx - ox * dy)
-    if distance > circle.radius + _TANGENT:
+    if distance > circle.radius + TOUCHING:
         return []
     half = sqrt(max(circle.radius**2 - distance**2, 0.0))
     # A tangent has one junction, below the centre.
-    halves = (0.0,) if abs(distance - circle.radius) < _TANGENT else (-half, half)
+    halves = (0.0,) if abs(distance - circle.radius) < TOUCHING else (-half, half)
     return [np.array(line.at(along + h)) for h in halves]

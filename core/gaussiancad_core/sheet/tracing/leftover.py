@@ -14,25 +14,18 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import AROUND, BLANK, DARK, STEP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import runs_of_ink
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.pen_profile import Pen, fit_pen, visible_pen
+from gaussiancad_core.sheet.votes import MOST
 
 Floats = npt.NDArray[np.float64]
 
-_BLANK = 0.1
-"""Weight up to which a pixel has no ink that could be left."""
-
-_WITHIN, _MOSTLY = 1.2, 0.6
-"""Line widths beside a way in which ink counts, and the share of it, squared, on the way."""
-
-_BESIDE = 3.0
-"""px beyond half a pen's width in which a stroke has ink, at most."""
-
-_DARK, _STEP = 0.5, 0.5
-"""Weight from which a place is ink, and px between the places that are looked at."""
+_WITHIN = 1.2
+"""Line widths beside a way in which ink counts."""
 
 _LONGER = 5.0
 """px by which dashes are made longer, since nothing within 8 px of a stroke's end tells its pen."""
@@ -60,13 +53,13 @@ class Leftover:
         low = np.maximum(np.floor(np.minimum(start, end) - width), 0).astype(int)
         high = np.ceil(np.maximum(start, end) + width).astype(int) + 1
         part = self.ink[low[1] : high[1], low[0] : high[0]]
-        rows, columns = np.nonzero(part > _BLANK)
+        rows, columns = np.nonzero(part > BLANK)
         offsets = np.stack([columns, rows], axis=1) + low - start
         along, across = offsets @ way, np.abs(offsets @ np.array([-way[1], way[0]]))
         ink = part[rows, columns] ** 2
         neighbour = (along > -width) & (along < length + width) & (across <= _WITHIN * width)
         item = (along > -width / 2.0) & (along < length + width / 2.0) & (across <= width / 2.0)
-        return float(ink[item].sum()) >= _MOSTLY * float(ink[neighbour].sum())
+        return float(ink[item].sum()) >= MOST * float(ink[neighbour].sum())
 
 
 def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
@@ -75,7 +68,7 @@ def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
         Linetype.VISIBLE: visible_pen(sheet.weight, placed, sheet.stroke_width),
         Linetype.HIDDEN: dash_pen(placed, sheet),
     }
-    rows, columns = np.nonzero(sheet.weight > _BLANK)
+    rows, columns = np.nonzero(sheet.weight > BLANK)
     pixels = np.stack([columns, rows], axis=1).astype(np.float64)
     expected = np.zeros(len(pixels))
     for pair in placed:
@@ -83,7 +76,7 @@ def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
         pen = pens[piece.linetype]
         count = max(2, int(piece.end - piece.start))
         course = geometry.points_at(np.linspace(piece.start, piece.end, count))
-        reach = pen.width / 2.0 + _BESIDE
+        reach = pen.width / 2.0 + AROUND
         low, high = course.min(0) - reach, course.max(0) + reach
         near = np.flatnonzero(((pixels >= low) & (pixels <= high)).all(axis=1))
         expected[near] = np.maximum(expected[near], pen.ink(distances_to(pair, pixels[near])))
@@ -97,9 +90,9 @@ def dash_pen(placed: Sequence[Placed], sheet: CleanSheet) -> Pen:
     dashes = []
     for geometry, piece in placed:
         if isinstance(geometry, Line) and piece.linetype is Linetype.HIDDEN:
-            along = np.arange(piece.start, piece.end, _STEP)
+            along = np.arange(piece.start, piece.end, STEP)
             points = geometry.points_at(along)
-            dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+            dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > DARK
             for first, last in runs_of_ink(dark):
                 start, end = float(along[first]) - _LONGER, float(along[last]) + _LONGER
                 dashes.append((geometry, start, end))

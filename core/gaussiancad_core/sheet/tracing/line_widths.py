@@ -13,7 +13,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import WholeCurve
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.line_conventions import THIN
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 
@@ -34,17 +36,11 @@ _LOPSIDED = 0.35
 _SOLID = 3.0
 """Length from which a run is a visible line's, in dashes."""
 
-_LIKE_A_DASH = 0.3
-"""Share by which a dash may be longer or shorter than the sheet's."""
-
 _LEAST_RUNS, _LEAST_DASHES = 3, 6
 """Visible runs and dashes from which their widths are known."""
 
 _EVEN_GAP = (0.6, 1.4)
 """Share of the sheet's gap between two dashes, at least and at most."""
-
-_NARROWER = 0.78
-"""Width of dashes at most, in those of visible lines, for the pen to tell them."""
 
 _OUTLIERS = 10.0
 """Per cent of either kind that may be as wide as the other."""
@@ -97,7 +93,7 @@ def learn_pens(lines: Sequence[Sequence[tuple[Run, float]]], rhythm: Rhythm) -> 
     pens = Pens(narrow + _HIDDEN_UP_TO * (wide - narrow), narrow + _VISIBLE_FROM * (wide - narrow))
     middle = 0.5 * (wide + narrow)
     apart = np.percentile(solid, _OUTLIERS) > middle > np.percentile(dashes, 100.0 - _OUTLIERS)
-    return pens if apart and narrow < _NARROWER * wide else Pens()
+    return pens if apart and narrow < THIN * wide else Pens()
 
 
 def _widths(runs: Sequence[tuple[Run, float]]) -> Floats:
@@ -107,7 +103,7 @@ def _widths(runs: Sequence[tuple[Run, float]]) -> Floats:
 
 
 def _is_a_dash(run: Run, rhythm: Rhythm) -> bool:
-    return abs(run.length / rhythm.dash - 1.0) < _LIKE_A_DASH
+    return abs(run.length / rhythm.dash - 1.0) < LIKE_A_DASH
 
 
 def _dashes_beside_dashes(

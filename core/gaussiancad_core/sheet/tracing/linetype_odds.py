@@ -13,6 +13,7 @@ import numpy.typing as npt
 from scipy.ndimage import median_filter
 
 from gaussiancad_core.geometry.whole_curves import WholeCurve
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.tracing.ink_runs import Run
@@ -24,7 +25,7 @@ RunOdds = tuple[Run, float]
 """A run, and log-odds that it is hidden: what something but its length tells; 0 for nothing."""
 
 _BY_PEN = 2.5
-"""Log-odds that a width tells at most."""
+"""Log-odds that a width tells at most: a row of dashes tells more, as wide ones are two lines'."""
 
 _STEADY = 3
 """px on either side over which odds are made steady."""
@@ -34,9 +35,6 @@ _SHORTEST = 6.0
 
 _KNOWN = 0.15
 """Share of a stretch whose ink is its own at least for that to tell it."""
-
-_ALIKE = 1.35
-"""Ratio of the lengths of dashes in a row at most."""
 
 
 def run_odds(
@@ -102,7 +100,9 @@ def _joined(cut: list[RunOdds]) -> list[RunOdds]:
 def _shared_in_rows(runs: list[RunOdds]) -> list[RunOdds]:
     """The runs, those of a row of dashes with their mean log-odds: they are of one kind."""
     lengths = np.array([run.length for run, _ in runs])
-    alike = np.maximum(lengths[1:], lengths[:-1]) <= _ALIKE * np.minimum(lengths[1:], lengths[:-1])
+    alike = np.maximum(lengths[1:], lengths[:-1]) <= (1.0 + LIKE_A_DASH) * np.minimum(
+        lengths[1:], lengths[:-1]
+    )
     # Two of equal length may be anything; three are a row.
     adjacent = np.pad(alike, 1)
     follows = np.concatenate([[False], alike & (adjacent[:-2] | adjacent[2:])])[: len(runs)]

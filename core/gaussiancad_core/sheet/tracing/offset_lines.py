@@ -11,20 +11,19 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import (
+    FEWEST_PLACES,
+    ON_LINE,
+    ONE_PLACE,
+    PARALLEL,
+    SIDE_BY_SIDE,
+)
 from gaussiancad_core.sheet.tracing.ink_runs import Run
 from gaussiancad_core.sheet.tracing.ink_shapes import cross_profile, refit_line
+from gaussiancad_core.sheet.votes import MOST
 
-_PARALLEL = np.cos(np.radians(2.0))
-"""Cosine of the largest angle between two lines that run along each other."""
-
-_BESIDE = 1.0
-"""px from a line at which the centre of its ink is another's."""
-
-_UPON = 0.5
-"""px between that centre and its line at most."""
-
-_LEAST, _LEAST_AT_END = 10.0, 3.0
-"""px along which it is another's, at least, and at the end of a run."""
+_LEAST_AT_END = 3.0
+"""px along which its ink is another's at the end of a run, at least."""
 
 _AT_END = 2.0
 """px from the end of a run within which a stretch ends there."""
@@ -32,9 +31,9 @@ _AT_END = 2.0
 _SHORT, _TILTED = 80.0, 0.9
 """px that a run across another line is long at most; by which that leaves it at its ends."""
 
-_FEWEST, _SHOWN = 5, 0.3
-"""Places of such a run at which the centre of the ink is known, at least; share of its px: where it
-leaves the line the ink reaches out of what is looked at, and at its ends others meet it."""
+_SHOWN = 0.3
+"""Share of such a run's px at which the centre of the ink is known: where it leaves the line the
+ink reaches out of what is looked at, and at its ends others meet it."""
 
 _AT_ENDS = 2
 """Places at either end that may lie off a straight course."""
@@ -45,9 +44,6 @@ another's, and by which it differs from that on the mean."""
 
 _FORETOLD = 5.0
 """Its lengths along which the course of a run is known."""
-
-_MOST_OF = 0.6
-"""Share of a stretch in which the centre of the ink is known to be another's, at least."""
 
 
 def without_offset_ink(
@@ -110,7 +106,7 @@ def parted_slants(sheet: CleanSheet, line: Line, runs: Sequence[Run]) -> list[li
 def _is_off(sheet: CleanSheet, line: Line, run: Run) -> bool:
     """Whether the ink along all of a run is as far beside a line."""
     off = cross_profile(sheet, line, [(run.start, run.end)])[1]
-    if len(off) < _MOST_OF * run.length:
+    if len(off) < MOST * run.length:
         return False
     middle = float(np.median(off))
     return abs(middle) > _OFF_COURSE and float(np.abs(off - middle).mean()) < _EVEN
@@ -119,7 +115,7 @@ def _is_off(sheet: CleanSheet, line: Line, run: Run) -> bool:
 def _is_beyond(sheet: CleanSheet, line: Line, this_line: Line, run: Run) -> bool:
     """Whether a run is on a line, but as far beside another that its ink is not seen from there."""
     ends = line.points_at(np.array([run.start, run.end]))
-    seen = len(cross_profile(sheet, line, [(run.start, run.end)])[1]) > _MOST_OF * run.length
+    seen = len(cross_profile(sheet, line, [(run.start, run.end)])[1]) > MOST * run.length
     return seen and bool((this_line.distances(ends) > 2.0 * _OFF_COURSE).all())
 
 
@@ -159,14 +155,16 @@ def _crossed(sheet: CleanSheet, line: Line, run: Run) -> npt.NDArray[np.float64]
     if run.length > _SHORT or run.length < _LEAST_AT_END:
         return None
     at, off = cross_profile(sheet, line, [(run.start, run.end)])
-    if len(at) < max(_FEWEST, _SHOWN * run.length):
+    if len(at) < max(FEWEST_PLACES, _SHOWN * run.length):
         return None
     # At its ends others meet it.
     inner = (
-        slice(_AT_ENDS, len(at) - _AT_ENDS) if len(at) >= _FEWEST + 2 * _AT_ENDS else slice(None)
+        slice(_AT_ENDS, len(at) - _AT_ENDS)
+        if len(at) >= FEWEST_PLACES + 2 * _AT_ENDS
+        else slice(None)
     )
     slope, shift = np.polyfit(at[inner], off[inner], 1)
-    straight = np.abs(off - slope * at - shift) < _UPON
+    straight = np.abs(off - slope * at - shift) < ON_LINE
     if not straight[inner].all():
         return None
     if abs(slope) * run.length / 2.0 < _TILTED:
@@ -178,14 +176,14 @@ def _crossed(sheet: CleanSheet, line: Line, run: Run) -> npt.NDArray[np.float64]
 
 def _is_upon(line: Line, points: npt.NDArray[np.float64]) -> bool:
     """Whether all of (n, 2) points are on a line."""
-    return float(line.distances(points).max()) < _UPON
+    return float(line.distances(points).max()) < ON_LINE
 
 
 def _is_beside(line: Line, other: Line, runs: Sequence[Run], sheet: CleanSheet) -> bool:
-    if abs(float(np.dot(line.direction, other.direction))) < _PARALLEL or not runs:
+    if abs(float(np.dot(line.direction, other.direction))) < np.cos(PARALLEL) or not runs:
         return False
     ends = line.points_at(np.array([runs[0].start, runs[-1].end]))
-    return bool(other.distances(ends).min() < sheet.stroke_width + _BESIDE)
+    return bool(other.distances(ends).min() < sheet.stroke_width + ONE_PLACE)
 
 
 def _parts(sheet: CleanSheet, line: Line, run: Run, lines: Sequence[Line]) -> Iterator[Run]:
@@ -194,16 +192,16 @@ def _parts(sheet: CleanSheet, line: Line, run: Run, lines: Sequence[Line]) -> It
     points = line.points_at(along)
     foreign = np.zeros(len(along), dtype=bool)
     for other in lines:
-        apart = other.distances(points) > _BESIDE
+        apart = other.distances(points) > ONE_PLACE
         foreign |= apart & _is_followed(sheet, other, other.positions(points))
     if foreign.any():
         foreign &= ~_is_followed(sheet, line, along)
     start = run.start
     for first, last in _stretches(along, foreign, (run.start, run.end)):
-        if first - start > _LEAST:
+        if first - start > SIDE_BY_SIDE:
             yield Run(start, first)
         start = last
-    if start == run.start or run.end - start > _LEAST:
+    if start == run.start or run.end - start > SIDE_BY_SIDE:
         yield Run(start, run.end)
 
 
@@ -212,7 +210,7 @@ def _is_followed(
 ) -> npt.NDArray[np.bool_]:
     """(n,) whether the ink's centre is on a line, at positions about every px along it."""
     places, off = cross_profile(sheet, line, [(float(along.min()), float(along.max()))])
-    upon = places[np.abs(off) < _UPON]
+    upon = places[np.abs(off) < ON_LINE]
     if not len(upon):
         return np.zeros(len(along), dtype=bool)
     after = np.clip(np.searchsorted(upon, along), 1, max(len(upon) - 1, 1))
@@ -228,9 +226,9 @@ def _stretches(
     places = along[flags]
     if not len(places):
         return
-    for values in np.split(places, np.flatnonzero(np.diff(places) > _LEAST / 2) + 1):
+    for values in np.split(places, np.flatnonzero(np.diff(places) > SIDE_BY_SIDE / 2) + 1):
         first, last = float(values[0]), float(values[-1])
         at_end = first - ends[0] < _AT_END or ends[1] - last < _AT_END
-        least = _LEAST_AT_END if at_end else _LEAST
-        if last - first >= least and len(values) > _MOST_OF * (last - first):
+        least = _LEAST_AT_END if at_end else SIDE_BY_SIDE
+        if last - first >= least and len(values) > MOST * (last - first):
             yield first, last

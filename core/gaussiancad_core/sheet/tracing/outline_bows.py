@@ -14,10 +14,20 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import (
+    BLANK,
+    COURSE,
+    FEWEST_PLACES,
+    FINE_STEP,
+    INFERRED,
+    NARROWEST,
+    WIDEST,
+)
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
+from gaussiancad_core.sheet.votes import LARGELY
 
 Floats = npt.NDArray[np.float64]
 
@@ -29,12 +39,6 @@ _LEAST, _MOST = 1.0, 4.0
 
 _SHORTEST, _LONGEST = 8.0, 80.0
 """px of a bow along its line."""
-
-_SEEN = 0.8
-"""Share of a bow in which its centre is told, at least."""
-
-_EVEN, _FEWEST = 0.35, 6
-"""px by which it may leave a parabola, and places that tell one at least."""
 
 _OVERRUN = 1.7
 """Times the length of a bow up to which an arc along it was grown from its ink."""
@@ -48,14 +52,6 @@ _FOOT = 0.15
 _ASTRAY, _BESIDE = 2.5, 0.97
 """px from a bow and its line within which all of another line is their ink; cosine of the angle
 between the two lines at least."""
-
-_STEP, _WHITE = 0.25, 0.15
-"""px between the places across a line that are looked at, and ink up to which one is blank."""
-
-_LEAST_WIDE, _MOST_WIDE = 0.6, 1.4
-"""Stroke widths of ink across a line that are one stroke."""
-
-_CONFIDENCE = 0.7
 
 
 def with_bows(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
@@ -133,15 +129,15 @@ def _bows(
     for low, high in np.flatnonzero(np.diff(away.astype(int))).reshape(-1, 2):
         places, adjacent = at[low:high], off[low:high]
         length = float(np.ptp(places))
-        if not _SHORTEST <= length <= _LONGEST or len(places) < _SEEN * length:
+        if not _SHORTEST <= length <= _LONGEST or len(places) < LARGELY * length:
             continue
         bend, slope, shift = np.polyfit(places, adjacent, 2)
-        even = np.abs(np.polyval((bend, slope, shift), places) - adjacent) <= _EVEN
-        if even.sum() >= _FEWEST:
+        even = np.abs(np.polyval((bend, slope, shift), places) - adjacent) <= COURSE
+        if even.sum() >= FEWEST_PLACES:
             # The ink of what ends there is in that of the bow's ends.
             bend, slope, shift = np.polyfit(places[even], adjacent[even], 2)
-            even = np.abs(np.polyval((bend, slope, shift), places) - adjacent) <= _EVEN
-        if even.mean() < _SEEN or bend == 0.0:
+            even = np.abs(np.polyval((bend, slope, shift), places) - adjacent) <= COURSE
+        if even.mean() < LARGELY or bend == 0.0:
             continue
         top = -slope / (2.0 * bend)
         height = shift - bend * top**2
@@ -162,7 +158,7 @@ def _centres(sheet: CleanSheet, line: Line, span: tuple[float, float]) -> tuple[
     one stroke alone."""
     along = np.arange(span[0], span[1] + 0.5)
     reach = sheet.stroke_width / 2.0 + _MOST + 1.0
-    offsets = np.arange(-reach, reach + _STEP, _STEP)
+    offsets = np.arange(-reach, reach + FINE_STEP, FINE_STEP)
     normal = np.array([-line.direction[1], line.direction[0]])
     points = line.points_at(along)
     profile = sample(
@@ -170,12 +166,12 @@ def _centres(sheet: CleanSheet, line: Line, span: tuple[float, float]) -> tuple[
         points[:, :1] + offsets * normal[0],
         points[:, 1:] + offsets * normal[1],
     )
-    total = profile.sum(axis=1) * _STEP
-    inked = profile > _WHITE
+    total = profile.sum(axis=1) * FINE_STEP
+    inked = profile > BLANK
     strokes = (np.diff(inked.astype(int), axis=1, prepend=0) == 1).sum(axis=1)
     alone = (strokes == 1) & ~inked[:, 0] & ~inked[:, -1]
-    alone &= (total > _LEAST_WIDE * sheet.stroke_width) & (total < _MOST_WIDE * sheet.stroke_width)
-    centre = (profile[alone] * offsets).sum(axis=1) * _STEP / total[alone]
+    alone &= (total > NARROWEST * sheet.stroke_width) & (total < WIDEST * sheet.stroke_width)
+    centre = (profile[alone] * offsets).sum(axis=1) * FINE_STEP / total[alone]
     return along[alone], centre
 
 
@@ -210,7 +206,7 @@ def _arc(line: Line, ends: tuple[float, float], height: float) -> Placed:
     if (last - first) % circle.around > circle.around / 2.0:
         first, last = last, first
     end = first + (last - first) % circle.around
-    return circle, Piece(float(first), float(end), Linetype.VISIBLE, _CONFIDENCE)
+    return circle, Piece(float(first), float(end), Linetype.VISIBLE, INFERRED)
 
 
 def _without(pair: Placed, line: Line, stretch: tuple[float, float]) -> Iterator[Placed]:

@@ -15,32 +15,17 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import DARK, FREE, INFERRED, LEVEL, LONGEST_SHORT
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
+from gaussiancad_core.sheet.votes import NEARLY_ALL
 
 _LONGEST = 8.0
 """Line widths that a leg of a jog is long at most: longer ones are found as lines."""
 
-_LEAST_LONGEST = 20.0
-"""The same in px, at least."""
-
 _SHORTEST = 1.5
 """Line widths that it is long at least: shorter ones may be a ragged end."""
-
-_FREE = 0.75
-"""Line widths around an end within which there is no other stroke."""
-
-_SQUARE = 0.02
-"""Cosine of the angle between a leg and the lines that it joins, at most."""
-
-_INKED = 0.9
-"""Share of a leg that is ink."""
-
-_DARK = 0.5
-"""Weight from which a pixel is ink."""
-
-_CONFIDENCE = 0.8
 
 Floats = npt.NDArray[np.float64]
 
@@ -71,7 +56,7 @@ def find_jogs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
         Visible lines, whose ends are the corners.
     """
     ends = list(_free_ends(pieces, sheet.stroke_width))
-    longest = max(_LEAST_LONGEST, _LONGEST * sheet.stroke_width)
+    longest = max(LONGEST_SHORT, _LONGEST * sheet.stroke_width)
     found: list[Placed] = []
     taken: set[int] = set()
     pairs = [
@@ -104,7 +89,7 @@ def _free_ends(pieces: Sequence[Placed], width: float) -> Iterator[_End]:
     )
     away[[index for index, _, _ in tips], np.arange(len(tips))] = np.inf
     for (index, tip, outward), nearest in zip(tips, away.min(axis=0), strict=True):
-        if nearest > _FREE * width:
+        if nearest > FREE * width:
             yield _End(index, tip - outward * width / 2.0, outward)
 
 
@@ -130,9 +115,9 @@ def distances_to(placed: Placed, points: Floats) -> Floats:
 def _path(one: _End, other: _End, sheet: CleanSheet, longest: float) -> list[Floats] | None:
     """The corners of a jog from one end to the other; None if no ink leads there."""
     cosine = float(one.outward @ other.outward)
-    if abs(cosine) > 1.0 - _SQUARE:
+    if abs(cosine) > 1.0 - LEVEL:
         path = _straight(one, other)
-    elif abs(cosine) < _SQUARE:
+    elif abs(cosine) < LEVEL:
         path = _around(one, other)
     else:
         return None
@@ -161,7 +146,7 @@ def _is_inked(start: Floats, end: Floats, sheet: CleanSheet) -> bool:
         end - start
     )
     weights = sample(sheet.weight, points[:, :1], points[:, 1:])
-    return float((weights > _DARK).mean()) >= _INKED
+    return float((weights > DARK).mean()) >= NEARLY_ALL
 
 
 def visible_leg(start: Floats, end: Floats) -> Placed:
@@ -169,4 +154,4 @@ def visible_leg(start: Floats, end: Floats) -> Placed:
     length = float(np.hypot(*(end - start)))
     dx, dy = (end - start) / length
     line = Line((float(start[0]), float(start[1])), (float(dx), float(dy)))
-    return line, Piece(0.0, length, Linetype.VISIBLE, _CONFIDENCE)
+    return line, Piece(0.0, length, Linetype.VISIBLE, INFERRED)

@@ -13,7 +13,10 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse, ellipse_through, refined
 from gaussiancad_core.geometry.whole_curves import Circle
+from gaussiancad_core.sheet.picture_noise import FEWEST_PIXELS, LARGEST_RADIUS, SMALLEST_RADIUS
+from gaussiancad_core.sheet.tracing.growth_kernels import CONSUMED, CONSUMED_COSINE, NEARER
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
+from gaussiancad_core.sheet.votes import LARGELY
 
 Floats = npt.NDArray[np.float64]
 Rows = npt.NDArray[np.int64]
@@ -23,18 +26,6 @@ _BANDS = (1.8, 1.8, 1.2, 1.2, 0.8)
 
 _TURNS = 16
 """Times that an ellipse is fitted and followed, at most."""
-
-_CONSUMED, _CONSUMED_TURN = 1.3, np.cos(np.radians(22.0))
-"""px beside an ellipse within which points are explained by it, and cosine of their turn."""
-
-_NEARER = 0.05
-"""px by which a line's point may be nearer to the line than to an ellipse that has it as well."""
-
-_LEAST_AXIS, _LARGEST = 3.0, 4_000.0
-"""px: half axes of ellipses that can be told from a blot and from a line."""
-
-_FEWEST = 20
-"""Points of an ellipse at least."""
 
 _LEAST_TURN = np.radians(80.0)
 """Turn of the tangent from which a curve tells its ellipse."""
@@ -48,8 +39,8 @@ _SMOOTHED = 7
 _ROUND = 0.3
 """Root mean square in px of the distances from a circle up to which the circle fits as well."""
 
-_SECTORS, _MOST_OF = 36, 0.8
-"""Sectors of a circle, and the share of them in which a whole circle has points."""
+_SECTORS = 36
+"""Sectors of a circle: most of those of a whole one have points."""
 
 _FILLED = 0.4
 """Share of the way along an ellipse that has points."""
@@ -93,7 +84,7 @@ def grow_ovals(
         if grown is None:
             continue
         ellipse, seed = grown
-        wide = OvalRules(rules.gap, _CONSUMED, _CONSUMED_TURN)
+        wide = OvalRules(rules.gap, CONSUMED, CONSUMED_COSINE)
         values = _followed(ridges, ellipse, seed, np.full(len(explained), np.inf), wide)[0]
         explained[values] = True
         found.append((ellipse, values))
@@ -104,7 +95,7 @@ def _is_whole_circle(circle: Circle, points: Floats) -> bool:
     """Whether points lie around a circle, on it: nothing else is to be found there."""
     offset = points - np.array(circle.centre)
     turned = np.unique(np.floor(np.arctan2(offset[:, 1], offset[:, 0]) * (_SECTORS / (2 * np.pi))))
-    return len(turned) > _MOST_OF * _SECTORS and circle.distances(points).mean() < _OFF
+    return len(turned) > LARGELY * _SECTORS and circle.distances(points).mean() < _OFF
 
 
 def _grown(
@@ -124,12 +115,12 @@ def _grown(
             return None
         for _ in range(2):
             ellipse = refined(ellipse, points[values])
-        if not _LEAST_AXIS <= ellipse.semi_minor <= ellipse.semi_major <= _LARGEST:
+        if not SMALLEST_RADIUS <= ellipse.semi_minor <= ellipse.semi_major <= LARGEST_RADIUS:
             return None
         if turn >= len(_BANDS) and len(values) == before:
             break
         before = len(values)
-    filled = len(values) >= max(_FEWEST, _FILLED * length)
+    filled = len(values) >= max(FEWEST_PIXELS, _FILLED * length)
     stated = filled and turned >= _LEAST_TURN and _fits(points[values], ellipse)
     return (ellipse, seed) if stated else None
 
@@ -138,7 +129,7 @@ def _start(points: Floats, circle: Circle) -> WholeEllipse:
     """The ellipse through the points of an arc, or its circle where they tell none."""
     ellipse = ellipse_through(points)
     if ellipse is not None:
-        sane = _LEAST_AXIS <= ellipse.semi_minor <= ellipse.semi_major < 4.0 * circle.radius
+        sane = SMALLEST_RADIUS <= ellipse.semi_minor <= ellipse.semi_major < 4.0 * circle.radius
         if sane and ellipse.distances(points).mean() < 0.5:
             return ellipse
     return WholeEllipse(circle.centre, circle.radius, circle.radius, 0.0)
@@ -156,7 +147,7 @@ def _followed(
     across, parameters = ellipse.away(ridges.points[rows])
     tangents = ellipse.tangents(parameters)
     alike = np.abs((tangents * ridges.tangents[rows]).sum(1))
-    near = np.abs(across) <= np.minimum(rules.band, adjacent[rows] + _NEARER)
+    near = np.abs(across) <= np.minimum(rules.band, adjacent[rows] + NEARER)
     bend = _radii(ellipse, parameters)
     slack = np.cos(np.minimum(np.arccos(rules.cosine) + 1.2 / bend, 1.2))
     kept = (near & (alike >= slack)) | (rows == seed)

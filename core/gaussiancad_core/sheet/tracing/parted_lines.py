@@ -13,6 +13,7 @@ import numpy as np
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import FAINT, ONE_PLACE, STEP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
@@ -20,16 +21,6 @@ from gaussiancad_core.sheet.tracing.outline_jogs import distance_to
 
 _WIDE = 1.5
 """Gaps of the sheet's dashes that a gap between two lines is wide at least."""
-
-_STEP = 0.5
-"""px between the places that are looked at."""
-
-_DARK = 0.35
-"""Weight from which a place is ink: between two columns of pixels a thin grey line has half of its
-own in each."""
-
-_MEETING = 1.0
-"""px beyond half a stroke by which one may miss the end of the ink that it meets."""
 
 
 def parted_at_corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> list[Placed]:
@@ -50,7 +41,7 @@ def parted_at_corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyth
         others = [other for other in pieces if other[0] != geometry]
         start = piece.start
         for low, high in wide_gaps(geometry, piece, sheet, rhythm):
-            near = sheet.stroke_width / 2.0 + _MEETING
+            near = sheet.stroke_width / 2.0 + ONE_PLACE
             if all(_is_met(geometry, at, others, near) for at in (low, high)):
                 parted.append((geometry, replace(piece, start=start, end=low)))
                 start = high
@@ -62,9 +53,9 @@ def wide_gaps(
     line: Line, piece: Piece, sheet: CleanSheet, rhythm: Rhythm
 ) -> Iterator[tuple[float, float]]:
     """Where nothing is drawn along a hidden line for longer than between its dashes, in px."""
-    along = np.arange(piece.start, piece.end, _STEP)
+    along = np.arange(piece.start, piece.end, STEP)
     points = line.points_at(along)
-    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > FAINT
     places = along[dark]
     for before, after in pairwise(places):
         if after - before > _WIDE * rhythm.gap:

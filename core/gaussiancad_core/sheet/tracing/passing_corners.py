@@ -13,32 +13,18 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.picture_noise import JOINED, ON_LINE, OVERRUN, SHARP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import Corner, End
+from gaussiancad_core.sheet.votes import LARGELY
 
 Floats = npt.NDArray[np.float64]
 
 _LONGEST_TANGENT = 40.0
 """px from the corner to where an arc begins, at most: larger ones are grown."""
 
-_BEYOND = 3.0
-"""px by which a stroke may seem to end beyond the line."""
-
-_GOES_ON = 3.0
-"""px that the line goes on beyond the corner at least: else both end there."""
-
-_STEEPEST = np.cos(np.radians(25.0))
-"""Cosine of the least angle between the two."""
-
-_OWN = 0.9
-"""Share of the stroke, up to the line, that an arc may take."""
-
-_JOINED = 2.5
-"""px from a stroke's end within which the end of a curve takes it."""
-
-_TOUCHES, _TANGENT = 2.0, 0.5
-"""px by which the end of an arc that touches the line may lie beside where it does, and by which
-its circle may miss the line."""
+_TOUCHES = 2.0
+"""px by which the end of an arc that touches the line may lie beside where it does."""
 
 
 def passing_corners(
@@ -66,19 +52,19 @@ def passing_corners(
     found: list[Corner] = []
     for end in ends:
         u, gap = end.inward, end.place - origins
-        steep = (np.abs(ways @ u) <= _STEEPEST) & (indices != end.index)
+        steep = (np.abs(ways @ u) <= np.cos(SHARP)) & (indices != end.index)
         cross = np.where(steep, u[0] * ways[:, 1] - u[1] * ways[:, 0], 1.0)
         beyond = (gap[:, 0] * ways[:, 1] - gap[:, 1] * ways[:, 0]) / cross
         at = (gap[:, 1] * u[0] - gap[:, 0] * u[1]) / cross
-        near = steep & (beyond >= -_BEYOND) & (beyond <= _LONGEST_TANGENT)
-        near &= (at > spans[:, 0] + _GOES_ON) & (at < spans[:, 1] - _GOES_ON)
+        near = steep & (beyond >= -OVERRUN) & (beyond <= _LONGEST_TANGENT)
+        near &= (at > spans[:, 0] + OVERRUN) & (at < spans[:, 1] - OVERRUN)
         if not near.any():
             continue
         k = int(np.flatnonzero(near)[np.argmin(beyond[near])])
         place = end.place - beyond[k] * end.inward
         for sign, room in ((1.0, spans[k, 1] - at[k]), (-1.0, at[k] - spans[k, 0])):
             side = End(int(indices[k]), False, place, sign * ways[k], float(room))
-            longest = min(_LONGEST_TANGENT, _OWN * (end.length + beyond[k]), float(room))
+            longest = min(_LONGEST_TANGENT, LARGELY * (end.length + beyond[k]), float(room))
             corner = _open(Corner(end, side, place, longest, passes=True), placed)
             if corner is not None:
                 found.append(corner)
@@ -94,7 +80,7 @@ def _open(corner: Corner, placed: Sequence[Placed]) -> Corner | None:
             continue
         places = curve.points_at(np.array([piece.start, piece.end]))
         away = np.hypot(*(places - corner.first.place).T)
-        if away.min() >= _JOINED:
+        if away.min() >= JOINED:
             continue
         if not isinstance(curve, Circle) or piece.end - piece.start > 2.0 * corner.longest:
             return None
@@ -110,4 +96,4 @@ def _touches(circle: Circle, end: Floats, corner: Corner) -> bool:
     offset = np.array(circle.centre) - corner.place
     off = abs(float(offset[0] * way[1] - offset[1] * way[0]))
     foot = corner.place + float(offset @ way) * way
-    return abs(off - circle.radius) <= _TANGENT and np.hypot(*(end - foot)) <= _TOUCHES
+    return abs(off - circle.radius) <= ON_LINE and np.hypot(*(end - foot)) <= _TOUCHES

@@ -14,35 +14,22 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH, ROW
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import DARK, FINEST_STEP, ONE_PLACE
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 
 Floats = npt.NDArray[np.float64]
 
-_LIKE_A_DASH = 0.35
-"""Share of a dash by which one may be longer or shorter than the sheet's."""
-
-_LIKE_A_GAP = 0.35
-"""The same of a gap."""
-
 _LACKING = 2
 """Dashes one after the other that a row may lack, where other lines cross it."""
-
-_FEWEST = 4
-"""Dashes of a row with the sheet's gap between them, one after the other."""
 
 _WIDER_PX = 2.0
 """px by which a dash is wider than the sheet's strokes at most."""
 
-_BESIDE_PX = 1.0
-"""px by which a dash may lie beside the line of its row."""
-
-_STEP, _REACH_PX = 0.125, 3.0
-"""px between the places across a row that are looked at, and how far."""
-
-_EDGE = 0.5
-"""Share of the darkest ink of a row at which its ink ends."""
+_REACH_PX = 3.0
+"""px across a row that are looked at."""
 
 _SURE = 0.9
 """Confidence of a row."""
@@ -83,7 +70,7 @@ def find_remaining_dashes(
         places = {id(dash): float(dash.middle @ first.along) for dash in row}
         row.sort(key=lambda dash: places[id(dash)])
         steady = _steady(row, first.along, rhythm)
-        if len(steady) >= _FEWEST:
+        if len(steady) >= ROW:
             line, piece = _fitted(steady)
             found.append((_centred(line, steady, sheet), piece))
             left = [dash for dash in left if all(dash is not this_dash for this_dash in steady)]
@@ -96,7 +83,7 @@ def _dashes(remainder: npt.NDArray[np.bool_], sheet: CleanSheet, rhythm: Rhythm)
         remainder.astype(np.uint8), connectivity=8
     )
     found = []
-    shortest, longest = ((1.0 + way * _LIKE_A_DASH) * rhythm.dash for way in (-1.0, 1.0))
+    shortest, longest = ((1.0 + way * LIKE_A_DASH) * rhythm.dash for way in (-1.0, 1.0))
     for label in range(1, count):
         x, y, width, height = (int(value) for value in stats[label, :4])
         # Aslant a dash is longer than its box; of specks there may be thousands.
@@ -111,7 +98,7 @@ def _dashes(remainder: npt.NDArray[np.bool_], sheet: CleanSheet, rhythm: Rhythm)
         length = float(np.ptp(points @ along)) + 1.0
         across = float(np.ptp((points - middle) @ np.array([-along[1], along[0]]))) + 1.0
         if (
-            abs(length - rhythm.dash) <= _LIKE_A_DASH * rhythm.dash
+            abs(length - rhythm.dash) <= LIKE_A_DASH * rhythm.dash
             and across <= sheet.stroke_width + _WIDER_PX
             and across < length / 2.0
         ):
@@ -130,7 +117,7 @@ def _is_in_line(one: _Dash, other: _Dash) -> bool:
     ]
     # A dash tells its direction to about a pixel over its length.
     return all(
-        sine * dash.length / 2.0 <= _BESIDE_PX for sine, dash in zip(off, (one, other), strict=True)
+        sine * dash.length / 2.0 <= ONE_PLACE for sine, dash in zip(off, (one, other), strict=True)
     )
 
 
@@ -142,7 +129,7 @@ def _steady(row: Sequence[_Dash], along: Floats, rhythm: Rhythm) -> list[_Dash]:
         period = (one.length + other.length) / 2.0 + rhythm.gap
         apart = float((other.middle - one.middle) @ along)
         count = round(apart / period)
-        adjacent = abs(apart - count * period) > count * _LIKE_A_GAP * rhythm.gap
+        adjacent = abs(apart - count * period) > count * LIKE_A_DASH * rhythm.gap
         if adjacent or not 1 <= count <= 1 + _LACKING or not _is_in_line(one, other):
             parts.append([])
         parts[-1].append(other)
@@ -170,7 +157,7 @@ def _centred(line: Line, row: Sequence[_Dash], sheet: CleanSheet) -> Line:
     Strokes beside it take some: from the darkest place next to what is left, that ink reaches as
     far as where it fades, or grows darker again.
     """
-    across = np.arange(-_REACH_PX, _REACH_PX + _STEP, _STEP)
+    across = np.arange(-_REACH_PX, _REACH_PX + FINEST_STEP, FINEST_STEP)
     normal = np.array([-line.direction[1], line.direction[0]])
     along = np.concatenate(
         [
@@ -208,7 +195,7 @@ def _faded(profile: npt.NDArray[np.float32], peak: int, way: int) -> int:
     """Where a profile has fallen to a share of its peak, or rises again, one way from there."""
     at = peak
     while 0 <= at + way < len(profile):
-        if profile[at + way] > profile[at] or profile[at] < _EDGE * profile[peak]:
+        if profile[at + way] > profile[at] or profile[at] < DARK * profile[peak]:
             break
         at += way
     return at

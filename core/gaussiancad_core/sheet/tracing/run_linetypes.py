@@ -10,15 +10,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import ONE_DASH
+from gaussiancad_core.sheet.log_odds import SURE
+from gaussiancad_core.sheet.picture_noise import STEP
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
-from gaussiancad_core.sheet.tracing.ink_runs import STEP, Piece, Rhythm, Run, widest_gap
+from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run, widest_gap
 
 _BY_INK = 0.8
 """Confidence of a linetype that the ink of a short run tells."""
-
-_BY_ROW = 3.0
-"""Log-odds that a row of dashes is hidden: more than the width of a pen tells, as wide dashes in a
-row are two hidden lines beside each other; less than their labels do."""
 
 _LONGEST_JOINT, _LONGEST_LAST = 2.35, 2.0
 """Dashes that a run is long at most of which one ends where another begins, a little of ink beyond
@@ -31,9 +30,6 @@ one to the other at most, for what is between to be dashes, too."""
 
 _EVEN_GAP = (0.4, 1.6)
 """Share of the sheet's gap that such a run has beside it, at least and at most."""
-
-_LONGEST_DASH = 1.75
-"""Length of a dash at most, in the sheet's usual ones."""
 
 
 def classify(
@@ -54,7 +50,7 @@ def classify(
             runs longer than dashes are visible.  Dashes beside each other that fill their gaps are
             hidden all along.
     """
-    longest_dash = _LONGEST_DASH * rhythm.dash
+    longest_dash = ONE_DASH * rhythm.dash
     widest = widest_gap(rhythm)
     pieces: list[Piece] = []
     group: list[int] = []
@@ -76,7 +72,7 @@ def classify(
             sure = min(1.0, 0.5 + (run.length / longest_dash - 1.0))
             pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, sure))
             continue
-        if odds < -_BY_ROW or (visible and _is_cut(runs, index)):
+        if odds < -SURE or (visible and _is_cut(runs, index)):
             close_group()
             pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, _BY_INK))
             continue
@@ -110,7 +106,7 @@ def _is_joint(
 
 def _is_dash_beside(run: Run, gap: float, rhythm: Rhythm) -> bool:
     low, high = (share * rhythm.gap for share in _EVEN_GAP)
-    return run.length <= _LONGEST_DASH * rhythm.dash and low <= gap <= high
+    return run.length <= ONE_DASH * rhythm.dash and low <= gap <= high
 
 
 def _neighbours(runs: list[Run], index: int, around: float) -> tuple[Run | None, Run | None]:

@@ -14,6 +14,17 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import (
+    CLEAR,
+    DARK,
+    FINE_STEP,
+    FREE,
+    INFERRED,
+    LEVEL,
+    NARROWEST,
+    ON_LINE,
+    WIDEST,
+)
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
@@ -25,25 +36,8 @@ Floats = npt.NDArray[np.float64]
 _LONGEST = 14.0
 """px between two lines up to which a stroke between them may not have been found as a line."""
 
-_CLEAR, _LEAST_GAP = 0.75, 0.9
-"""px beside a stroke's edge from which the gap begins, and px of it at least."""
-
-_PARALLEL = 0.02
-"""Sine of the angle between two lines, at most."""
-
-_DARK, _STEP = 0.5, 0.25
-"""Weight from which a place is ink, and px between the places that are looked at."""
-
-_NARROWEST, _WIDEST = 0.5, 1.6
-"""Line widths that a rung is wide."""
-
-_ASKEW = 0.5
-"""px along the lines by which a rung may be elsewhere at one of them than at the other."""
-
-_KNOWN = 0.75
-"""Line widths within which a stroke that was found has a rung's ink."""
-
-_CONFIDENCE = 0.7
+_LEAST_GAP = 0.9
+"""px between the clear sides of two strokes that a gap is wide at least."""
 
 
 @dataclass(frozen=True)
@@ -76,13 +70,13 @@ def find_rungs(pieces: Sequence[Placed], sheet: CleanSheet, pens: Pens | None) -
         Lines from one line to the other.
     """
     found: list[Placed] = []
-    least = sheet.stroke_width + 2.0 * _CLEAR + _LEAST_GAP
+    least = sheet.stroke_width + 2.0 * CLEAR + _LEAST_GAP
     for gap in gaps_between(pieces, sheet.stroke_width, least):
         for at, wide in _dark_places(gap, sheet):
             start = gap.origin + at * gap.along
             middle = start + gap.width / 2.0 * gap.across
             others = (distances_to(piece, middle[None])[0] for piece in (*pieces, *found))
-            if min(others) > _KNOWN * sheet.stroke_width:
+            if min(others) > FREE * sheet.stroke_width:
                 kind = pens.kind(wide) if pens is not None and pens.distinct else None
                 found.append(_rung(start, gap, kind or Linetype.VISIBLE))
     return found
@@ -108,7 +102,7 @@ def gaps_between(pieces: Sequence[Placed], stroke_width: float, least: float) ->
         low = np.maximum(np.minimum(firsts, lasts), piece.start)
         high = np.minimum(np.maximum(firsts, lasts), piece.end)
         # The ink of a stroke ends half its width beyond the corner.
-        neighbour = (np.abs(ways @ across) < _PARALLEL) & (low - stroke_width < high)
+        neighbour = (np.abs(ways @ across) < LEVEL) & (low - stroke_width < high)
         for way in (across, -across):
             away = ((starts + ends) / 2.0 - starts[number]) @ way
             near = neighbour & (away >= least) & (away <= _LONGEST)
@@ -122,29 +116,29 @@ def gaps_between(pieces: Sequence[Placed], stroke_width: float, least: float) ->
 
 def _dark_places(gap: Gap, sheet: CleanSheet) -> Iterator[tuple[float, float]]:
     """Where along a gap it is dark from one line to the other, and px over which it is."""
-    offset = sheet.stroke_width / 2.0 + _CLEAR
-    tracks = np.arange(offset, gap.width - offset + 1e-9, 2.0 * _STEP)
-    along = np.arange(gap.span[0], gap.span[1] + _STEP, _STEP)
+    offset = sheet.stroke_width / 2.0 + CLEAR
+    tracks = np.arange(offset, gap.width - offset + 1e-9, 2.0 * FINE_STEP)
+    along = np.arange(gap.span[0], gap.span[1] + FINE_STEP, FINE_STEP)
     points = gap.origin + along[:, None, None] * gap.along + tracks[None, :, None] * gap.across
     ink = sample(sheet.weight, points[..., 0], points[..., 1])
-    dark = np.concatenate([[False], ink.min(axis=1) > _DARK, [False]])
+    dark = np.concatenate([[False], ink.min(axis=1) > DARK, [False]])
     for first, last in np.flatnonzero(np.diff(dark.astype(int))).reshape(-1, 2):
-        wide = (last - first) * _STEP
-        if not _NARROWEST <= wide / sheet.stroke_width <= _WIDEST:
+        wide = (last - first) * FINE_STEP
+        if not NARROWEST <= wide / sheet.stroke_width <= WIDEST:
             continue
         # All its ink, down to the paper on both sides.
-        reach = int(np.ceil(sheet.stroke_width / _STEP))
+        reach = int(np.ceil(sheet.stroke_width / FINE_STEP))
         part = slice(max(0, first - reach), last + reach)
         values = ink[part]
-        if values[0].max() > _DARK or values[-1].max() > _DARK:
+        if values[0].max() > DARK or values[-1].max() > DARK:
             continue
         centres = (along[part, None] * values).sum(axis=0) / values.sum(axis=0)
-        if np.ptp(centres) <= _ASKEW:
-            yield float(np.median(centres)), float(np.median(values.sum(axis=0))) * _STEP
+        if np.ptp(centres) <= ON_LINE:
+            yield float(np.median(centres)), float(np.median(values.sum(axis=0))) * FINE_STEP
 
 
 def _rung(start: Floats, gap: Gap, kind: Linetype) -> Placed:
     """A stroke from (2,) px on the one line to the other."""
     x, y = gap.across.tolist()
     line = Line((float(start[0]), float(start[1])), (x, y))
-    return line, Piece(0.0, gap.width, kind, _CONFIDENCE)
+    return line, Piece(0.0, gap.width, kind, INFERRED)

@@ -11,18 +11,17 @@ import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.explained_ink import path_points
 from gaussiancad_core.sheet.tracing.junctions import is_full_circle
+from gaussiancad_core.sheet.votes import NEARLY_ALL
 
 _LONGEST = 40.0
 """px of a shadow at most: a longer one is crossed at hardly any angle."""
 
 _LONGER = 1.5
 """Times the shadow's length that the stroke has which throws it."""
-
-_COVERED = 0.9
-"""Share of the shadow that lies on that stroke's ink."""
 
 _LEAST_TURN, _MOST_TURN = 0.05, 0.35
 """Sine of the angle between them."""
@@ -32,9 +31,6 @@ _MIDDLE = 0.25
 
 _BEYOND = 2.0
 """px by which the circle goes on beyond both of its ends at least."""
-
-_ONE_DASH = 1.4
-"""Dashes that a piece is long at most to be a single one."""
 
 
 def without_shadows(
@@ -86,7 +82,7 @@ def _is_visible_line(placed: Placed) -> bool:
 def _is_one_dash(placed: Placed, dash: float) -> bool:
     geometry, piece = placed
     hidden = isinstance(geometry, Line) and piece.linetype is Linetype.HIDDEN
-    return hidden and piece.end - piece.start <= _ONE_DASH * dash
+    return hidden and piece.end - piece.start <= (1.0 + LIKE_A_DASH) * dash
 
 
 def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
@@ -104,7 +100,7 @@ def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
     along, across = line.coordinates(points)
     inside = (along > piece.start - 1.0) & (along < piece.end + 1.0)
     covered = inside & (np.abs(across) <= stroke_width / 2.0 + 1.0)
-    return bool(covered.mean() >= _COVERED)
+    return bool(covered.mean() >= NEARLY_ALL)
 
 
 def _touches(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
@@ -118,7 +114,7 @@ def _touches(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
     if abs(foot - (this_piece.start + this_piece.end) / 2.0) > _MIDDLE * length:
         return False
     points = path_points(course, this_piece.start, this_piece.end)
-    if (circle.distances(points) <= stroke_width / 2.0 + 1.0).mean() < _COVERED:
+    if (circle.distances(points) <= stroke_width / 2.0 + 1.0).mean() < NEARLY_ALL:
         return False
     ends = circle.positions(points[[0, -1]])
     middle = float(circle.positions(points[len(points) // 2][None])[0])

@@ -17,11 +17,13 @@ import numpy.typing as npt
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
+from gaussiancad_core.sheet.picture_noise import COURSE, ON_LINE, TOUCHING
 from gaussiancad_core.sheet.tracing.arc_kernels import grow_arcs
 from gaussiancad_core.sheet.tracing.corner_fits import is_corner
 from gaussiancad_core.sheet.tracing.line_kernels import grow_lines, line_worth
 from gaussiancad_core.sheet.tracing.ovals import OvalRules, grow_ovals
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
+from gaussiancad_core.sheet.votes import MOST
 from gaussiancad_protocol.codes import Code
 
 Floats = npt.NDArray[np.float64]
@@ -34,17 +36,8 @@ _FLAT_PX, _FLAT = 1.5, 0.87
 """Sagitta of an arc that is nearly straight; what such arcs count: where a line explains nearly as
 much, it is one, and at its ends it runs into others."""
 
-_BESIDE = 0.5
-"""px from the centre line at which a point says nothing for a shape: corners that an arc rounds."""
-
 _FRESH = 0.35
 """Share of a shape's points that no better shape may have taken."""
-
-_FIRM = 0.35
-"""px from an arc's centre line up to which a point is certainly no line's that touches the arc."""
-
-_TOUCHING = 1.2
-"""px by which a line may miss or cut a circle that it touches."""
 
 _ENOUGH = 7
 """Free points that are enough for a line: two circles that it joins take most of a short
@@ -57,10 +50,6 @@ _LONG = 24
 _MOST_LINES, _MOST_MEMBERS = 60_000, 15_000_000
 """Lines that are grown, and points of all of them: large sheets grow 20,000 with 8 million.  Where
 lines cross everywhere each is grown again and again, with all points of the ones beside it."""
-
-
-_MIDDLE = 0.7
-"""Share of a long line, in its middle, that has to be straight."""
 
 
 _UNEVEN_GAP = 1.3
@@ -185,7 +174,7 @@ def _bows(line: Line, points: Floats, rules: GrowthRules) -> bool:
     """
     along, across = line.coordinates(points)
     along = along - (along.min() + along.max()) / 2
-    inner = _MIDDLE * float(np.abs(along).max())
+    inner = MOST * float(np.abs(along).max())
     middle = np.abs(along) <= inner
     if middle.sum() < 3:
         return False
@@ -231,7 +220,7 @@ def warm_up() -> None:
     limits, fit = (14.0, 0.8, 0.97), (5.0, 0.35, 0.32, 0.8)
     most = (_MOST_LINES, _MOST_MEMBERS)
     rows, splits, members = grow_lines(tables, limits, fit, most)
-    line_worth(tables[0], splits, members, rows, _BESIDE)
+    line_worth(tables[0], splits, members, rows, ON_LINE)
     grow_arcs(tables, limits, fit, np.zeros(0))
 
 
@@ -284,7 +273,7 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
             continue
         is_arc = isinstance(shapes[k].geometry, Circle)
         in_circle[members[left]] = is_arc
-        row = shapes[k].geometry.distances(ridges.points[members]) <= _FIRM
+        row = shapes[k].geometry.distances(ridges.points[members]) <= COURSE
         loosely = is_arc & ~row & (free | (loose >= 0))[members]
         loose[members] = np.where(loosely, k, -1)
         free[members] = False
@@ -301,7 +290,7 @@ def _worth(shapes: Sequence[Grown], points: Floats) -> list[Floats]:
         splits = np.cumsum([0, *(len(shapes[k].members) for k in lines)])
         members = np.concatenate([shapes[k].members for k in lines])
         rows = np.array([(*shapes[k].line.point, *shapes[k].line.direction) for k in lines])
-        all_worth = _BONUS[Line] * line_worth(points, splits, members, rows, _BESIDE)
+        all_worth = _BONUS[Line] * line_worth(points, splits, members, rows, ON_LINE)
         items = np.split(all_worth, splits[1:-1])
         for k, each in zip(lines, items, strict=True):
             worth[k] = each
@@ -320,7 +309,7 @@ def _is_touched(
     for k in np.unique(circles[circles >= 0]):
         circle = shapes[k].geometry
         away = float(line.distances(np.array([circle.centre]))[0])
-        touched |= (circles == k) & (abs(away - circle.radius) <= _TOUCHING)
+        touched |= (circles == k) & (abs(away - circle.radius) <= TOUCHING)
     return touched
 
 
@@ -334,4 +323,4 @@ def _bonus(grown: Grown, points: Floats) -> float:
 
 def _closeness(away: Floats) -> Floats:
     """(k,) 1 for members on the centre line, falling to 0 for those so many px beside it."""
-    return np.clip(1.0 - (away / _BESIDE) ** 2, 0.0, 1.0)
+    return np.clip(1.0 - (away / ON_LINE) ** 2, 0.0, 1.0)

@@ -11,19 +11,17 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import AROUND
+from gaussiancad_core.sheet.votes import MOST
 
 _LEAN = 0.1
 """px by which the ends of a line along the pixels may differ."""
 
-_REACH = 2.0
-"""px looked at beyond a stroke's edges."""
-
 _FULL, _WHITE = 0.97, 0.02
 """Weight of pixels that a stroke covers, at least, and of those that it does not touch, at most."""
 
-_ALIKE, _MOSTLY = 0.04, 0.6
-"""By how much the weight of pixels may differ along a line, and for which share of it at least:
-between are the ends of dashes."""
+_ALIKE = 0.04
+"""By how much the weight of pixels may differ along a line: between are the ends of dashes."""
 
 _NEAR = 0.2
 """px by which the middle may lie beside the centre of the ink, at most."""
@@ -52,7 +50,7 @@ def between_edges(sheet: CleanSheet, line: Line, along: npt.NDArray[np.float64])
 
 def _middle(sheet: CleanSheet, places: npt.NDArray[np.float64], fixed: int) -> float | None:
     """px across, of the middle between the edges of a stroke along the pixels at (n, 2) px."""
-    reach = sheet.stroke_width / 2.0 + _REACH
+    reach = sheet.stroke_width / 2.0 + AROUND
     at = places[:, fixed].mean()
     across = np.arange(np.floor(at - reach), np.ceil(at + reach) + 1.0).astype(int)
     values = np.unique(np.rint(places[:, 1 - fixed]).astype(int))
@@ -68,7 +66,7 @@ def _middle(sheet: CleanSheet, places: npt.NDArray[np.float64], fixed: int) -> f
     profile = np.median(rows, axis=0)
     alike = (np.abs(rows - profile) <= _ALIKE).all(axis=1)
     inked = np.flatnonzero(profile > _WHITE)
-    if not len(inked) or alike.mean() < _MOSTLY:
+    if not len(inked) or alike.mean() < MOST:
         return None
     first, last = int(inked[0]), int(inked[-1])
     stroke = profile[first : last + 1]

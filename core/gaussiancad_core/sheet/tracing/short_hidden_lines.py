@@ -12,18 +12,10 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.picture_noise import MEETING, ONE_PLACE
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
-
-_MET = 1.5
-"""px around an end within which another stroke meets it."""
-
-_LEADS = 0.8
-"""px by which a line's course may miss the end that it leads to."""
-
-_FLATTEST = 0.2
-"""Sine of the angle at least between two lines that form a corner."""
 
 
 def with_corners_reached(pieces: Sequence[Placed], rhythm: Rhythm) -> list[Placed]:
@@ -43,14 +35,14 @@ def with_corners_reached(pieces: Sequence[Placed], rhythm: Rhythm) -> list[Place
         for at in (piece.start, piece.end):
             place = np.array([line.at(at)])
             if any(
-                k != number and distances_to(this_piece, place)[0] <= _MET
+                k != number and distances_to(this_piece, place)[0] <= ONE_PLACE
                 for k, this_piece in enumerate(pieces)
             ):
                 continue
             found = [
                 (beyond, other)
                 for other, course, _ in hidden
-                if other != number and _sine(line, course) >= _FLATTEST
+                if other != number and _sine(line, course) >= MEETING
                 for beyond in [_beyond(course, led[other][1], place)]
                 if 0.0 < abs(beyond) <= rhythm.dash + rhythm.gap
             ]
@@ -71,6 +63,6 @@ def _beyond(line: Line, piece: Piece, place: npt.NDArray[np.float64]) -> float:
     """px by which a place lies beyond a piece's end, negative before its start; 0 if it is not on
     the line or not beyond."""
     along, across = (float(coordinate[0]) for coordinate in line.coordinates(place))
-    if abs(across) > _LEADS:
+    if abs(across) > ONE_PLACE:
         return 0.0
     return along - min(max(along, piece.start), piece.end)

@@ -13,6 +13,7 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import DARK, FAINT, INFERRED, ON_LINE, STEP
 from gaussiancad_core.sheet.tracing.corner_dashes import longest_blank
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, widest_gap
@@ -20,6 +21,7 @@ from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.leftover import Leftover, leftover_ink
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.small_fillets import boxes_of
+from gaussiancad_core.sheet.work_limits import ENDS
 
 Floats = npt.NDArray[np.float64]
 
@@ -32,25 +34,11 @@ _LONGEST, _WIDE = 1.5, 4.0
 _SHORTEST = 2.5
 """Line widths that it is long at least."""
 
-_LEFT = 0.3
-"""Ink of other strokes under which a place is a leg's own, and that these leave at least."""
-
 _LEAST, _INKED = 2.5, 0.35
 """px of a leg's own ink at least, and share of its own way."""
 
 _LAST_GAP = 1.1
 """Gaps of the dashes between a leg's last ink and the stroke that it meets, at most."""
-
-_DARK, _STEP = 0.5, 0.5
-"""Weight from which a place is ink, and px between the places that are looked at."""
-
-_ON = 0.5
-"""px from a stroke within which a place is on it."""
-
-_MOST_CORNERS = 400
-"""Of a view, up to which legs are looked for: more are a sketch's."""
-
-_CONFIDENCE = 0.5
 
 
 @dataclass(frozen=True)
@@ -83,7 +71,7 @@ def with_short_legs(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm)
         for geometry, piece in pieces
         if isinstance(geometry, Line) and piece.linetype is Linetype.HIDDEN
     ]
-    if not hidden or 2 * len(hidden) > _MOST_CORNERS:
+    if not hidden or 2 * len(hidden) > ENDS:
         return list(pieces)
     view = _View(pieces, boxes_of(pieces), sheet, leftover_ink(pieces, sheet), rhythm)
     found: list[tuple[Floats, Floats]] = []
@@ -112,20 +100,20 @@ def _legs(line: Line, ends: Floats, view: _View) -> Iterator[list[tuple[Floats, 
     """Legs from an end of a line to the next stroke on their way."""
     along = np.array(line.direction)
     normal = np.array([-along[1], along[0]])
-    places = np.arange(0.0, view.longest, _STEP)
+    places = np.arange(0.0, view.longest, STEP)
     for corner in ends:
         others: list[Placed] | None = None
         for angle in _ANGLES:
             for a, b in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
                 way = a * np.cos(angle) * along + b * np.sin(angle) * normal
                 points = corner + places[:, None] * way
-                if (_at(view.left.ink, points) > _LEFT).sum() * _STEP < 0.5 * _LEAST:
+                if (_at(view.left.ink, points) > FAINT).sum() * STEP < 0.5 * _LEAST:
                     continue
                 if others is None:
                     others = _around(corner, view)
                 distance = np.min([distances_to(other, points) for other in others], 0, initial=1e3)
                 met = np.flatnonzero(
-                    (distance < _ON) & (places >= _SHORTEST * view.sheet.stroke_width)
+                    (distance < ON_LINE) & (places >= _SHORTEST * view.sheet.stroke_width)
                 )
                 if len(met) and _is_drawn(corner, points[met[0]], view):
                     yield [(corner, points[_nearest(distance, int(met[0]))])]
@@ -136,7 +124,7 @@ def _around(corner: Floats, view: _View) -> list[Placed]:
     low, high = view.boxes[:, 0] - view.longest, view.boxes[:, 1] + view.longest
     near = ((low <= corner) & (corner <= high)).all(axis=1)
     around = [view.pieces[k] for k in np.flatnonzero(near).tolist()]
-    return [item for item in around if distances_to(item, corner[None])[0] > _ON]
+    return [item for item in around if distances_to(item, corner[None])[0] > ON_LINE]
 
 
 def _nearest(distance: Floats, first: int) -> int:
@@ -147,18 +135,18 @@ def _nearest(distance: Floats, first: int) -> int:
 def _is_drawn(start: Floats, end: Floats, view: _View) -> bool:
     """Whether ink that other strokes leave lies on a way as dashes have it."""
     length = float(np.hypot(*(end - start)))
-    points = start + np.arange(0.0, length, _STEP)[:, None] * (end - start) / length
-    dark = _at(view.sheet.weight, points) > _DARK
+    points = start + np.arange(0.0, length, STEP)[:, None] * (end - start) / length
+    dark = _at(view.sheet.weight, points) > DARK
     # Beside edges pale dashes stay as pale as they were plotted.
-    dark |= _at(view.left.ink, points) > _LEFT
-    values = _at(view.left.expected, points) < _LEFT
+    dark |= _at(view.left.ink, points) > FAINT
+    values = _at(view.left.expected, points) < FAINT
     inked = np.flatnonzero(dark & values)
-    if len(inked) * _STEP < _LEAST or dark[values].mean() < _INKED:
+    if len(inked) * STEP < _LEAST or dark[values].mean() < _INKED:
         return False
-    if longest_blank(dark) * _STEP > widest_gap(view.rhythm):
+    if longest_blank(dark) * STEP > widest_gap(view.rhythm):
         return False
     # The last dash ends where the stroke begins.
-    if (np.flatnonzero(values)[-1] - inked[-1]) * _STEP > _LAST_GAP * view.rhythm.gap:
+    if (np.flatnonzero(values)[-1] - inked[-1]) * STEP > _LAST_GAP * view.rhythm.gap:
         return False
     return view.left.is_mostly_on(start, end, view.sheet.stroke_width)
 
@@ -182,4 +170,4 @@ def _hidden(start: Floats, end: Floats) -> Placed:
     length = float(np.hypot(*(end - start)))
     dx, dy = (end - start) / length
     line = Line((float(start[0]), float(start[1])), (float(dx), float(dy)))
-    return line, Piece(0.0, length, Linetype.HIDDEN, _CONFIDENCE)
+    return line, Piece(0.0, length, Linetype.HIDDEN, INFERRED)

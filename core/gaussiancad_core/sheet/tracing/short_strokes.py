@@ -13,7 +13,17 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import ONE_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import (
+    CLOSER,
+    DARK,
+    INFERRED,
+    ON_LINE,
+    ONE_PLACE,
+    OVERRUN,
+    STEP,
+)
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import cross_profile, refit_line, sample
@@ -27,34 +37,14 @@ Floats = npt.NDArray[np.float64]
 _SHORTEST, _LONGEST = 5.0, 60.0
 """px of the ink that is left of such a stroke."""
 
-_BESIDE = 1.0
-"""px beyond half a stroke within which all of this ink lies."""
-
-_STRAIGHT = 0.8
-"""px beside the line that the middle of its ink lies at most."""
-
 _BENT = 0.3
 """Sagitta in px from which such a stroke is an arc."""
-
-_BEYOND = 3.0
-"""px from the end of what is left to the ink that another stroke has in common with it."""
-
-_DARK, _STEP = 0.5, 0.5
-"""Weight from which a place is ink, and px between the places that are looked at."""
-
-_CONFIDENCE = 0.6
-
-_EXPLAINED = 0.6
-"""Share of the squared error without a stroke that is left with it, at most."""
 
 _FIRST = ((0.0, 0.0), (0.5, 0.0), (0.0, 0.5))
 """px across by which the ends of a line are moved at first, to fit it."""
 
 _FIT = {"xatol": 0.02, "fatol": 0.01, "maxiter": 60, "initial_simplex": _FIRST}
 """How exactly, in px and ink, it is fitted."""
-
-_LONG_DASH = 1.75
-"""Dashes from which a stroke is no dash."""
 
 
 def find_short_strokes(
@@ -87,9 +77,9 @@ def find_short_strokes(
             continue
         geometry, ends = best
         kind = Linetype.VISIBLE
-        if ends[1] - ends[0] <= _LONG_DASH * rhythm.dash and pens is not None and pens.distinct:
+        if ends[1] - ends[0] <= ONE_DASH * rhythm.dash and pens is not None and pens.distinct:
             kind = pens.kind(run_width(sheet, geometry, Run(*ends), edges=True)) or kind
-        found.append((geometry, Piece(*ends, kind, _CONFIDENCE)))
+        found.append((geometry, Piece(*ends, kind, INFERRED)))
     return found
 
 
@@ -117,12 +107,12 @@ def _seen(pixels: Floats, sheet: CleanSheet) -> list[_Shown]:
     way = vectors[:, 1]
     line = Line((float(middle[0]), float(middle[1])), (float(way[0]), float(way[1])))
     along, across = line.coordinates(pixels)
-    if np.ptp(along) < _SHORTEST or np.abs(across).max() > sheet.stroke_width / 2.0 + _BESIDE:
+    if np.ptp(along) < _SHORTEST or np.abs(across).max() > sheet.stroke_width / 2.0 + ONE_PLACE:
         return []
     span = float(along.min()), float(along.max())
     line = refit_line(sheet, line, [span])
     at, adjacent = cross_profile(sheet, line, [span])
-    if np.abs(adjacent).max(initial=0.0) > _STRAIGHT:
+    if np.abs(adjacent).max(initial=0.0) > ON_LINE:
         return []
     if len(at) < _SHORTEST:
         # Nearly all of its ink is beside others'.
@@ -153,7 +143,7 @@ def _likeliest(shown: Sequence[_Shown], left: Leftover, sheet: CleanSheet) -> _S
     places = np.stack([columns.ravel(), rows.ravel()], axis=1) + low.astype(np.float64)
 
     def missed(pair: _Shown) -> float:
-        piece = Piece(*pair[1], Linetype.VISIBLE, _CONFIDENCE)
+        piece = Piece(*pair[1], Linetype.VISIBLE, INFERRED)
         drawn = left.pen.ink(distances_to((pair[0], piece), places)).reshape(ink.shape)
         return float(((np.maximum(drawn, others) - ink) ** 2).sum())
 
@@ -163,7 +153,7 @@ def _likeliest(shown: Sequence[_Shown], left: Leftover, sheet: CleanSheet) -> _S
     fit = minimize(lambda off: missed(moved(off)), np.zeros(2), method="Nelder-Mead", options=_FIT)
     found = [(missed(pair), pair) for pair in (moved(fit.x), *shown[1:])]
     least, best = min(found, key=lambda pair: pair[0])
-    return best if least < _EXPLAINED * float(((others - ink) ** 2).sum()) else None
+    return best if least < CLOSER * float(((others - ink) ** 2).sum()) else None
 
 
 def _line_between(shown: _Shown, off: Floats) -> _Shown:
@@ -202,11 +192,11 @@ def _ends(
     sheet: CleanSheet,
 ) -> tuple[float, float] | None:
     """Where a shape meets other strokes beyond both ends of what is left of it."""
-    piece = Piece(*seen, Linetype.VISIBLE, _CONFIDENCE)
+    piece = Piece(*seen, Linetype.VISIBLE, INFERRED)
     near: tuple[list[float], list[float]] = ([], [])
     for other, stretch in placed:
         for crossing in crossings_with(line, piece, other, stretch, sheet.stroke_width):
-            reach = crossing.reach + sheet.stroke_width / 2.0 + _BEYOND
+            reach = crossing.reach + sheet.stroke_width / 2.0 + OVERRUN
             if 0.0 <= seen[0] - crossing.at <= reach:
                 near[0].append(crossing.at)
             if 0.0 <= crossing.at - seen[1] <= reach:
@@ -214,6 +204,6 @@ def _ends(
     if not all(near):
         return None
     start, end = max(near[0]), min(near[1])
-    points = line.points_at(np.arange(start, end, _STEP))
-    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    points = line.points_at(np.arange(start, end, STEP))
+    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > DARK
     return (start, end) if dark.all() else None

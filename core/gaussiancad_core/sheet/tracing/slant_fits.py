@@ -14,6 +14,15 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import (
+    AROUND,
+    ASLANT,
+    CLOSER,
+    DARK,
+    DASH_END,
+    EVEN,
+    FEWEST_PIXELS,
+)
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
@@ -26,26 +35,14 @@ Floats = npt.NDArray[np.float64]
 _LONGEST = {Linetype.VISIBLE: 30.0, Linetype.HIDDEN: 80.0}
 """px of a line up to which what merges with it may pull it aside."""
 
-_ASLANT = 0.05
-"""Sine of the angle to both axes of the sheet at least: views tell the others' places, too."""
+_CLEAR = 1.2
+"""px from the edges of other lines from which ink is a line's alone."""
 
-_BESIDE, _CLEAR = 2.0, 1.2
-"""px beside a line's edge that are looked at, and px from the edges of others."""
-
-_FEWEST, _LEAST_LONG = 15, 4.0
-"""Pixels of a line alone, and px of it along which they lie, that tell its course."""
-
-_DASH_END, _DARK = 1.5, 0.5
-"""px from the end of a dash in which its ink falls off; weight from which a place is ink."""
+_LEAST_LONG = 4.0
+"""px of a line alone along which its pixels lie, that tell its course."""
 
 _MOVED = 1.8
 """px by which its ends may be off at most."""
-
-_BETTER = 0.7
-"""Share of the squares of what the line as it was leaves of the ink, at most."""
-
-_EVEN = 0.12
-"""Mean ink by which pixels may differ from the pen's, at most."""
 
 
 def with_fitted_slants(
@@ -60,7 +57,7 @@ def with_fitted_slants(
     """
     courses: dict[Line, Piece] = {}
     for geometry, piece in ended:
-        if isinstance(geometry, Line) and min(abs(value) for value in geometry.direction) > _ASLANT:
+        if isinstance(geometry, Line) and min(abs(value) for value in geometry.direction) > ASLANT:
             before = courses.get(geometry, piece)
             start, end = min(before.start, piece.start), max(before.end, piece.end)
             kind = piece.linetype if before.linetype is piece.linetype else Linetype.VISIBLE
@@ -107,7 +104,7 @@ def _fitted(
     pen = pens[piece.linetype]
     pixels = _own_pixels(placed, others, sheet, pens[Linetype.VISIBLE])
     along, across = line.coordinates(pixels)
-    if len(pixels) < _FEWEST or np.ptp(along) < _LEAST_LONG:
+    if len(pixels) < FEWEST_PIXELS or np.ptp(along) < _LEAST_LONG:
         return None
     ink = sheet.weight[pixels[:, 1].astype(int), pixels[:, 0].astype(int)]
     share = (along - piece.start) / (piece.end - piece.start)
@@ -118,9 +115,9 @@ def _fitted(
         return pen.ink(np.abs(away) / np.hypot(1.0, turned)) - ink
 
     found = least_squares(residual, (0.0, 0.0), bounds=(-_MOVED, _MOVED), diff_step=1e-3)
-    if float(np.abs(found.fun).mean()) > _EVEN or np.abs(found.x).max() > 0.99 * _MOVED:
+    if float(np.abs(found.fun).mean()) > EVEN or np.abs(found.x).max() > 0.99 * _MOVED:
         return None
-    if found.cost > _BETTER * 0.5 * float(np.square(residual(np.zeros(2))).sum()):
+    if found.cost > CLOSER * 0.5 * float(np.square(residual(np.zeros(2))).sum()):
         return None
     direction = np.array(line.direction)
     normal = np.array([-direction[1], direction[0]])
@@ -138,7 +135,7 @@ def _own_pixels(
 ) -> Floats:
     """(n, 2) pixels on and beside a piece that are clear of other strokes."""
     line, piece = placed
-    reach = pen.width / 2.0 + _BESIDE
+    reach = pen.width / 2.0 + AROUND
     corners = line.points_at(np.array([piece.start, piece.end]))
     height, width = sheet.weight.shape
     low = np.maximum(np.floor(corners.min(axis=0) - reach), 0).astype(int)
@@ -160,7 +157,7 @@ def _is_drawn(line: Line, piece: Piece, along: Floats, sheet: CleanSheet) -> npt
     inside = (along > piece.start) & (along < piece.end)
     if piece.linetype is Linetype.VISIBLE:
         return inside
-    near = along[:, None] + np.array([-_DASH_END, 0.0, _DASH_END])
+    near = along[:, None] + np.array([-DASH_END, 0.0, DASH_END])
     points = line.points_at(near.ravel())
     ink = sample(sheet.weight, points[:, :1], points[:, 1:]).reshape(near.shape)
-    return inside & (ink.min(axis=1) > _DARK)
+    return inside & (ink.min(axis=1) > DARK)

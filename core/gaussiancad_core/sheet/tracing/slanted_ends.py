@@ -14,28 +14,21 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import COURSE, FAINT, ON_LINE, STEP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 
 Floats = npt.NDArray[np.float64]
 
-_LAST, _STEP = 6.0, 0.5
-"""px from the end of a piece that are looked at, and between the places there."""
+_LAST = 6.0
+"""px from the end of a piece that are looked at."""
 
 _BESIDE, _ACROSS = 1.5, 0.25
 """px beyond half a line within which ink is the dash's, and between the places across."""
 
-_LEFT, _ON = 0.6, 0.35
-"""px by which the middle of the ink has left the line at its end, at least, and lies beside it a
-few px before, at most."""
-
 _UNEVEN = 0.1
 """px by which it comes back to the line on its way there, at most."""
-
-_EDGE, _PAPER = 0.5, 0.3
-"""px beyond half a line where its ink ends, and weight up to which there is paper: on its other
-side, and beyond a dash at a small angle."""
 
 _BEYOND, _FAR = 3.0, 4.0
 """px beyond half a line between which there is: a stroke that leaves it steeply has ink there."""
@@ -65,7 +58,7 @@ def _trimmed(line: Line, piece: Piece, sheet: CleanSheet) -> Piece:
 
 def _slanted(line: Line, end: float, inward: float, sheet: CleanSheet) -> float:
     """px at an end of a line that are another dash's."""
-    at = end + inward * np.arange(0.0, _LAST, _STEP)
+    at = end + inward * np.arange(0.0, _LAST, STEP)
     half = sheet.stroke_width / 2.0
     across = np.arange(-half - _FAR, half + _FAR + _ACROSS / 2.0, _ACROSS)
     normal = np.array([-line.direction[1], line.direction[0]])
@@ -75,11 +68,11 @@ def _slanted(line: Line, end: float, inward: float, sheet: CleanSheet) -> float:
     middle = (ink[:, near] @ across[near]) / np.maximum(ink[:, near].sum(axis=1), 1e-9)
     side = float(np.sign(middle[0]))
     off = side * middle
-    straight = np.flatnonzero(off <= _ON)
-    if off[0] < _LEFT or not len(straight):
+    straight = np.flatnonzero(off <= COURSE)
+    if off[0] < ON_LINE or not len(straight):
         return 0.0
     first = int(straight[0])
-    paper = (side * across <= -half - _EDGE) | (side * across >= half + _BEYOND)
-    if (np.diff(off[: first + 1]) > _UNEVEN).any() or (ink[:first, paper] > _PAPER).any():
+    paper = (side * across <= -half - ON_LINE) | (side * across >= half + _BEYOND)
+    if (np.diff(off[: first + 1]) > _UNEVEN).any() or (ink[:first, paper] > FAINT).any():
         return 0.0
-    return first * _STEP
+    return first * STEP

@@ -14,6 +14,19 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import (
+    CLEAR,
+    COURSE,
+    DARK,
+    FEWEST_PLACES,
+    FINE_STEP,
+    FREE,
+    INFERRED,
+    NARROWEST,
+    ON_LINE,
+    STEP,
+    WIDEST,
+)
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, runs_of_ink
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
@@ -22,16 +35,6 @@ from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.rungs import Gap, gaps_between
 
 Floats = npt.NDArray[np.float64]
-
-_CLEAR = 0.75
-"""px beside a line's edge from which the gap begins."""
-
-_DARK, _STEP, _TRACK = 0.5, 0.25, 0.5
-"""Weight from which a place is ink; px between the places that are looked at, and between the
-tracks along the gap."""
-
-_NARROWEST, _WIDEST = 0.5, 1.6
-"""Line widths that a rung is wide, across itself."""
 
 _FLATTEST, _STEEPEST = 0.35, 2.2
 """px along the lines that a rung moves for each px across."""
@@ -42,23 +45,14 @@ _SEEN_ASLANT = 0.2
 _BEYOND = 1.2
 """Widths of a gap by which its ends are farther out at one line than at the other."""
 
-_UNEVEN = 0.35
-"""px by which its middle may lie off a straight course."""
-
-_CORNER_PX, _OFF_CORNER = 1.6, 0.6
-"""px along a line from where a rung meets it to the corner that it starts from; px by which the
-middle of its ink is off the line from corner to corner, at most."""
+_CORNER_PX = 1.6
+"""px along a line from where a rung meets it to the corner that it starts from."""
 
 _LOOSE = 0.12
 """px more by which it may be off for each end that is at a corner."""
 
-_FEWEST, _MEASURED = 2, 5
-"""Tracks that show a rung between two corners, and one whose ends are nowhere else."""
-
-_KNOWN = 0.6
-"""Line widths within which a stroke that was found has a rung's ink."""
-
-_CONFIDENCE = 0.7
+_FEWEST = 2
+"""Tracks that show a rung between two corners, at least."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +98,7 @@ def find_slanted_rungs(
         Lines from one line to the other.
     """
     found: list[Placed] = []
-    least = sheet.stroke_width + 2.0 * _CLEAR + _TRACK
+    least = sheet.stroke_width + 2.0 * CLEAR + STEP
     for between in gaps_between(pieces, sheet.stroke_width, least):
         # Outwards a flank goes on beyond the shorter line.
         low, high = between.span
@@ -119,7 +113,7 @@ def find_slanted_rungs(
             last = gap.origin + ends[1] * gap.along + gap.width * gap.across
             middle = (first + last)[None] / 2.0
             if min(distances_to(piece, middle)[0] for piece in (*pieces, *found)) > (
-                _KNOWN * sheet.stroke_width
+                FREE * sheet.stroke_width
             ):
                 width = float(np.median(course.wide)) / np.hypot(1.0, course.fitted()[1])
                 kind = pens.kind(width) if pens is not None and pens.distinct else None
@@ -146,12 +140,12 @@ def _corners(gap: Gap, pieces: Sequence[Placed]) -> tuple[Floats, Floats]:
 
 def _courses(gap: Gap, sheet: CleanSheet) -> Iterator[_Course]:
     """Ink as wide as a pen that goes straight across a gap."""
-    clear = sheet.stroke_width / 2.0 + _CLEAR
-    tracks = np.arange(clear, gap.width - clear + 1e-9, _TRACK)
-    places = np.arange(gap.span[0], gap.span[1] + _STEP, _STEP)
+    clear = sheet.stroke_width / 2.0 + CLEAR
+    tracks = np.arange(clear, gap.width - clear + 1e-9, STEP)
+    places = np.arange(gap.span[0], gap.span[1] + FINE_STEP, FINE_STEP)
     points = gap.origin + places[:, None, None] * gap.along + tracks[None, :, None] * gap.across
     ink = sample(sheet.weight, points[..., 0], points[..., 1])
-    dark = [runs_of_ink(column > _DARK) for column in ink.T]
+    dark = [runs_of_ink(column > DARK) for column in ink.T]
     for start in dark[0] if len(tracks) >= _FEWEST else ():
         chain = [start]
         for runs in dark[1:]:
@@ -165,26 +159,26 @@ def _courses(gap: Gap, sheet: CleanSheet) -> Iterator[_Course]:
         middles, widths = np.array(seen).T
         course = _Course(tracks, middles, widths)
         shift, pace = course.fitted()
-        wide = np.array([(last - first + 1) * _STEP for first, last in chain]) / np.hypot(1.0, pace)
-        like_pen = (wide >= _NARROWEST * sheet.stroke_width) & (
-            wide <= _WIDEST * sheet.stroke_width
+        wide = np.array([(last - first + 1) * FINE_STEP for first, last in chain]) / np.hypot(
+            1.0, pace
         )
-        straight = course.off(shift, pace) <= _UNEVEN
+        like_pen = (wide >= NARROWEST * sheet.stroke_width) & (wide <= WIDEST * sheet.stroke_width)
+        straight = course.off(shift, pace) <= COURSE
         if like_pen.all() and straight and abs(pace) >= _SEEN_ASLANT:
             yield course
 
 
 def _leads_on(run: tuple[int, int], following: tuple[int, int]) -> bool:
     """Whether ink on a track goes on in that on the next one."""
-    moved = abs(sum(run) - sum(following)) / 2.0 * _STEP
-    return moved <= _STEEPEST * _TRACK + _UNEVEN
+    moved = abs(sum(run) - sum(following)) / 2.0 * FINE_STEP
+    return moved <= _STEEPEST * STEP + COURSE
 
 
 def _ink_of(places: Floats, ink: Floats, run: tuple[int, int]) -> tuple[float, float]:
     """The middle of a run's ink on a track, and px of it."""
     part = slice(max(0, run[0] - 2), run[1] + 3)
     values = ink[part]
-    return float(np.average(places[part], weights=values)), float(values.sum()) * _STEP
+    return float(np.average(places[part], weights=values)), float(values.sum()) * FINE_STEP
 
 
 def _settled(
@@ -202,10 +196,10 @@ def _settled(
         tried.append(((a, a + course.pace_from(a, 0.0) * gap.width), _LOOSE))
     for b in other.tolist():
         tried.append(((b - course.pace_from(b, gap.width) * gap.width, b), _LOOSE))
-    if len(course.across) >= _MEASURED:
+    if len(course.across) >= FEWEST_PLACES:
         tried.append((rough, 2.0 * _LOOSE))
     fitting = [(_off(course, ends, gap) + extra, ends) for ends, extra in tried]
-    fitting = [(off, ends) for off, ends in fitting if _is_aslant(ends, gap) and off <= _OFF_CORNER]
+    fitting = [(off, ends) for off, ends in fitting if _is_aslant(ends, gap) and off <= ON_LINE]
     return min(fitting)[1] if fitting else None
 
 
@@ -222,4 +216,4 @@ def _rung(first: Floats, last: Floats, kind: Linetype) -> Placed:
     length = float(np.hypot(*(last - first)))
     x, y = ((last - first) / length).tolist()
     line = Line((float(first[0]), float(first[1])), (x, y))
-    return line, Piece(0.0, length, kind, _CONFIDENCE)
+    return line, Piece(0.0, length, kind, INFERRED)

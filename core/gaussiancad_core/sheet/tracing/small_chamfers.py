@@ -14,12 +14,22 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.picture_noise import (
+    AROUND,
+    BETTER,
+    FEWEST_PIXELS,
+    FINEST_STEP,
+    FREE,
+    LEAST_GAIN,
+    LONGEST_SHORT,
+)
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to, visible_leg
 from gaussiancad_core.sheet.tracing.pen_profile import Pen, visible_pen
+from gaussiancad_core.sheet.work_limits import ENDS
 
-_LONGEST, _LEAST_LONGEST = 6.0, 20.0
-"""Line widths that a chamfer is long at most, and px at least: longer ones are found as lines."""
+_LONGEST = 6.0
+"""Line widths that a chamfer is long at most: longer ones are found as lines."""
 
 _LONGER = 2.0
 """Times that length up to which an arc may be a chamfer's with a part of what it joins."""
@@ -27,30 +37,14 @@ _LONGER = 2.0
 _SHORTEST, _SEEN = 1.3, 0.8
 """Line widths that it is long at least, and from one seen end to the other."""
 
-_FREE = 0.75
-"""Line widths around an end within which there is no other stroke."""
-
 _FLATTEST, _STEEPEST = np.cos(np.radians(12.0)), np.cos(np.radians(78.0))
 """Cosines of the turns between a line and its chamfer that are looked for."""
 
 _BACK, _ON = 1.5, 0.5
 """Line widths before and beyond a line's seen end where it may turn."""
 
-_AROUND = 2.5
-"""px beside a stroke's ink that are compared."""
-
-_COARSE, _FINE = 1.0, 0.125
-"""px between the places that are tried first and at last."""
-
-_BETTER, _LEAST_GAIN = 0.4, 1.0
-"""Share of the squared error without a chamfer that one leaves at most; squared ink, in full
-pixels, that it explains at least."""
-
-_FEWEST = 20
-"""Pixels that are compared, at least."""
-
-_MOST = 200
-"""Free ends of a view up to which chamfers are looked for: more are no outline's."""
+_COARSE = 1.0
+"""px between the places that are tried first."""
 
 Floats = npt.NDArray[np.float64]
 
@@ -120,7 +114,7 @@ def _is_short_arc(placed: Placed, width: float) -> bool:
     return (
         isinstance(geometry, Circle)
         and piece.linetype is Linetype.VISIBLE
-        and piece.end - piece.start <= _LONGER * max(_LEAST_LONGEST, _LONGEST * width)
+        and piece.end - piece.start <= _LONGER * max(LONGEST_SHORT, _LONGEST * width)
     )
 
 
@@ -151,7 +145,7 @@ def _chamfered(
         # What an arc touched goes on below it.
         ahead = (instead[1].end - instead[1].start) / 2.0
     pieces = list(placed)
-    if not free or len(free) > _MOST:
+    if not free or len(free) > ENDS:
         return pieces
     taken: set[tuple[int, bool]] = set()
     for first, second in _pairs(free, ends, stroke_width):
@@ -184,12 +178,12 @@ def _visible_ends(placed: Sequence[Placed], width: float) -> Iterator[_End]:
     away = np.array([distances_to(pair, np.array([e.place for e in found])) for pair in placed])
     away[[end.index for end in found], np.arange(len(found))] = np.inf
     for end, nearest in zip(found, away.min(axis=0), strict=True):
-        yield replace(end, free=end.free and bool(nearest > _FREE * width))
+        yield replace(end, free=end.free and bool(nearest > FREE * width))
 
 
 def _pairs(free: Sequence[_End], ends: Sequence[_End], width: float) -> Iterator[tuple[_End, _End]]:
     """A free end and another end that a chamfer may join, the nearest first."""
-    longest = max(_LEAST_LONGEST, _LONGEST * width)
+    longest = max(LONGEST_SHORT, _LONGEST * width)
     found = []
     for first in free:
         for second in ends:
@@ -218,7 +212,7 @@ def _best_cut(
     """The chamfer between two ends, up to so many px ahead of them, if the ink has one."""
     first, second = pair
     pixels = _pixels_around(weight.shape, first, second, pieces, pen)
-    if len(pixels) < _FEWEST:
+    if len(pixels) < FEWEST_PIXELS:
         return None
     columns, rows = pixels.astype(int).T
     ink = weight[rows, columns].astype(np.float64)
@@ -243,11 +237,11 @@ def _best_cut(
     shifts = (0.0, 0.0)
     # No piece ends before it starts.
     most_back = [
-        _FINE + piece.start - piece.end for _, piece in (pieces[end.index] for end in pair)
+        FINEST_STEP + piece.start - piece.end for _, piece in (pieces[end.index] for end in pair)
     ]
     reach = np.arange(-_BACK * pen.width, ahead + _COARSE, _COARSE)
     step = _COARSE
-    while step >= _FINE:
+    while step >= FINEST_STEP:
         tried = [
             (np.maximum(reach + shift, back) if end.free else np.zeros(1))
             for end, shift, back in zip(pair, shifts, most_back, strict=True)
@@ -259,7 +253,7 @@ def _best_cut(
     start, end = _Cut(first, second, shifts, best).ends
     if np.hypot(*(end - start)) < _SHORTEST * pen.width:
         return None
-    if best > _BETTER * without or without - best < _LEAST_GAIN:
+    if best > BETTER * without or without - best < LEAST_GAIN:
         return None
     return _Cut(first, second, shifts, best)
 
@@ -280,7 +274,7 @@ def _pixels_beside(
     shape: tuple[int, ...], corners: Floats, pair: Placed, pieces: Sequence[Placed], pen: Pen
 ) -> Floats:
     """(n, 2) px near a piece with (2, 2) px as its ends, away from dashes."""
-    offset = pen.width / 2.0 + _AROUND
+    offset = pen.width / 2.0 + AROUND
     low = np.maximum(np.floor(corners.min(0) - 2.0 * offset), 0).astype(int)
     high = np.minimum(np.ceil(corners.max(0) + 2.0 * offset) + 1, shape[::-1]).astype(int)
     ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]

@@ -17,6 +17,18 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.picture_noise import (
+    AROUND,
+    BETTER,
+    BLUNT,
+    FINEST_STEP,
+    JOINED,
+    LEAST_GAIN,
+    OVERRUN,
+    SHARP,
+    SMALLEST_RADIUS,
+    TOUCHING,
+)
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import (
     Corner,
@@ -37,39 +49,9 @@ Key = tuple[int, bool, bool]
 _LONGEST_TANGENT = 26.0
 """px from the corner to where an arc begins, at most: larger fillets are grown."""
 
-_BEYOND = 3.0
-"""px by which a stroke may seem to end beyond its corner."""
-
-_SMALLEST_RADIUS = 3.0
-"""px under which a corner is as good as sharp."""
-
-_FLATTEST, _STEEPEST = np.radians(25.0), np.radians(155.0)
-"""Angles between two lines whose corner is looked at."""
-
-_JOINED = 2.5
-"""px from a line's end within which another stroke's end takes the corner."""
-
-AROUND = 3.0
-"""px beside a stroke's ink that are compared."""
-
-_BETTER = 0.4
-"""Share of a sharp or cut corner's squared error that a fillet's may have."""
-
-_LEAST_GAIN = 1.0
-"""Squared ink, in full pixels, that a fillet must explain more."""
-
 _CLEARER, _CLEARER_THAN_LINE = 0.0, 0.5
 """Squared ink that it must explain more than a straight cut; and where one is drawn already, from
 corner to corner of other strokes."""
-
-_SAME = 1e-3
-"""px between two ends that are one."""
-
-_BESIDE_ARC = 1.2
-"""px beside a fillet within which a short piece is a chord of it."""
-
-_FINE = 0.1
-"""px between the radii that are tried at last."""
 
 
 @dataclass(frozen=True)
@@ -88,10 +70,7 @@ class Fillet:
 
 
 def find_fillets(
-    weight: npt.NDArray[np.float32],
-    placed: Sequence[Placed],
-    stroke_width: float,
-    cuts: Sequence[Placed] = (),
+    weight: npt.NDArray[np.float32], placed: Sequence[Placed], stroke_width: float
 ) -> list[Fillet]:
     """The round corners between the ends of visible straight pieces.
 
@@ -99,7 +78,6 @@ def find_fillets(
         weight: (h, w) ink.
         placed: pieces with their ends at junctions; px, pixel centres at integers.
         stroke_width: px.
-        cuts: those of the pieces that are known to cut the corner between their ends.
     """
     ends = straight_ends(placed, Linetype.VISIBLE)
     corners = _chords_last(open_corners(ends, placed), placed)
@@ -116,8 +94,6 @@ def find_fillets(
         if keys & taken:
             continue
         others = others_near(corner, placed, boxes, pen.width + 2.0 * AROUND)
-        if any(_joins(cut, corner) for cut in cuts):
-            continue
         on_arc = any(is_chord(placed[corner.first.index], fillet.arc) for fillet in found)
         if on_arc or _lies_beyond(corner, others):
             continue
@@ -130,14 +106,6 @@ def find_fillets(
         pieces.update(fillet.pieces)
         found.append(fillet)
     return found
-
-
-def _joins(cut: Placed, corner: Corner) -> bool:
-    """Whether a piece runs from the one end at a corner to the other one."""
-    tips = cut[0].points_at(np.array([cut[1].start, cut[1].end]))
-    ends = np.array([corner.first.place, corner.second.place])
-    away = [np.abs(ends - values).max() for values in (tips, tips[::-1])]
-    return bool(min(away) < _SAME)
 
 
 def keys_of(corner: Corner) -> set[Key]:
@@ -155,10 +123,8 @@ def _lies_beyond(corner: Corner, others: Sequence[Placed]) -> bool:
     for line, piece in others:
         if isinstance(line, Line) and piece.linetype is Linetype.VISIBLE:
             along, across = line.coordinates(points)
-            on = (
-                (np.abs(across[:2]) < _JOINED) & (along[:2] > piece.start) & (along[:2] < piece.end)
-            )
-            if on.all() and abs(across[2]) > _JOINED:
+            on = (np.abs(across[:2]) < JOINED) & (along[:2] > piece.start) & (along[:2] < piece.end)
+            if on.all() and abs(across[2]) > JOINED:
                 return True
     return False
 
@@ -173,7 +139,7 @@ def is_chord(pair: Placed, arc: Placed) -> bool:
     ends = arc[0].points_at(np.array([arc[1].start, arc[1].end]))
     near = np.minimum(*(np.hypot(*(points - end).T) for end in ends)) < length
     # Where it ends at the lines beside the arc it may have left the arc.
-    return bool((arc[0].distances(points) < _BESIDE_ARC).mean() > 0.6 and near.all())
+    return bool((arc[0].distances(points) < TOUCHING).mean() > 0.6 and near.all())
 
 
 def straight_ends(placed: Sequence[Placed], linetype: Linetype) -> list[End]:
@@ -233,13 +199,13 @@ def _corner(first: End, second: End) -> Corner | None:
     u, v = first.inward, second.inward
     cross = float(u[0] * v[1] - u[1] * v[0])
     angle = float(np.arctan2(abs(cross), u @ v))
-    if not _FLATTEST <= angle <= _STEEPEST:
+    if not SHARP <= angle <= BLUNT:
         return None
     gap = second.place - first.place
     # How far outward from each end the lines cross.
     short = -float(gap[0] * v[1] - gap[1] * v[0]) / cross
     other = -float(gap[0] * u[1] - gap[1] * u[0]) / cross
-    if not all(-_BEYOND <= beyond <= _LONGEST_TANGENT for beyond in (short, other)):
+    if not all(-OVERRUN <= beyond <= _LONGEST_TANGENT for beyond in (short, other)):
         return None
     place = first.place - short * u
     room = min(first.length + short, second.length + other)
@@ -259,7 +225,7 @@ def _other_ends(placed: Sequence[Placed]) -> list[tuple[int, Floats]]:
 def _is_taken(corner: Corner, others: list[tuple[int, Floats]]) -> bool:
     """Whether an arc that was grown goes on where one of the strokes ends."""
     return any(
-        np.hypot(*(points - end.place).T).min() < _JOINED
+        np.hypot(*(points - end.place).T).min() < JOINED
         for _, points in others
         for end in (corner.first, corner.second)
     )
@@ -275,7 +241,7 @@ def _radius(
     """The radius that explains the corner's ink by so much more than a straight cut, None if it is
     sharp or cut."""
     most = corner.longest * np.tan(corner.half)
-    if most <= _SMALLEST_RADIUS:
+    if most <= SMALLEST_RADIUS:
         return None
     offsets, ink = pixels_around(weight, corner, others, pen)
     if len(ink) < 20:
@@ -288,13 +254,13 @@ def _radius(
         return error(from_fillet(corner, offsets, radius))
 
     sharp = min(error(distance) for distance in from_joins(corner, offsets))
-    coarse = np.arange(_SMALLEST_RADIUS, most + 0.5, 1.0)
-    if sharp < _LEAST_GAIN:
+    coarse = np.arange(SMALLEST_RADIUS, most + 0.5, 1.0)
+    if sharp < LEAST_GAIN:
         return None
     radius = best_of(rounded, coarse)
-    radius = best_of(rounded, np.arange(radius - 1.0, radius + 1.0 + 1e-9, _FINE))
+    radius = best_of(rounded, np.arange(radius - 1.0, radius + 1.0 + 1e-9, FINEST_STEP))
     best = rounded(radius)
-    if best > _BETTER * sharp or sharp - best < _LEAST_GAIN or radius < _SMALLEST_RADIUS:
+    if best > BETTER * sharp or sharp - best < LEAST_GAIN or radius < SMALLEST_RADIUS:
         return None
     cuts = np.arange(1.0, corner.longest, 0.5)
     cut = min(error(from_cut(corner, offsets, float(length))) for length in cuts)

@@ -10,17 +10,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line
-from gaussiancad_core.sheet.tracing.ink_runs import STEP, Run
-
-_OFF_PX = 1.0
-"""Distance of such a run from the line at most."""
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE, STEP, TOUCHING
+from gaussiancad_core.sheet.tracing.ink_runs import Run
 
 _LONGER, _LONGER_PX = 1.4, 3.0
 """Length of the line's run at least, in the curve's, and px beyond that."""
 
-_TOUCHING_PX, _LEAVING = 1.2, 1.6
-"""px by which a line that touches a circle may miss or cut it; distance from there up to which
-their ink is one, in that where half of it is."""
+_LEAVING = 1.6
+"""Distance from where a line touches a circle up to which their ink is one, in that where half of
+it is."""
 
 
 def without_tangents(
@@ -39,7 +37,7 @@ def without_tangents(
 def _is_along(curve: ClosedCurve, run: Run, line: Line, others: Sequence[Run]) -> bool:
     count = max(2, int(np.ceil(run.length / STEP)) + 1)
     points = curve.points_at(np.linspace(run.start, run.end, count))
-    if line.distances(points).max() > _OFF_PX:
+    if line.distances(points).max() > ONE_PLACE:
         return False
     along = line.positions(points)
     low, high = float(along.min()), float(along.max())
@@ -80,7 +78,7 @@ def _touching_place(circle: Circle, line: Line, run: Run) -> float | None:
     """Where within a run a line touches the circle, px along it."""
     foot = line.at(float(line.positions(np.array([circle.centre]))[0]))
     away = np.subtract(foot, circle.centre)
-    if abs(float(np.hypot(*away)) - circle.radius) > _TOUCHING_PX:
+    if abs(float(np.hypot(*away)) - circle.radius) > TOUCHING:
         return None
     beyond = (float(np.arctan2(away[1], away[0])) * circle.radius - run.start) % circle.around
     return run.start + beyond if beyond < run.length else None

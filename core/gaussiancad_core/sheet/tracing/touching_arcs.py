@@ -10,14 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
+from gaussiancad_core.sheet.picture_noise import SEEN_BEYOND, TOUCHING
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Run
-
-_TANGENT = 1.2
-"""px by which a line may miss or cut a circle and touch it."""
-
-_SEEN_BEYOND = 1.8
-"""px by which an arc may seem to go on beyond the ink that it has in common with a line."""
 
 _SHARED = 1.5
 """px, beside half a line's width, that an arc has left its tangent by where the ink parts."""
@@ -46,10 +41,10 @@ def up_to_tangents(
     if not isinstance(geometry, Circle) or piece.end - piece.start >= geometry.around - 1e-6:
         return piece
     start, end = piece.start, piece.end
-    reach = float(np.sqrt(2.0 * geometry.radius * (stroke_width / 2.0 + _SHARED))) + _SEEN_BEYOND
+    reach = float(np.sqrt(2.0 * geometry.radius * (stroke_width / 2.0 + _SHARED))) + SEEN_BEYOND
     for line, runs in lines:
         along, across = line.coordinates(np.array([geometry.centre]))
-        if abs(abs(float(across[0])) - geometry.radius) > _TANGENT or not runs:
+        if abs(abs(float(across[0])) - geometry.radius) > TOUCHING or not runs:
             continue
         foot = float(along[0])
         touch = np.array([line.at(foot)])

@@ -8,53 +8,34 @@ that of one and the square of half their distance.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
+from gaussiancad_core.sheet.dash_noise import FEWEST, LIKE_A_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import BLANK, COURSE, ONE_PLACE
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
-from gaussiancad_core.sheet.tracing.uneven_twins import uneven_twins
 from gaussiancad_core.sheet.tracing.view_shapes import Shape, ViewShapes
+from gaussiancad_core.sheet.votes import HALF, LARGELY, MOST
 
 Floats = npt.NDArray[np.float64]
-
-_LIKE_A_DASH = 0.35
-"""Share by which a dash may be longer or shorter than the sheet's."""
 
 _FEWEST_DASHES = 12
 """Dashes of a sheet from which the width of its pen is known."""
 
-_STEADY_PX, _STEADY = 0.15, 0.5
-"""px from the median within which a share of these widths lies at least: on copies they differ by
+_STEADY_PX = 0.15
+"""px from the median within which half of these widths lies at least: on copies they differ by
 more."""
-
-_OF_ONE_LINE, _MEASURED = 3, 0.6
-"""Dashes of a line at least, and the share of them whose width is known."""
-
-_EVEN_PX = 0.35
-"""px by which the dashes of two lines differ in width at most."""
 
 _PARALLEL = 0.99
 """Cosine of the angle between lines that run beside each other, at least."""
 
-_BESIDE = 0.5
-"""Share of a line beside which another runs that its dashes were all measured with, at least."""
-
-_MIRRORED = 1.0
-"""px by which the second of two lines may be off where the middle of their ink tells that it is."""
-
-_AS_MANY, _AS_FAR = 0.5, 0.8
-"""Runs of the second of two lines in those of the first at least; length of the first in the
-second's at least: what goes on alone is a line by itself."""
-
-_SAME = 0.5
-"""px between two lines that are one."""
-
-_REACH, _BLANK = 2.1, 0.1
-"""How far on either side of a line, in stroke widths, only its own ink is; ink of paper."""
+_REACH = 2.1
+"""How far on either side of a line, in stroke widths, only its own ink is."""
 
 _WIDER = 0.9
 """px by which the dashes of two lines are wider than those of one, at least."""
@@ -96,11 +77,6 @@ class DashPen:
     moment: float
 
 
-def dash_pen(views: Sequence[ViewShapes], rhythm: Rhythm) -> DashPen | None:
-    """The pen of the dashes of all views of a sheet; None where it cannot be told."""
-    return _pen([[_dashes(view, shape, rhythm) for shape in view.shapes] for view in views])
-
-
 def _pen(measured: Sequence[Sequence[Floats]]) -> DashPen | None:
     known = np.concatenate(
         [values for of_view in measured for values in of_view] or [np.empty((0, 3))]
@@ -109,7 +85,7 @@ def _pen(measured: Sequence[Sequence[Floats]]) -> DashPen | None:
     if len(known) < _FEWEST_DASHES:
         return None
     by_pen = np.abs(known[:, 0] - np.median(known[:, 0])) <= _STEADY_PX
-    if by_pen.mean() < _STEADY:
+    if by_pen.mean() < HALF:
         return None
     ink, moment, _ = (float(value) for value in np.median(known[by_pen], axis=0))
     return DashPen(ink, moment)
@@ -119,36 +95,14 @@ def _parted(
     view: ViewShapes, measured: Sequence[Floats], pen: DashPen, rhythm: Rhythm
 ) -> tuple[Shape, ...]:
     """The shapes of a view with those that are two lines as two."""
-    shapes: list[Shape] = []
-    pairs: list[tuple[Shape, Shape]] = []
     bands = [_band(dashes, pen) for dashes in measured]
     twins = [_twins(index, bands, pen, view) for index in range(len(bands))]
     gone: set[int] = set()
     for index, found in enumerate(twins):
         if index not in gone:
             gone.update(found.others)
-    for even in (shape for k, found in enumerate(twins) if k not in gone for shape in found.shapes):
-        pair = uneven_twins(even, view.sheet, pen.ink, rhythm)
-        # Ink that goes to and fro gives several lines, one of which is enough.
-        if pair is None or not any(_is_same(pair, other) for other in pairs):
-            shapes += pair or (even,)
-        if pair is not None:
-            pairs.append(pair)
-    return tuple(shapes)
-
-
-def _is_same(pair: tuple[Shape, Shape], other: tuple[Shape, Shape]) -> bool:
-    """Whether two lines are another two."""
-    return all(
-        any(
-            theirs.geometry.distances(
-                shape.geometry.points_at(np.array([shape.runs[0].start, shape.runs[-1].end]))
-            ).max()
-            < _SAME
-            for theirs in other
-        )
-        for shape in pair
-    )
+    kept = (found.shapes for k, found in enumerate(twins) if k not in gone)
+    return tuple(chain.from_iterable(kept))
 
 
 def _dashes(view: ViewShapes, shape: Shape, rhythm: Rhythm) -> Floats:
@@ -157,7 +111,7 @@ def _dashes(view: ViewShapes, shape: Shape, rhythm: Rhythm) -> Floats:
     line = shape.geometry
     if not isinstance(line, Line):
         return np.empty((0, 3))
-    dashes = [run for run in shape.runs if abs(run.length / rhythm.dash - 1.0) < _LIKE_A_DASH]
+    dashes = [run for run in shape.runs if abs(run.length / rhythm.dash - 1.0) < LIKE_A_DASH]
     return np.array([_ink_across(view.sheet, line, run) for run in dashes]).reshape(-1, 3)
 
 
@@ -171,7 +125,7 @@ def _ink_across(sheet: CleanSheet, line: Line, run: Run) -> tuple[float, float, 
         return unknown
     points, (dx, dy) = line.points_at(along), line.direction
     profile = sample(sheet.weight, points[:, :1] - dy * offsets, points[:, 1:] + dx * offsets)
-    clear = (profile[:, :2] < _BLANK).all(axis=1) & (profile[:, -2:] < _BLANK).all(axis=1)
+    clear = (profile[:, :2] < BLANK).all(axis=1) & (profile[:, -2:] < BLANK).all(axis=1)
     if not clear.any():
         return unknown
     ink = np.median(profile[clear], axis=0)
@@ -211,10 +165,10 @@ def _band(dashes: Floats, pen: DashPen) -> _Band | None:
         pen: of dashes of single lines.
     """
     known = dashes[np.isfinite(dashes[:, 0])]
-    if len(known) < max(_OF_ONE_LINE, _MEASURED * len(dashes)):
+    if len(known) < max(FEWEST, MOST * len(dashes)):
         return None
     ink, moment, middle = (float(value) for value in np.median(known, axis=0))
-    even = float(np.abs(known[:, 0] - ink).max()) <= _EVEN_PX
+    even = float(np.abs(known[:, 0] - ink).max()) <= COURSE
     if not even or ink - pen.ink < _WIDER or moment <= pen.moment:
         return None
     return _Band(ink, moment, middle)
@@ -235,7 +189,7 @@ def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewSh
     others = [
         k
         for k, across in neighbours
-        if abs(across - 2.0 * band.middle) <= _MIRRORED and _keeps_pace(view.shapes[k], shape)
+        if abs(across - 2.0 * band.middle) <= ONE_PLACE and _keeps_pace(view.shapes[k], shape)
     ]
     if len(others) < len(neighbours) or (others and abs(band.middle) < 0.25 * apart):
         return _Found((shape,))
@@ -254,8 +208,8 @@ def _keeps_pace(other: Shape, shape: Shape) -> bool:
     length, its = (
         this_shape.runs[-1].end - this_shape.runs[0].start for this_shape in (shape, other)
     )
-    alike = len(other.runs) >= _AS_MANY * len(shape.runs)
-    return alike and its <= length / _AS_FAR
+    alike = len(other.runs) >= HALF * len(shape.runs)
+    return alike and its <= length / LARGELY
 
 
 def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
@@ -272,5 +226,5 @@ def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
         along, across = line.coordinates(other.geometry.points_at(ends))
         shared = min(along.max(), pair[1]) - max(along.min(), pair[0])
         # What is beside a few of the dashes makes these wider than the others.
-        if shared > _BESIDE * (pair[1] - pair[0]) and np.abs(across).min() < near:
+        if shared > HALF * (pair[1] - pair[0]) and np.abs(across).min() < near:
             yield index, float(across.mean())

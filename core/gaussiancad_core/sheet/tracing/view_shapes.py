@@ -14,8 +14,9 @@ import numpy.typing as npt
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
-from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.dash_noise import FEWEST, LIKE_A_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import ON_LINE, STEP
 from gaussiancad_core.sheet.reading_options import Finder
 from gaussiancad_core.sheet.tracing.arc_ends import without_arc_ends
 from gaussiancad_core.sheet.tracing.close_lines import with_close_lines
@@ -25,7 +26,6 @@ from gaussiancad_core.sheet.tracing.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.tracing.ink_runs import (
     SHORTEST_DASH,
     SHORTEST_DOT,
-    STEP,
     InkField,
     Rhythm,
     Run,
@@ -57,6 +57,7 @@ from gaussiancad_core.sheet.tracing.offset_lines import (
 from gaussiancad_core.sheet.tracing.ridges import ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.tracing.tangent_runs import without_tangent_ends, without_tangents
+from gaussiancad_core.sheet.votes import LARGELY
 from gaussiancad_protocol.codes import Code
 
 MIN_SAGITTA = 1.2
@@ -65,9 +66,6 @@ MIN_SAGITTA = 1.2
 _MOST_LINES = 1500
 """Straight lines of a view: each is looked at beside the others, and no solid follows from 900."""
 
-_PULLED = 0.5
-"""px by which a fit to the ink may move a circle that the ridges gave."""
-
 _SMALL_BEND = 2.0
 """Radius in line widths up to which the ink at a corner may look like an arc."""
 
@@ -75,11 +73,8 @@ _CURVED = 0.85
 """What a circle's ink counts for against a line's, which a flat arc follows about as well."""
 
 
-_FOLLOWING, _FOLLOWING_IN_PART = 0.75, 0.4
-"""Share of a run whose ink lies on its curve, and of a dash that runs into another stroke."""
-
-_RHYTHMIC, _UNEVEN = 3, 0.35
-"""Runs that tell a rhythm; by which share of it another dash or gap may differ."""
+_FOLLOWING_IN_PART = 0.4
+"""Share of a dash that runs into another stroke whose ink lies on its curve."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +87,6 @@ class Shape:
         support: px of its ink whose centre line it follows, in doubt less than its length.
         close: whether another line is known to run right beside it.
         twin: whether it is one of two, one after the other, that share their ink.
-        given_linetype: the linetype that all of a closed curve is known to have.
     """
 
     geometry: WholeCurve
@@ -100,7 +94,6 @@ class Shape:
     support: float
     close: bool = False
     twin: bool = False
-    given_linetype: Linetype | None = None
 
     @property
     def line(self) -> Line:
@@ -205,7 +198,7 @@ def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
     if fitted is None:
         return circle
     moved = (*np.subtract(fitted.centre, circle.centre), fitted.radius - circle.radius)
-    return fitted if np.abs(moved).max() < _PULLED else circle
+    return fitted if np.abs(moved).max() < ON_LINE else circle
 
 
 def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
@@ -293,19 +286,19 @@ def _followed_runs(runs: list[Run], shares: Sequence[float], around: float) -> l
     A dash that ends in another stroke at a flat angle follows it in part only.  It counts if it
     carries on the rhythm of dashes that do follow it.
     """
-    follows = [share > _FOLLOWING for share in shares]
+    follows = [share > LARGELY for share in shares]
     whole = [run.length for run, follow in zip(runs, follows, strict=True) if follow]
     blanks = [(runs[k].start - runs[k - 1].end) % around for k in range(len(runs))]
     gaps = [blanks[k] for k in range(len(runs)) if follows[k] and follows[k - 1]]
-    if len(whole) < _RHYTHMIC:
+    if len(whole) < FEWEST:
         return [run for run, follow in zip(runs, follows, strict=True) if follow]
     dash, gap = float(np.median(whole)), float(np.median(gaps)) if gaps else 0.0
 
     def carries_on(k: int) -> bool:
         after = (k + 1) % len(runs)
-        led = follows[k - 1] and abs(blanks[k] - gap) < _UNEVEN * gap
-        leads = follows[after] and abs(blanks[after] - gap) < _UNEVEN * gap
-        even = abs(runs[k].length - dash) < _UNEVEN * dash
+        led = follows[k - 1] and abs(blanks[k] - gap) < LIKE_A_DASH * gap
+        leads = follows[after] and abs(blanks[after] - gap) < LIKE_A_DASH * gap
+        even = abs(runs[k].length - dash) < LIKE_A_DASH * dash
         return shares[k] > _FOLLOWING_IN_PART and even and (led or leads)
 
     return [run for k, run in enumerate(runs) if follows[k] or carries_on(k)]

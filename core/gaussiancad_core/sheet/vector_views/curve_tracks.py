@@ -14,15 +14,10 @@ from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
+from gaussiancad_core.sheet.file_noise import EXACT
 from gaussiancad_core.sheet.vector_views.curve_intervals import Span
 
 Floats = npt.NDArray[np.float64]
-
-EXACT = 5e-3
-"""px by which curves of one line or circle lie beside it."""
-
-PLOTTED = 0.15
-"""px, where dashes were plotted one by one: plotters round to 1/1200 inch."""
 
 _WIDEST_GAP = 60.0
 """px between plotted dashes of one line."""

@@ -8,20 +8,15 @@ import numpy.typing as npt
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.model.views import Arc, Linetype, Segment
+from gaussiancad_core.sheet.file_noise import DOT, SAME_POINT
 
 Floats = npt.NDArray[np.float64]
-
-_BENT = 0.05
-"""px by which straight pieces leave the curve."""
 
 _ROUND = 0.25
 """px by which a curve may leave its circle: silhouettes are approximated by CAD systems."""
 
 _BOWED = 20.0
 """Height of an arc over its chord, in what it may be off: flatter ones are not told from others."""
-
-_SAME_PLACE = 0.01
-"""px between the ends of a closed curve."""
 
 
 def free_curve(chain: Chain, linetype: Linetype) -> list[Arc | Segment]:
@@ -33,7 +28,7 @@ def free_curve(chain: Chain, linetype: Linetype) -> list[Arc | Segment]:
     arc = _arc(points, linetype)
     if arc is not None:
         return [arc]
-    kept = approximate_polygon(points, _BENT)
+    kept = approximate_polygon(points, DOT)
     return [
         Segment((float(a[0]), float(a[1])), (float(b[0]), float(b[1])), linetype)
         for a, b in pairwise(kept)
@@ -56,6 +51,6 @@ def _arc(points: Floats, linetype: Linetype) -> Arc | None:
     if not one_way or height < _BOWED * _ROUND:
         return None
     start = float(np.mod(angles[0] if sweep > 0.0 else angles[-1], 2.0 * np.pi))
-    closed = float(np.hypot(*(points[-1] - points[0]))) <= _SAME_PLACE
+    closed = float(np.hypot(*(points[-1] - points[0]))) <= SAME_POINT
     turn = 2.0 * np.pi if closed else min(abs(sweep), 2.0 * np.pi)
     return Arc((float(centre[0]), float(centre[1])), radius, start, turn, linetype)

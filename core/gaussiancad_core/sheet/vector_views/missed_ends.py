@@ -12,10 +12,11 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.sheet.file_noise import EXACT
 
-_COARSEST, _EXACTLY = 0.3, 0.005
-"""px between the ends of rounded strokes that meet, at most, and of exact ones: farther ones may be
-two corners of a part."""
+_COARSEST = 0.3
+"""px between the ends of rounded strokes that meet, at most: farther ones may be two corners of a
+part."""
 
 _OFTEN, _FEWEST = 0.3, 8
 """Share of meetings that are missed where that is a rule, and strokes from which it is one."""
@@ -30,8 +31,8 @@ def missed_px(curves: Sequence[Curve]) -> float:
     # The nearest but one: the nearest is the end itself, or the other end of a circle.
     away = cKDTree(ends).query(ends, k=min(4, len(ends)))[0][:, 1:]
     meeting = away[(away < _COARSEST).any(axis=1)]
-    missed = (meeting > _EXACTLY) & (meeting < _COARSEST)
-    exactly = (meeting <= _EXACTLY).any(axis=1)
+    missed = (meeting > EXACT) & (meeting < _COARSEST)
+    exactly = (meeting <= EXACT).any(axis=1)
     if not len(meeting) or (missed.any(axis=1) & ~exactly).mean() <= _OFTEN:
         return 0.0
     return float(np.median(meeting[missed]))

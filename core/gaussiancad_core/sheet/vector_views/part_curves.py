@@ -12,8 +12,13 @@ from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.sheet.file_noise import DOT
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.line_conventions import THIN
+from gaussiancad_core.sheet.picture_noise import COARSE_STEP
+from gaussiancad_core.sheet.votes import MOST
+from gaussiancad_core.sheet.work_limits import PLACES
 
 Mask = npt.NDArray[np.uint8]
 
@@ -21,23 +26,8 @@ _PARTS = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 
 _LINES_OF_PARTS = (StrokeRole.VISIBLE, StrokeRole.HIDDEN, StrokeRole.UNKNOWN)
 
-_LEFT = 0.6
-"""Share of a stroke's ink that is left without the annotations, if it is the part's."""
-
-_THIN = 0.75
-"""Width of a thin line over that of most of the part's lines, by length (ISO 128-2: a half)."""
-
 _WIDEST_GAP = 20.0
 """px between the dashes of a centre line."""
-
-_STEP = 1.0
-"""px between the places at which a stroke is looked for."""
-
-_MOST_PLACES = 4000
-"""Places of one stroke at most."""
-
-_SHORTEST = 0.05
-"""px: shorter strokes are dots."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +55,7 @@ class InkMasks:
 
 def share_inked(curve: Curve, mask: Mask) -> float:
     """Share of the places along a curve that lie on a mask; those off the sheet do not."""
-    points = curve.vertices(max(_STEP, curve.length / _MOST_PLACES))
+    points = curve.vertices(max(COARSE_STEP, curve.length / PLACES))
     columns, rows = np.floor(points).astype(int).T
     height, width = mask.shape
     inside = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
@@ -88,13 +78,13 @@ def part_curves(
     found, others = [], []
     for stroke in strokes:
         curve = _upright(stroke.curve, turn)
-        if curve.length < _SHORTEST:
+        if curve.length < DOT:
             continue
         named = stroke.kind in _PARTS and stroke.role in _LINES_OF_PARTS
         inked = share_inked(curve, masks.whole) if named else 0.0
         # No annotation is drawn in even dashes: the file is right where the picture was misread.
         is_given = stroke.role is StrokeRole.HIDDEN
-        if inked > 0.0 and (is_given or share_inked(curve, masks.part) >= _LEFT * inked):
+        if inked > 0.0 and (is_given or share_inked(curve, masks.part) >= MOST * inked):
             found.append(replace(stroke, curve=curve))
         else:
             others.append(curve)
@@ -117,20 +107,20 @@ def _left_of_centre_lines(
     # Dashes of a hidden line go on in each other.
     owner = np.repeat(thin, [len(_places(strokes[index].curve)) for index in thin])
     dashes = cKDTree(np.concatenate([_places(strokes[index].curve) for index in thin]))
-    ahead = np.arange(_STEP, _WIDEST_GAP, _STEP)[:, None]
+    ahead = np.arange(COARSE_STEP, _WIDEST_GAP, COARSE_STEP)[:, None]
     for index in thin:
         start, end = np.array([strokes[index].curve.start, strokes[index].curve.end])
         way = (end - start) / max(float(np.hypot(*(end - start))), 1e-12)
         for tip, outward in ((end, way), (start, -way)):
             points = tip + ahead * outward
             away, nearest = dashes.query(points)
-            first = _first((away < _STEP) & (owner[nearest] != index))
-            found[index] |= _first(annotations.query(points)[0] < _STEP) < first
+            first = _first((away < COARSE_STEP) & (owner[nearest] != index))
+            found[index] |= _first(annotations.query(points)[0] < COARSE_STEP) < first
     return found
 
 
 def _places(curve: Curve) -> npt.NDArray[np.float64]:
-    return curve.vertices(max(_STEP, curve.length / _MOST_PLACES))
+    return curve.vertices(max(COARSE_STEP, curve.length / PLACES))
 
 
 def _first(flags: npt.NDArray[np.bool_]) -> int:
@@ -149,7 +139,7 @@ def _thin_lines(strokes: Sequence[VectorStroke]) -> npt.NDArray[np.int64]:
     along = np.cumsum(lengths[solid][order])
     usual = widths[solid][order][np.searchsorted(along, along[-1] / 2.0)]
     straight = np.array([isinstance(stroke.curve, LineSegment) for stroke in strokes], dtype=bool)
-    return np.flatnonzero(solid & straight & (widths < _THIN * usual))
+    return np.flatnonzero(solid & straight & (widths < THIN * usual))
 
 
 def _upright(curve: Curve, turn: Turn) -> Curve:

@@ -16,6 +16,8 @@ from gaussiancad_core.sheet.vector_views.missed_ends import missed_px
 from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, Mask, part_curves
 from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
 from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_core.sheet.votes import NEARLY_ALL
+from gaussiancad_core.sheet.work_limits import PLACES
 
 _MARGIN = 4.0
 """px by which a view's curves may reach over its box, beyond half a stroke."""
@@ -23,14 +25,8 @@ _MARGIN = 4.0
 _MOST_CURVES = 6000
 """Curves of a view from which it is no drawing of edges."""
 
-_EXPLAINED = 0.98
-"""Share of a view's ink that lies on its strokes."""
-
-_SHOWN, _DASHES_SHOWN = 0.97, 0.3
-"""Share of the strokes, visible and hidden, that ink shows."""
-
-_MOST_CHORDS = 4000
-"""Pieces in which a curve is drawn."""
+_DASHES_SHOWN = 0.3
+"""Share of the hidden strokes that ink shows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,16 +128,16 @@ def _explains(strokes: tuple[Stroke, ...], known: _Known, box: Box, part: CleanS
     drawn[:] = 0
     for stroke in strokes:
         _draw(drawn, stroke, (x0, y0), width)
-    if ink.any() and float((drawn[ink] > 0).mean()) < _EXPLAINED:
+    if ink.any() and float((drawn[ink] > 0).mean()) < NEARLY_ALL:
         return False
     shown = {
         kind: _shown([s for s in strokes if s.linetype is kind], known.masks) for kind in Linetype
     }
-    return shown[Linetype.VISIBLE] >= _SHOWN and shown[Linetype.HIDDEN] >= _DASHES_SHOWN
+    return shown[Linetype.VISIBLE] >= NEARLY_ALL and shown[Linetype.HIDDEN] >= _DASHES_SHOWN
 
 
 def _draw(mask: Mask, curve: Curve | Stroke, corner: tuple[int, int], width: int) -> None:
-    step = max(2.0, curve.length / _MOST_CHORDS)
+    step = max(2.0, curve.length / PLACES)
     path = np.rint((curve.vertices(step) - np.array(corner) - 0.5) * 16).astype(np.int32)
     cv2.polylines(mask, [path], False, 1, width, shift=4)
 

@@ -16,32 +16,24 @@ from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.whole_curves import Line, WholeCurve
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
+from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH, TELLING
+from gaussiancad_core.sheet.file_noise import EXACT, PLOTTED, SAME_POINT
+from gaussiancad_core.sheet.line_conventions import WIDEST_GAP
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run, learn_rhythm
 from gaussiancad_core.sheet.tracing.run_linetypes import classify
 from gaussiancad_core.sheet.vector_views.curve_intervals import united, without
-from gaussiancad_core.sheet.vector_views.curve_tracks import EXACT, PLOTTED, Track, tracks_of
+from gaussiancad_core.sheet.vector_views.curve_tracks import Track, tracks_of
 from gaussiancad_core.sheet.vector_views.free_curves import free_curve
-
-_TOUCHING = 0.02
-"""px of a gap between strokes that continue each other."""
+from gaussiancad_core.sheet.votes import MOST
 
 _SHORTEST = 0.5
 """px: what is left of hidden lines under visible ones is shorter."""
-
-_FEWEST_DASHES = 6
-"""Dashes on a sheet from which they are a rhythm."""
-
-_GAP = 1.2
-"""Gap between dashes at most, in the length of the longer of both."""
 
 _LONGEST = 8.0
 """Length of a dash at most, in the gap beside it."""
 
 _FEWEST_GAPS = 2
 """Gaps of a sheet from which they tell how long they are."""
-
-_ALIKE, _MOSTLY = 0.3, 0.6
-"""Share by which gaps of one length may differ, and of them that do not, at least."""
 
 _BRIDGED = 1.5
 """Gap over which a dashed line goes on, in the usual one."""
@@ -80,7 +72,7 @@ def tracks_and_dashes(
         regular = [series for series in runs if len(series) >= 3]
         rhythm = learn_rhythm(regular, stroke_width)
         short = sum(0.5 < run.length / rhythm.dash < 1.5 for series in regular for run in series)
-        if short >= _FEWEST_DASHES:
+        if short >= TELLING:
             return plotted, SheetDashes(rhythm)
     exact = [tracks_of(strokes, EXACT) for strokes in views]
     return exact, SheetDashes(None, _usual_gap([track for tracks in exact for track in tracks]))
@@ -91,17 +83,17 @@ def _usual_gap(tracks: Sequence[Track]) -> float:
     gaps = []
     for track in tracks:
         if not track.patterned:
-            dashes = united(track.hidden, track.geometry.around, _TOUCHING)
+            dashes = united(track.hidden, track.geometry.around, SAME_POINT)
             for before, after in pairwise(dashes):
                 gap = after[0] - before[1]
                 longer = max(pair[1] - pair[0] for pair in (before, after))
-                if gap <= _GAP * longer <= _GAP * _LONGEST * gap:
+                if gap <= WIDEST_GAP * longer <= WIDEST_GAP * _LONGEST * gap:
                     gaps.append(gap)
     if len(gaps) < _FEWEST_GAPS:
         return 0.0
     usual = float(np.median(gaps))
-    alike = np.abs(np.array(gaps) - usual) <= _ALIKE * usual
-    return usual if alike.mean() >= _MOSTLY else 0.0
+    alike = np.abs(np.array(gaps) - usual) <= LIKE_A_DASH * usual
+    return usual if alike.mean() >= MOST else 0.0
 
 
 def strokes_of(
@@ -129,8 +121,8 @@ def strokes_of(
 def _told(track: Track, gap: float) -> list[Piece]:
     """Visible and hidden pieces as the file calls them; nothing hidden under a visible one."""
     around = track.geometry.around
-    visible = united(track.solid, around, _TOUCHING)
-    bridged = _TOUCHING if track.patterned else max(_TOUCHING, _BRIDGED * gap)
+    visible = united(track.solid, around, SAME_POINT)
+    bridged = SAME_POINT if track.patterned else max(SAME_POINT, _BRIDGED * gap)
     whole = united(track.hidden, around, bridged)
     hidden = without(whole, visible, around, _SHORTEST)
     return [Piece(*span, Linetype.VISIBLE, 1.0) for span in visible] + [
@@ -139,7 +131,7 @@ def _told(track: Track, gap: float) -> list[Piece]:
 
 
 def _runs(track: Track) -> list[Run]:
-    spans = united(track.solid, track.geometry.around, _TOUCHING)
+    spans = united(track.solid, track.geometry.around, SAME_POINT)
     return [Run(start, end) for start, end in spans]
 
 

@@ -12,32 +12,24 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.model.views import Linetype, Segment, Stroke
+from gaussiancad_core.sheet.picture_noise import MEETING, ON_LINE, ONE_PLACE
 from gaussiancad_core.sheet.registration.view_masks import Outline
+from gaussiancad_core.sheet.votes import HALF
 
 _BESIDE_PX = 1.5
 """px beside a stroke's axis at which either side is looked at: edges are as near to each other."""
 
-_OUT_PX = 0.5
-"""px outside of the outline from which a place is outside."""
-
-_SHARE = 0.5
-"""Share of a stroke that is outside at least, for all of it to be."""
-
 _LEAST_PX = 3.0
 """px by which the end of an edge sticks out at least, to be cut off."""
 
-_NEAR_PX, _MET_PX = 3.0, 1.0
-"""px from where a stroke begins to stick out to where it meets another, and between the two lines,
-at most."""
+_NEAR_PX = 3.0
+"""px from where a stroke begins to stick out to where it meets another, at most."""
 
 _SAME_PX = 0.1
 """px between the ends of two strokes at most that were brought to the corner that they make."""
 
 _CORNER_PX = 14.0
 """px up to which a corner lies outside of an outline that was closed before it."""
-
-_STEEP = 0.2
-"""Sine of the angle between strokes that meet at least."""
 
 _DOUBTFUL = 0.15
 """Share of all strokes up to which some are outside: beyond, it is the outline that is wrong."""
@@ -58,7 +50,7 @@ def without_outside(strokes: tuple[Stroke, ...], outline: Outline) -> tuple[Stro
         points = stroke.sample(1.0)
         out = _is_outside(points, outline)
         total += stroke.length
-        if out.mean() >= _SHARE:
+        if out.mean() >= HALF:
             removed += stroke.length
             continue
         left = _cut(stroke, out, strokes) if isinstance(stroke, Segment) else stroke
@@ -73,7 +65,7 @@ def _is_outside(points: Floats, outline: Outline) -> npt.NDArray[np.bool_]:
     along /= np.maximum(np.hypot(*along.T), 1e-9)[:, None]
     aside = _BESIDE_PX * np.stack([-along[:, 1], along[:, 0]], axis=1)
     sides = [_depth(points + way * aside, outline) for way in (-1.0, 1.0)]
-    return np.maximum(*sides) < -_OUT_PX
+    return np.maximum(*sides) < -ON_LINE
 
 
 def _depth(points: Floats, outline: Outline) -> Floats:
@@ -141,10 +133,10 @@ def _met(stroke: Segment, others: Sequence[Stroke]) -> Floats:
         before = float(way[0] * first[1] - way[1] * first[0])
         after = float(way[0] * second[1] - way[1] * second[0])
         # What ends on the line a little before it meets it, too.
-        if abs(after - before) > _STEEP * other.length and min(before, after) < _MET_PX:
+        if abs(after - before) > MEETING * other.length and min(before, after) < ONE_PLACE:
             share = np.clip(before / (before - after), 0.0, 1.0)
             place = first + share * (second - first)
-            if abs(float(way[0] * place[1] - way[1] * place[0])) < _MET_PX:
+            if abs(float(way[0] * place[1] - way[1] * place[0])) < ONE_PLACE:
                 found.append(float(place @ way))
     return np.array(found)
 

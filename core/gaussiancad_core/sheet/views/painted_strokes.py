@@ -10,20 +10,18 @@ from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment, Stroke
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet, painted_sheet
+from gaussiancad_core.sheet.picture_noise import STEP
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.registration.view_masks import find_outline
 from gaussiancad_core.sheet.registration.view_registration import view_box
 from gaussiancad_core.sheet.sheet_stages import ReadView
 
-_STEP_PX = 0.5
-"""px between the points by which strokes are drawn."""
-
 
 def painted(strokes: Iterable[Stroke], clean: CleanSheet) -> CleanSheet:
     """The sheet with the visible ones of some strokes alone, px of the upright sheet."""
     chains = tuple(
-        VectorStroke(Chain(tuple(map(tuple, _run_of(stroke, _STEP_PX).tolist()))), None)
+        VectorStroke(Chain(tuple(map(tuple, _run_of(stroke, STEP).tolist()))), None)
         for stroke in strokes
         if stroke.linetype is Linetype.VISIBLE
     )

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.model.axes import Axis, Projection, Role
+from gaussiancad_core.sheet.line_conventions import SMALLEST_VIEW
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.views.drawing_neighbours import box_inside, gap_beside, nearest, stands
 from gaussiancad_core.sheet.views.sheet_layout import (
@@ -26,9 +27,6 @@ from gaussiancad_core.sheet.views.sheet_layout import (
 from gaussiancad_core.sheet.views.view_levels import Levels, agreement
 
 Ink = npt.NDArray[np.bool_]
-
-_LEAST_SIDE = 32
-"""px of the longer side of a drawing from which it may be a view."""
 
 _MOST = 16
 """Drawings, the largest ones, that are tried."""
@@ -136,7 +134,7 @@ def arrange(drawings: Drawings, given: Mapping[Role, Box], projection: Projectio
         for arrangement in _arrangements(tried, named, taken, is_told=projection is not None)
     ]
     if not found:
-        raise no_views([box for box in boxes if _side(box) >= _LEAST_SIDE])
+        raise no_views([box for box in boxes if _side(box) >= SMALLEST_VIEW])
     best = max(found, key=lambda arrangement: arrangement.score)
     rest = tuple(box for box in boxes if box not in best.boxes.values())
     alternatives = () if projection is not None else (best.projection.other,)
@@ -151,7 +149,7 @@ def _arrangements(
     drawings: Drawings, named: Mapping[Role, Box], projection: Projection, *, is_told: bool
 ) -> Iterator[_Arrangement]:
     """The best arrangement around each drawing that may be the front view."""
-    large = [box for box in drawings.boxes if _side(box) >= _LEAST_SIDE][:_MOST]
+    large = [box for box in drawings.boxes if _side(box) >= SMALLEST_VIEW][:_MOST]
     total = sum(map(_area, large))
     for front in large:
         if named.get(Role.FRONT, front) != front:

@@ -10,8 +10,10 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.sheet.line_conventions import SMALLEST_VIEW
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
+from gaussiancad_core.sheet.votes import LARGELY
 from gaussiancad_protocol.codes import Code
 
 _REACH = 6
@@ -25,13 +27,6 @@ _THIN = 12.0
 
 _MIN_SIDE = 12
 """px; clusters smaller than this in both directions are specks."""
-
-_MIN_VIEW = 32
-"""px; clusters smaller than this in both directions are too small for a view."""
-
-_FRAME_SHARE = 0.8
-"""A cluster that spans this share of the sheet both ways, around others, is its frame."""
-
 
 ProjectionSource = Literal["given", "inferred", "default"]
 """Where the reading of an arrangement comes from."""
@@ -82,7 +77,7 @@ def lone_layout(clusters: list[Box], projection: Projection | None) -> Layout | 
 
 def may_be_views(clusters: Iterable[Box]) -> list[Box]:
     """Those of some clusters that are as large as a view is at least, both ways."""
-    return [box for box in clusters if min(_width(box), _height(box)) >= _MIN_VIEW]
+    return [box for box in clusters if min(_width(box), _height(box)) >= SMALLEST_VIEW]
 
 
 def is_unusual(roles: Container[Role]) -> bool:
@@ -126,7 +121,7 @@ def _without_stubs(box: Box, ink: npt.NDArray[np.bool_], width: float) -> Box:
 
 
 def _is_frame(box: Box, boxes: list[Box], width: int, height: int) -> bool:
-    spans = _width(box) > _FRAME_SHARE * width and _height(box) > _FRAME_SHARE * height
+    spans = _width(box) > LARGELY * width and _height(box) > LARGELY * height
     return spans and sum(_contains(box, other) for other in boxes if other != box) >= 2
 
 

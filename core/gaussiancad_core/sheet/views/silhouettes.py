@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.votes import HALF
 
 _BRIDGE = 1.5
 """Half of the gap in an outline that does not open it, in stroke widths."""
@@ -22,10 +23,6 @@ digit is smaller."""
 
 _LEAST_COVERED = 0.25
 """Share of its box that a figure covers at least, for its outline not to be open."""
-
-_LEAST_SIDE = 0.5
-"""Share of the sides of a cluster that those of its figure are at least: else it is a figure inside
-an outline that is open."""
 
 
 def without_stickouts(
@@ -75,7 +72,7 @@ def _figure_box(box: Box, ink: npt.NDArray[np.bool_], width: float) -> Box:
     low = kept[:, :2].min(axis=0)
     high = (kept[:, :2] + kept[:, 2:4]).max(axis=0)
     covered = areas.sum() >= _LEAST_COVERED * float(np.prod(high - low))
-    if not covered or (high - low < _LEAST_SIDE * np.array([x1 - x0, y1 - y0])).any():
+    if not covered or (high - low < HALF * np.array([x1 - x0, y1 - y0])).any():
         return box
     found = np.array([*low, *high], float) + np.array([x0, y0, x0, y0]) - margin
     # Where a figure ends in a point, what is narrow belongs to it.

@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.registration.view_registration import axis_extents
 from gaussiancad_core.sheet.special_views.principal_views import LayoutRequest, find_named_layout
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_core.sheet.votes import HALF
 from gaussiancad_protocol.codes import Code
 
 _LARGEST_LEFT_OUT = 10.0
@@ -22,9 +23,6 @@ _LARGEST_LEFT_OUT = 10.0
 
 STUB = 1.8
 """Width of a line that sticks out of a view at most, in stroke widths."""
-
-_LIKE_A_VIEW = 0.5
-"""Area of a figure that may be a view at least, as a share of the smallest one."""
 
 
 def with_symbol(
@@ -86,7 +84,7 @@ def _has_more(whole: Layout, other: Layout) -> bool:
 def _leaves_views(layout: Layout) -> bool:
     """Whether a figure was left out that is as large as a view."""
     least = min(_area(box) for box in layout.boxes.values())
-    return any(_area(box) >= _LIKE_A_VIEW * least for box in layout.left_out)
+    return any(_area(box) >= HALF * least for box in layout.left_out)
 
 
 def _require_largest(layout: Layout) -> None:

@@ -15,10 +15,12 @@ from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.annotations.hatching_runs import _LEAST_LINES, _PARALLEL, _directions
+from gaussiancad_core.sheet.annotations.hatching_runs import _directions
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.labels.labelled_ink import separate_by_labels
 from gaussiancad_core.sheet.labels.labels_network import ink_labels
+from gaussiancad_core.sheet.line_conventions import HATCHING
+from gaussiancad_core.sheet.picture_noise import PARALLEL
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 SIZE = "width=1440,height=900,section=front"
@@ -152,12 +154,12 @@ def _plain_directions(angles: np.ndarray, lengths: np.ndarray) -> list[float]:
     """The same by looking from each piece at all others."""
     found: list[float] = []
     left = np.ones(len(angles), dtype=bool)
-    while left.sum() >= _LEAST_LINES:
+    while left.sum() >= HATCHING:
         offsets = (angles - angles[:, None] + np.pi / 2) % np.pi - np.pi / 2
-        near = (np.abs(offsets) < _PARALLEL) & left
+        near = (np.abs(offsets) < PARALLEL) & left
         best = int(np.argmax(np.where(left, (near * lengths).sum(axis=1), -1.0)))
         item = near[best]
-        if item.sum() < _LEAST_LINES:
+        if item.sum() < HATCHING:
             break
         found.append(float(angles[best] + np.average(offsets[best][item], weights=lengths[item])))
         left &= ~item

@@ -16,7 +16,6 @@ from gaussiancad_core.sheet.tracing.ink_runs import (
     ink_field,
     labelled_rhythm,
     line_runs,
-    with_dashes_between,
     with_dashes_led_to,
 )
 
@@ -34,28 +33,6 @@ def test_one_dash_closes_no_circle(sketch: Sketch, share: float, closes: bool) -
     turn = (found.end - found.start) / circle.around
     assert turn == pytest.approx(1.0 if closes else share, abs=1e-9)
     assert np.isclose(found.start, 3.0)
-
-
-def test_dashes_between_two_crossings_are_the_circles() -> None:
-    circle = Circle((100.0, 100.0), 133.0)
-    around = circle.around
-    # Two long stretches, and a few dashes between them that hardly bend, over position 0.
-    first = Piece(54.0, 196.0, Linetype.HIDDEN, 1.0)
-    last = Piece(652.0, around + 2.0, Linetype.HIDDEN, 1.0)
-    between = Piece(-4.0, 36.0, Linetype.HIDDEN, 1.0)
-    far = Piece(300.0, 340.0, Linetype.HIDDEN, 1.0)
-    edge = Piece(38.0, 52.0, Linetype.VISIBLE, 1.0)
-    pieces = [between, edge, first, far, last]
-    found = with_dashes_between(circle, pieces, [first, last], Rhythm(8.5, 5.0))
-    assert found == [between, first, last]
-    assert with_dashes_between(circle, pieces, [first], Rhythm(8.5, 5.0)) == [first]
-
-
-def test_all_pieces_of_a_circle_that_is_mostly_dashed_count() -> None:
-    circle = Circle((100.0, 100.0), 133.0)
-    most = Piece(0.0, 0.6 * circle.around, Linetype.HIDDEN, 1.0)
-    short = Piece(0.8 * circle.around, 0.8 * circle.around + 30.0, Linetype.HIDDEN, 1.0)
-    assert with_dashes_between(circle, [most, short], [most], Rhythm(8.5, 5.0)) == [most, short]
 
 
 def test_the_last_dashes_of_an_arc_are_its_own_where_it_leads_to_them(sketch: Sketch) -> None:

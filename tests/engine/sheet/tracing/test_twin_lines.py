@@ -5,14 +5,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
-from gaussiancad_core.sheet.tracing.ink_runs import Run
 from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
 from gaussiancad_core.sheet.tracing.twin_lines import with_twins
-from gaussiancad_core.sheet.tracing.uneven_twins import uneven_twins
-from gaussiancad_core.sheet.tracing.view_shapes import Shape, find_shapes, view_pens, view_rhythm
+from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
 
 Sketch = Any
 """The class that the fixture gives."""
@@ -92,53 +89,6 @@ def test_where_pens_differ_no_line_is_two(sketch: Sketch) -> None:
     for k, width in enumerate((1.4, 2.0, 2.8, 3.6)):
         drawn.broken((22, 50 + 40 * k), (298, 50 + 40 * k), RHYTHM, width)
     assert len(_levels(drawn)) == 4
-
-
-@pytest.mark.parametrize("apart", [1.0, 1.4, 1.8])
-@pytest.mark.parametrize("shift", [4.0, 5.0, 9.0, 12.0])
-def test_two_lines_whose_dashes_fill_each_others_gaps(
-    sketch: Sketch, apart: float, shift: float
-) -> None:
-    """The one ends before the other; together their ink has no gaps."""
-    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
-    drawn.broken((22 + shift, 120 + apart), (260, 120 + apart), RHYTHM)
-    found = _levels(drawn)
-    assert found == pytest.approx([50.0, 120.0, 120.0 + apart, 190.0], abs=0.25)
-    assert _visible(drawn) == 4
-
-
-@pytest.mark.parametrize("apart", [1.2, 1.6, 2.0])
-@pytest.mark.parametrize("step", [0.0, 1.5])
-def test_two_lines_in_step_one_of_which_is_shorter(
-    sketch: Sketch, apart: float, step: float
-) -> None:
-    """Where both are, all dashes are wider, and those beyond lie at one edge of them."""
-    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
-    drawn.broken((112 + step, 120 + apart), (300, 120 + apart), RHYTHM)
-    sheet = clean_sheet(drawn.grey)
-    view = find_shapes(sheet, BOX)
-    (parted,) = with_twins([view], view_rhythm([view], sheet.stroke_width))
-    line, shorter = (shape for shape in parted.shapes if shape.twin)
-    for item, y, start in ((line, 120.0, 22.0), (shorter, 120.0 + apart, 112.0)):
-        ends = np.array([item.runs[0].start, item.runs[-1].end])
-        points = item.geometry.points_at(ends) + np.array(view.offset)
-        assert points[:, 1] == pytest.approx(y, abs=0.4)
-        assert points[:, 0] == pytest.approx((start, 286.0), abs=3.5)
-
-
-def test_their_dashes_go_on_where_no_line_was_followed(sketch: Sketch) -> None:
-    """Of a line that was found along a part of both the twins reach to where the dashes end."""
-    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
-    drawn.broken((27, 121.5), (298, 121.5), RHYTHM)
-    sheet = clean_sheet(drawn.grey)
-    view = find_shapes(sheet, BOX)
-    rhythm = view_rhythm([view], sheet.stroke_width)
-    line = Line((22.0 - view.offset[0], 120.75 - view.offset[1]), (1.0, 0.0))
-    cut = Shape(line, (Run(0.0, 150.0),), 100.0)
-    one, other = uneven_twins(cut, view.sheet, 2.0, rhythm)
-    for twin, end in ((one, 286.0), (other, 291.0)):
-        last = twin.geometry.points_at(np.array([twin.runs[0].start, twin.runs[-1].end]))[:, 0]
-        assert float(last.max()) + view.offset[0] == pytest.approx(end, abs=2.0)
 
 
 def test_a_line_that_is_visible_in_its_middle_is_one(sketch: Sketch) -> None:
