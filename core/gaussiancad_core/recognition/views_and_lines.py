@@ -25,13 +25,17 @@ from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.reading_options import Box, FileUnit, ReadingOptions
 from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
-from gaussiancad_core.sheet.special_views.adjacent_sections import sections_beside
+from gaussiancad_core.sheet.special_views.adjacent_sections import adjacent_sections_of
 from gaussiancad_core.sheet.special_views.hatched_areas import (
     to_middles,
     with_hatched_areas,
     with_named_sections,
 )
-from gaussiancad_core.sheet.special_views.special_view_notes import UNUSED, tellings, why_unused
+from gaussiancad_core.sheet.special_views.special_view_notes import (
+    UNUSED,
+    special_view_messages,
+    why_unused,
+)
 from gaussiancad_core.sheet.special_views.thread_symbols import arcs_of, without_threads
 from gaussiancad_core.sheet.special_views.view_kinds import SECTIONS
 from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views
@@ -120,7 +124,7 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
             return weighed_views(more, separated.labels)
 
         looks = [(section.box, section.looks) for section in sections]
-        layout, views = sections_beside(layout, looks, hatched, read)
+        layout, views = adjacent_sections_of(layout, looks, hatched, read)
         said = _notes(sheet.image, scale)
         tell_layout(notes, layout, turn, frame_guessed=found.frame_guessed)
         options = tell_scale(reading, scale, drawn, notes)
@@ -380,7 +384,7 @@ def tell_layout(
         views={role: ViewReport(turn.box_to_stored(box)) for role, box in layout.boxes.items()},
         special_views=special,
     )
-    for telling in tellings(special):
+    for telling in special_view_messages(special):
         (notes.doubt if telling.doubt else notes.warn)(telling.code, telling.message)
     left_out = [turn.box_to_stored(box) for box in layout.left_out]
     view_like = [turn.box_to_stored(box) for box in may_be_views(layout.left_out)]

@@ -229,7 +229,7 @@ def register_views(
         _check_outline(view)
     hidden_axis = unseen.axis if unseen is not None else None
     extents = axis_extents({view.role: view.box for view in drawn}, hidden_axis)
-    plain = [_own_placement(view) for view in drawn]
+    plain = [_unscaled_placement(view) for view in drawn]
     shared = share_axes(
         [_in_own_plane(view, place) for view, place in zip(drawn, plain, strict=True)]
     )
@@ -293,7 +293,7 @@ def _check_size(longest: float) -> None:
         )
 
 
-def _own_placement(view: ReadView) -> Placement:
+def _unscaled_placement(view: ReadView) -> Placement:
     """The view's box in its plane, in px and with its own extents."""
     x0, y0, x1, y1 = view.box
     frame = view.role.frame

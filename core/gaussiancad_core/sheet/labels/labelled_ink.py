@@ -93,7 +93,7 @@ def separate_by_labels(
     for entry in grown:
         free[entry.members] = False
     unexplained, loose, curves = _free_curves(ridges.points[free], labels, sheet.ink.shape)
-    stated = _told(shapes, labelled, unexplained, loose)
+    stated = _labels_by_line(shapes, labelled, unexplained, loose)
     part = erased(sheet, stated)
     part = masked(part, ~_stray(part.ink, best, stated))
     marks += line_marks(stated)
@@ -167,7 +167,7 @@ def _free_curves(
     return unexplained, loose, labelled_curves(points, item, log_p)
 
 
-def _told(
+def _labels_by_line(
     shapes: list[InkedShape],
     labelled: list[list[LabelledRun]],
     unexplained: Mask,

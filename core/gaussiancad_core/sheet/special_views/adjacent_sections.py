@@ -15,7 +15,7 @@ Read = Callable[[Layout], tuple[ReadView, ...]]
 """Reads the views of a layout."""
 
 
-def sections_beside(
+def adjacent_sections_of(
     layout: Layout,
     named: Sequence[tuple[Box, Role | None]],
     hatched: Mask | None,

@@ -30,7 +30,7 @@ class Telling:
     doubt: bool
 
 
-def tellings(special: Sequence[SpecialView]) -> list[Telling]:
+def special_view_messages(special: Sequence[SpecialView]) -> list[Telling]:
     """One message for each kind, in the order of the kinds; sections beside plain views, which take
     the place of none, leave nothing in doubt.
 
@@ -46,11 +46,11 @@ def tellings(special: Sequence[SpecialView]) -> list[Telling]:
                 if view.kind is kind and view.used is used and not view.adjacent
             ]
             if boxes:
-                found.append(_told(kind, used, boxes))
+                found.append(_note_on(kind, used, boxes))
     return found
 
 
-def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
+def _note_on(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
     places, doubt = _places(boxes), True
     if not used:
         doubt = kind not in _ILLUSTRATIONS

@@ -16,7 +16,7 @@ from gaussiancad_core.sheet.special_views.symbol_shape import (
     ProjectionSymbol,
     agreed,
     is_around,
-    symbol_beside,
+    symbol_near_text,
 )
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, ridge_points
@@ -51,7 +51,7 @@ def pixel_symbol(sheet: CleanSheet, largest: float) -> ProjectionSymbol | None:
     found = []
     for circle in _ringed(shapes, ridges):
         for axis in AXES:
-            symbol = symbol_beside(circle, axis, places, lambda ends: _is_closed(ends, weight))
+            symbol = symbol_near_text(circle, axis, places, lambda ends: _is_closed(ends, weight))
             if symbol is not None:
                 found.append(symbol)
     symbol = agreed(found)

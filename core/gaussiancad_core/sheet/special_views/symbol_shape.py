@@ -104,7 +104,7 @@ def is_around(outer: Circle, inner: Circle) -> bool:
     return bool(_INNER[0] < share < _INNER[1] and apart < _CONCENTRIC * outer.radius)
 
 
-def symbol_beside(
+def symbol_near_text(
     circle: Circle, axis: tuple[float, float], sides: Floats, is_closed: Callable[[Ends], bool]
 ) -> ProjectionSymbol | None:
     """The symbol of two circles and the cone beside them in a direction.

@@ -20,7 +20,7 @@ from gaussiancad_core.sheet.special_views.symbol_shape import (
     ProjectionSymbol,
     agreed,
     is_around,
-    symbol_beside,
+    symbol_near_text,
 )
 from gaussiancad_core.sheet.votes import LARGELY
 
@@ -59,7 +59,7 @@ def stroke_symbol(drawing: VectorDrawing, largest: float) -> ProjectionSymbol | 
     found = []
     for circle in _ringed(_circles(solid, largest / 2.0)):
         for axis in AXES:
-            symbol = symbol_beside(circle, axis, slanted, lambda ends: _is_closed(ends, lines))
+            symbol = symbol_near_text(circle, axis, slanted, lambda ends: _is_closed(ends, lines))
             if symbol is not None and _SMALLEST * largest <= _length(symbol) <= largest:
                 found.append(symbol)
     return agreed(found)

@@ -141,13 +141,13 @@ def _is_of(stroke: Stroke, symbol: ThreadSymbol, view: ReadView, drawn: Sequence
     if not isinstance(stroke, Segment) or view.role is symbol.role:
         return False
     return any(
-        _runs_at(stroke, upright, thin) and _is_beside(stroke, upright, rim, view.strokes)
+        _runs_at(stroke, upright, thin) and _has_rim_line(stroke, upright, rim, view.strokes)
         for upright, thins, rims in _sides(symbol, view, drawn)
         for thin, rim in zip(thins, rims, strict=True)
     )
 
 
-def _is_beside(stroke: Segment, upright: bool, at: float, strokes: Sequence[Stroke]) -> bool:
+def _has_rim_line(stroke: Segment, upright: bool, at: float, strokes: Sequence[Stroke]) -> bool:
     """Whether the rim's line runs along most of a line."""
     along = 1 if upright else 0
     low, high = sorted((stroke.start[along], stroke.end[along]))

@@ -29,7 +29,7 @@ Dashed = tuple[Line, Sequence[Run]]
 """A line and those of its runs that are as long as dashes."""
 
 
-def own_runs(
+def unshared_runs(
     geometry: WholeCurve,
     runs: Sequence[Run],
     lines: Sequence[tuple[Line, Sequence[Run]]],

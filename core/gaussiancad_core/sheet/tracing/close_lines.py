@@ -55,7 +55,9 @@ def with_close_lines(sheet: CleanSheet, lines: list[Line]) -> tuple[list[Line], 
     rules = GrowthRules.of_width(width)
     fine = [_fine(grown, ridges) for grown in grow_straight(ridges, rules)]
     pairs = [
-        pair for pair in combinations(fine, 2) if _run_beside(*pair, width) and _shows(*pair, sheet)
+        pair
+        for pair in combinations(fine, 2)
+        if _run_parallel(*pair, width) and _shows(*pair, sheet)
     ]
     kept = list(lines)
     close: set[Line] = set()
@@ -74,7 +76,7 @@ def _fine(grown: Grown, ridges: RidgePoints) -> _Fine:
     return _Fine(grown.line, float(along.min()), float(along.max()))
 
 
-def _run_beside(one: _Fine, other: _Fine, width: float) -> bool:
+def _run_parallel(one: _Fine, other: _Fine, width: float) -> bool:
     """Whether two lines run along each other, too close for wide smoothing."""
     a, b = np.array(one.line.direction), np.array(other.line.direction)
     if abs(float(a @ b)) < np.cos(PARALLEL):

@@ -100,7 +100,7 @@ def find_bundles(ended: Sequence[Placed], width: float) -> list[list[Strand]]:
     """
     bundles: list[list[Strand]] = []
     for strand in _strands(ended):
-        bs = [b for b in bundles if any(_run_beside(strand, other, width) for other in b)]
+        bs = [b for b in bundles if any(_run_parallel(strand, other, width) for other in b)]
         bundles = [b for b in bundles if b not in bs]
         bundles.append([strand, *(other for b in bs for other in b)])
     return [bundle for bundle in bundles if len(bundle) > 1]
@@ -125,7 +125,7 @@ def _strands(ended: Sequence[Placed]) -> list[Strand]:
     ]
 
 
-def _run_beside(one: Strand, other: Strand, width: float) -> bool:
+def _run_parallel(one: Strand, other: Strand, width: float) -> bool:
     # Of two hidden lines whose dashes melt the places are told by these, and their pen is not.
     if one.kind is other.kind is Linetype.HIDDEN:
         return False

@@ -36,10 +36,10 @@ def is_closed_by_others(
         return False
     if is_full_circle(geometry, pieces[0]) or not is_full_circle(geometry, joined[0]):
         return False
-    return not has_ink_of_its_own(geometry, pieces[0], lines, sheet, rhythm)
+    return not has_separate_ink(geometry, pieces[0], lines, sheet, rhythm)
 
 
-def has_ink_of_its_own(
+def has_separate_ink(
     circle: Circle,
     piece: Piece,
     lines: Iterable[tuple[Line, Sequence[Run | Piece]]],

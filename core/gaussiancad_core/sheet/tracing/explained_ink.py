@@ -112,7 +112,7 @@ def is_next_dash(
     return _has_dash_beside(runs, index, rhythm) and is_new(geometry, run, explained.upon)
 
 
-def with_dashes_beside(
+def with_nearby_dashes(
     curve: ClosedCurve,
     runs: Sequence[RunOdds],
     fresh: Sequence[RunOdds],
@@ -164,7 +164,7 @@ def joins_arcs(geometry: WholeCurve, run: Run, explained: npt.NDArray[np.uint8])
     return _longest_true(explained[ys, xs] == 0) >= _MIN_STRAIGHT
 
 
-def told_linetypes(
+def labelled_linetypes(
     geometry: WholeCurve,
     runs: list[RunOdds],
     explained: npt.NDArray[np.uint8],

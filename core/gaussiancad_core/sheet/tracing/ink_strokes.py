@@ -17,7 +17,7 @@ from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.picture_noise import MEETING
 from gaussiancad_core.sheet.tracing.behind_edges import with_ends_behind_edges
-from gaussiancad_core.sheet.tracing.borrowed_dashes import own_runs
+from gaussiancad_core.sheet.tracing.borrowed_dashes import unshared_runs
 from gaussiancad_core.sheet.tracing.close_fits import with_close_fits
 from gaussiancad_core.sheet.tracing.closed_circles import is_closed_by_others
 from gaussiancad_core.sheet.tracing.corner_dashes import find_corner_dashes
@@ -28,9 +28,9 @@ from gaussiancad_core.sheet.tracing.explained_ink import (
     is_new,
     is_next_dash,
     joins_arcs,
+    labelled_linetypes,
     path_points,
-    told_linetypes,
-    with_dashes_beside,
+    with_nearby_dashes,
 )
 from gaussiancad_core.sheet.tracing.hidden_fillets import find_hidden_fillets
 from gaussiancad_core.sheet.tracing.ink_runs import (
@@ -150,7 +150,7 @@ def _seen_pieces(
         elif known is explained or not order[index - 1].twin:
             known = explained.copy()
         width = view.sheet.stroke_width
-        inked = own_runs(shape.geometry, shape.runs, lines, rhythm, width)
+        inked = unshared_runs(shape.geometry, shape.runs, lines, rhythm, width)
         # The ink of twins is as wide as both.
         own_pens = Pens() if pens is None or shape.twin else pens
         runs = run_odds(view.sheet, shape.geometry, inked, own_pens)
@@ -162,9 +162,9 @@ def _seen_pieces(
             or (joins and joins_arcs(shape.geometry, run, known.around))
         ]
         if not isinstance(shape.geometry, Line):
-            fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm, width)
+            fresh = with_nearby_dashes(shape.geometry, runs, fresh, rhythm, width)
         touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
-        stated = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
+        stated = labelled_linetypes(shape.geometry, fresh, explained.around, rhythm)
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, stated)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]

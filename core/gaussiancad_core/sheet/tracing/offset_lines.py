@@ -59,7 +59,7 @@ def without_offset_ink(
         others: lines of the same view.
     """
     runs = [run for run in runs if not _is_across(sheet, line, run, others)]
-    lines = [other for other in others if other != line and _is_beside(line, other, runs, sheet)]
+    lines = [other for other in others if other != line and _runs_along(line, other, runs, sheet)]
     if not lines:
         return list(runs)
     return [part for run in runs for part in _parts(sheet, line, run, lines)]
@@ -179,7 +179,7 @@ def _is_upon(line: Line, points: npt.NDArray[np.float64]) -> bool:
     return float(line.distances(points).max()) < ON_LINE
 
 
-def _is_beside(line: Line, other: Line, runs: Sequence[Run], sheet: CleanSheet) -> bool:
+def _runs_along(line: Line, other: Line, runs: Sequence[Run], sheet: CleanSheet) -> bool:
     if abs(float(np.dot(line.direction, other.direction))) < np.cos(PARALLEL) or not runs:
         return False
     ends = line.points_at(np.array([runs[0].start, runs[-1].end]))

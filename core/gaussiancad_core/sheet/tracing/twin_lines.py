@@ -185,7 +185,7 @@ def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewSh
     if not _NEAREST <= apart <= _FARTHEST * pen.ink:
         return _Found((shape,))
     # Lines may have been grown along both, but not where they lie: each has the other's ink, too.
-    neighbours = list(_beside(shape, view))
+    neighbours = list(_parallel_lines(shape, view))
     others = [
         k
         for k, across in neighbours
@@ -212,7 +212,7 @@ def _keeps_pace(other: Shape, shape: Shape) -> bool:
     return alike and its <= length / LARGELY
 
 
-def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
+def _parallel_lines(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
     """The numbers of lines that run so near beside a line that their ink was measured with that of
     most of its dashes, and px from the one to the other, as the ink's middle is counted."""
     line, near = shape.line, (_REACH + 1.0) * view.sheet.stroke_width + 1.0

@@ -109,7 +109,9 @@ def strokes_of(
     heard = dashes.heard
     found: list[Stroke] = []
     for track in tracks:
-        pieces = _told(track, dashes.gap) if heard is None else _heard(track, tracks, heard)
+        pieces = (
+            _pieces_as_named(track, dashes.gap) if heard is None else _heard(track, tracks, heard)
+        )
         found += [_stroke(track.geometry, piece) for piece in pieces]
     for stroke in strokes:
         if isinstance(stroke.curve, Chain):
@@ -118,7 +120,7 @@ def strokes_of(
     return tuple(found)
 
 
-def _told(track: Track, gap: float) -> list[Piece]:
+def _pieces_as_named(track: Track, gap: float) -> list[Piece]:
     """Visible and hidden pieces as the file calls them; nothing hidden under a visible one."""
     around = track.geometry.around
     visible = united(track.solid, around, SAME_POINT)

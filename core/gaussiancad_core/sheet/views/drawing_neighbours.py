@@ -11,7 +11,9 @@ from gaussiancad_protocol.codes import Code
 
 def nearest(front: Box, boxes: Sequence[Box], role: Role, projection: Projection) -> list[Box]:
     """The drawings in line where a role's view stands, the nearest first."""
-    gaps = [(gap_beside(front, box, role.slot(projection)), box) for box in boxes if box != front]
+    gaps = [
+        (gap_to_neighbour(front, box, role.slot(projection)), box) for box in boxes if box != front
+    ]
     return [box for gap, box in sorted((gap, box) for gap, box in gaps if gap is not None)]
 
 
@@ -26,7 +28,7 @@ def stands(role: Role, box: Box, front: Box, projection: Projection) -> bool:
     return up < front[1] if row > 0 else up > front[3]
 
 
-def gap_beside(front: Box, box: Box, slot: tuple[int, int]) -> float | None:
+def gap_to_neighbour(front: Box, box: Box, slot: tuple[int, int]) -> float | None:
     """px from a front view to a drawing in line with it on the side of a slot, or None."""
     column, row = slot
     if row:

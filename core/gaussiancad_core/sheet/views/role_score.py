@@ -17,7 +17,12 @@ import numpy.typing as npt
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.sheet.line_conventions import SMALLEST_VIEW
 from gaussiancad_core.sheet.reading_options import Box
-from gaussiancad_core.sheet.views.drawing_neighbours import box_inside, gap_beside, nearest, stands
+from gaussiancad_core.sheet.views.drawing_neighbours import (
+    box_inside,
+    gap_to_neighbour,
+    nearest,
+    stands,
+)
 from gaussiancad_core.sheet.views.sheet_layout import (
     Layout,
     ProjectionSource,
@@ -244,7 +249,7 @@ def _loose_odds(
     role: Role, box: Box, found: Mapping[Role, Box], drawings: Drawings, projection: Projection
 ) -> float:
     front = found[Role.FRONT]
-    if role is Role.REAR and any(gap_beside(front, box, slot) is not None for slot in _ROW):
+    if role is Role.REAR and any(gap_to_neighbour(front, box, slot) is not None for slot in _ROW):
         odds = _log_odds(role, box, found, drawings, is_in_line=True) + _IN_LINE
     elif may_be_views([box]) and stands(role, box, front, projection):
         odds = _log_odds(role, box, found, drawings, is_in_line=False)

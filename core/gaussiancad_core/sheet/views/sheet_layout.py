@@ -154,12 +154,12 @@ def _with_lone_lines(boxes: list[Box], ink: npt.NDArray[np.bool_]) -> list[Box]:
     """The boxes, those of views reaching as far as lines that end short of all others."""
     joined = []
     for box in boxes:
-        pair = _view_beside(box, boxes, ink)
+        pair = _adjacent_view(box, boxes, ink)
         joined.append(_union([box, pair]) if pair is not None else box)
     return joined
 
 
-def _view_beside(line: Box, boxes: list[Box], ink: npt.NDArray[np.bool_]) -> Box | None:
+def _adjacent_view(line: Box, boxes: list[Box], ink: npt.NDArray[np.bool_]) -> Box | None:
     """The view whose other lines are near both ends of a line, and of nothing else of it."""
     x0, y0, x1, y1 = line
     across, length = sorted((_width(line), _height(line)))

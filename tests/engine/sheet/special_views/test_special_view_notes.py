@@ -4,7 +4,10 @@ import re
 
 import pytest
 
-from gaussiancad_core.sheet.special_views.special_view_notes import tellings, why_unused
+from gaussiancad_core.sheet.special_views.special_view_notes import (
+    special_view_messages,
+    why_unused,
+)
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 
 BOX = (10.4, 20.0, 110.0, 220.6)
@@ -15,7 +18,7 @@ ILLUSTRATIONS = (SpecialKind.PICTORIAL, SpecialKind.THREAD)
 
 @pytest.mark.parametrize("kind", SpecialKind)
 def test_what_shows_the_part_and_is_not_used_is_a_reason_for_doubt(kind: SpecialKind) -> None:
-    (stated,) = tellings([SpecialView(kind, BOX)])
+    (stated,) = special_view_messages([SpecialView(kind, BOX)])
     illustrates = kind in ILLUSTRATIONS
     assert stated.doubt == (not illustrates)
     assert stated.code == (f"{kind.value}-left-out" if illustrates else "unused-view")
@@ -35,7 +38,7 @@ def test_what_shows_the_part_and_is_not_used_is_a_reason_for_doubt(kind: Special
     ],
 )
 def test_what_stands_for_a_view_is_a_reason_for_doubt(kind: SpecialKind, code: str) -> None:
-    (stated,) = tellings([SpecialView(kind, BOX, used=True)])
+    (stated,) = special_view_messages([SpecialView(kind, BOX, used=True)])
     assert (stated.code, stated.doubt) == (code, True)
     assert "(10, 20)-(110, 221) px" in stated.message
 
@@ -43,6 +46,6 @@ def test_what_stands_for_a_view_is_a_reason_for_doubt(kind: SpecialKind, code: s
 def test_one_message_names_all_of_a_kind() -> None:
     views = [SpecialView(SpecialKind.DETAIL, (k, 0.0, k + 5.0, 5.0)) for k in range(7)]
     views.append(SpecialView(SpecialKind.PICTORIAL, BOX))
-    stated = tellings(views)
+    stated = special_view_messages(views)
     assert [t.code for t in stated] == ["pictorial-left-out", "unused-view"]
     assert len(re.findall(r"\(\d+, \d+\)-\(\d+, \d+\)", stated[1].message)) == 5

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
-from gaussiancad_core.sheet.tracing.borrowed_dashes import own_runs
+from gaussiancad_core.sheet.tracing.borrowed_dashes import unshared_runs
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 
 RHYTHM, WIDTH = Rhythm(10.0, 6.0), 4.0
@@ -19,7 +19,7 @@ OWN = Run(-200.0, -60.0)
 
 def _kept(*runs: Run, line: Line = SLANTED, dashes: list[Run] = DASHES) -> list[Run]:
     lines = [(LEVEL, dashes), (line, list(runs))]
-    return own_runs(line, runs, lines, RHYTHM, WIDTH)
+    return unshared_runs(line, runs, lines, RHYTHM, WIDTH)
 
 
 def test_a_dash_that_is_crossed_far_beyond_the_end_of_a_line_is_not_its_own() -> None:
@@ -29,7 +29,7 @@ def test_a_dash_that_is_crossed_far_beyond_the_end_of_a_line_is_not_its_own() ->
     assert _kept(OWN, crossed, Run(12.0, 13.5)) == [OWN]
     # The line from which it is taken keeps it.
     lines = [(LEVEL, DASHES), (SLANTED, [OWN, crossed])]
-    assert own_runs(LEVEL, DASHES, lines, RHYTHM, WIDTH) == DASHES
+    assert unshared_runs(LEVEL, DASHES, lines, RHYTHM, WIDTH) == DASHES
 
 
 @pytest.mark.parametrize(
@@ -63,4 +63,4 @@ def test_lines_that_are_nearly_one_or_clearly_cross_take_nothing(angle: float) -
 
 def test_circles_keep_their_ink() -> None:
     circle = Circle((50.0, 50.0), 20.0)
-    assert own_runs(circle, DASHES, [(LEVEL, DASHES)], RHYTHM, WIDTH) == DASHES
+    assert unshared_runs(circle, DASHES, [(LEVEL, DASHES)], RHYTHM, WIDTH) == DASHES

@@ -8,7 +8,7 @@ import pytest
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
-from gaussiancad_core.sheet.tracing.closed_circles import has_ink_of_its_own
+from gaussiancad_core.sheet.tracing.closed_circles import has_separate_ink
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
 
 Sketch = Any
@@ -44,9 +44,9 @@ def test_an_edge_that_touches_the_end_of_a_slot(sketch: Sketch, whole: bool) -> 
     ]
     arc = Piece(-0.07 * circle.around, 0.57 * circle.around, Linetype.HIDDEN, 0.9)
     sheet = clean_sheet(drawn.grey)
-    assert has_ink_of_its_own(circle, arc, lines, sheet, RHYTHM) == whole
+    assert has_separate_ink(circle, arc, lines, sheet, RHYTHM) == whole
     # Any other line crosses it.
-    assert has_ink_of_its_own(circle, arc, [], sheet, RHYTHM)
+    assert has_separate_ink(circle, arc, [], sheet, RHYTHM)
     # What is left may be a gap.
     most = Piece(0.0, 0.85 * circle.around, Linetype.HIDDEN, 0.9)
-    assert has_ink_of_its_own(circle, most, lines, sheet, RHYTHM)
+    assert has_separate_ink(circle, most, lines, sheet, RHYTHM)
