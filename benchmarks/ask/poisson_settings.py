@@ -143,10 +143,10 @@ def true_hull(shape: TopoDS_Shape, views: ViewSet) -> TriangleMesh:
     settings = training_settings(Recipe.ORTHOGRAPHIC, Preset.STANDARD)
     cameras = training_cameras(Recipe.ORTHOGRAPHIC, settings, views.roles, views.size)
     solid = [CastSolid(shape, views.size)]
-    reliefs = [
+    depth_maps = [
         depth_map_of(solid, view, behind) for view in views.views for behind in (False, True)
     ]
-    return visual_hull(views, cameras, tuple(reliefs))
+    return visual_hull(views, cameras, tuple(depth_maps))
 
 
 def chamfer_above_floor(surface: TriangleMesh, truth: TriangleMesh) -> float:

@@ -21,7 +21,7 @@ from gaussiancad_core.kernel.brep import (
     volume,
 )
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
@@ -156,7 +156,7 @@ def sight_iou(one: TopoDS_Shape, other: TopoDS_Shape) -> float:
         low[:2] + np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2) * (high - low)[:2]
     )
     tolerance = _FINE * float((high - low).max())
-    columns = [SightLines(shape, frame, tolerance).columns(points) for shape in (one, other)]
+    columns = [SolidRays(shape, frame, tolerance).crossings_at(points) for shape in (one, other)]
     common = united = 0.0
     for first, second in zip(*columns, strict=True):
         if first.sound and second.sound:

@@ -27,7 +27,7 @@ from gaussiancad_core.evidence.drawn_views import views_as_read
 from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle
 from gaussiancad_core.kernel.brep import faces_of, soundness, subshapes, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, lifted, role_plane
 from gaussiancad_core.model.views import ViewSet
@@ -209,6 +209,6 @@ def _fills(solid: TopoDS_Shape, axis: Axis, outline: Outline, carriers: PartCarr
         return False
     role = next(role for role in Role if role_plane(role).normal is axis)
     points = np.array(covered) / carriers.scale * np.array(role_plane(role).signs)
-    sight = SightLines(solid, role.frame, 1e-6 * UNITS / carriers.scale)
-    filled = [len(column.depth) > 0 for column in sight.columns(points)]
+    sight = SolidRays(solid, role.frame, 1e-6 * UNITS / carriers.scale)
+    filled = [len(column.depth) > 0 for column in sight.crossings_at(points)]
     return float(np.mean(filled)) >= _FILLED

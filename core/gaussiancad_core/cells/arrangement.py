@@ -112,7 +112,7 @@ class Trace:
     Attributes:
         positions: along the line, ascending.
         normals: of the curves there.
-        carriers: their supports, or ``CHAIN``.
+        carriers: their carriers, or ``CHAIN``.
         regions: between the positions; one more than they are.
     """
 
@@ -127,12 +127,12 @@ class Arrangement:
 
     Args:
         carriers: with what is drawn on them.
-        chains: boundaries that are no supports.
-        lost: (support, low, high) that bound regions as well, though nothing is drawn there.
+        chains: boundaries that are no carriers.
+        lost: (carrier, low, high) that bound regions as well, though nothing is drawn there.
 
     Attributes:
         carriers: as given.
-        stretches: (support, low, high) that bound regions: all that are drawn.
+        stretches: (carrier, low, high) that bound regions: all that are drawn.
         corners: points where something ends, meets or turns.
         regions: how many there are, the outside included.
     """

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from numba import njit
 
 CHAIN = -1
-"""Stands for the support of a chain's links."""
+"""Stands for the carrier of a chain's links."""
 
 ROUGH = 0.05
 """Units by which a chain may be off."""
@@ -165,7 +165,7 @@ def _trace_level(table, b, out):  # noqa: ANN001, ANN202
 
 @njit(cache=True)
 def _without_slivers(count, out):  # noqa: ANN001, ANN202
-    """Leaves out the outside between a chain and a support right beside it; how much is left."""
+    """Leaves out the outside between a chain and a carrier right beside it; how much is left."""
     positions, normals, carriers, regions = out
     kept = 0
     for k in range(count):

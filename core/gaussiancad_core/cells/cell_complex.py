@@ -1,7 +1,7 @@
-"""Cells, and the columns of cells that a line of sight meets.
+"""The cell complex, and the cells that a ray crosses.
 
 A cell is the space whose points fall into one region of each projection plane, and which lies on
-one side of each extra body.  A line of sight along an axis crosses the surfaces of the supports of
+one side of each extra body.  A line of sight along an axis crosses the surfaces of the carriers of
 the two other planes, and those of the bodies; between crossings it is in one cell.
 """
 
@@ -24,7 +24,7 @@ The bit of a body is 0 in regions where the body does not count (see :meth:`Body
 """
 
 Surface = tuple[int, int]
-"""Which surface: (normal of the plane, support) or (BODY, body)."""
+"""Which surface: (normal of the plane, carrier) or (BODY, body)."""
 
 BODY = 3
 
@@ -98,7 +98,7 @@ class SeenColumns(Protocol):
         """Pairs of cells that follow each other, and the surfaces between them."""
 
 
-class Space:
+class CellComplex:
     """The cells of a part.
 
     Args:
@@ -263,7 +263,7 @@ def _depth(step: _Step) -> float:
 
 
 def _without_slivers(steps: list[_Step]) -> list[_Step]:
-    """Steps of a plane, without the outside between a chain and a support right beside it.
+    """Steps of a plane, without the outside between a chain and a carrier right beside it.
 
     Near the corner in which both end they are nearer to each other than a chain is known.
     """

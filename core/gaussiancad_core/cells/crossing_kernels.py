@@ -1,8 +1,9 @@
-"""The columns on both sides of many pieces of lines, and the groups that their crossings make.
+"""The crossings of rays on both sides of many pieces of lines, and the groups that they make.
 
-Fast kernels of :meth:`.columns.Space.column` and of :func:`.rules.groups_at`.  A cell is one
-number, its *key*: the regions of the X, Y and Z plane as digits, then a bit for each body; void is
-``VOID``.  A surface is ``SURFACES`` times the normal of its plane, and its support plus one.
+Fast kernels of :meth:`.cell_complex.CellComplex.column` and of
+:func:`gaussiancad_core.labelling.visibility_rules.groups_at`.  A cell is one number, its *key*: the
+regions of the X, Y and Z plane as digits, then a bit for each body; void is ``VOID``.  A surface is
+``SURFACES`` times the normal of its plane, and its carrier plus one.
 """
 
 from typing import NamedTuple
@@ -28,7 +29,7 @@ VOID = -1
 """Key of what is no cell."""
 
 SURFACES = 1 << 32
-"""More than any plane has supports."""
+"""More than any plane has carriers."""
 
 GROUP = 0.06
 """Units of depth within which crossings of both columns are looked at together."""

@@ -1,6 +1,6 @@
 """Pieces of lines, drawn or blank, that say something about the cells beside them.
 
-What a view shows can change only where a coordinate has a value of some corner, along supports, and
+What a view shows can change only where a coordinate has a value of some corner, along carriers, and
 along the curves in which the surfaces of the two other planes meet.  Each such line is cut into
 pieces along which nothing changes, and one point stands for each piece.
 """
@@ -14,7 +14,7 @@ from math import hypot
 import numpy as np
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.cells.cell_complex import CellComplex
 from gaussiancad_core.cells.grid_rows import Row, find_rows
 from gaussiancad_core.coordinates.carriers import PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
@@ -37,10 +37,10 @@ _DASH = 10.0
 on from it."""
 
 _RIM = 0.01
-"""Units within which the rim of a body is a support's curve."""
+"""Units within which the rim of a body is a carrier's curve."""
 
 _ON = 2e-3
-"""Units within which a curve is a support for certain."""
+"""Units within which a curve is a carrier for certain."""
 
 _SAMPLES = 5
 """Points of a curve that is not drawn at which its region is looked up."""
@@ -74,7 +74,7 @@ class Piece:
 
 
 def find_pieces(
-    space: Space,
+    space: CellComplex,
     planes: dict[Axis, PlaneCarriers],
     near: float,
     tolerance: float = 0.0,
@@ -155,9 +155,9 @@ def _may_be_drawn(
 
 
 def _lines(
-    space: Space, normal: Axis, rows: Sequence[Row]
+    space: CellComplex, normal: Axis, rows: Sequence[Row]
 ) -> Iterator[tuple[Point, Point, Carrier | None, float]]:
-    """Pieces of the grid of values, and of the supports that are not parallel to an axis."""
+    """Pieces of the grid of values, and of the carriers that are not parallel to an axis."""
     plane = space.planes[normal]
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
     for row in rows:
@@ -207,7 +207,7 @@ def _runs(
         yield items[len(items) // 2], len(items) / _SAMPLES
 
 
-def _rims(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
+def _rims(space: CellComplex, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
     """Points of the curves along which extra bodies begin, end or turn away."""
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
     for body in space.bodies:
@@ -248,7 +248,7 @@ class _Branch:
         return found
 
 
-def _branches(space: Space, normal: Axis) -> list[_Branch]:
+def _branches(space: CellComplex, normal: Axis) -> list[_Branch]:
     plane = space.planes[normal]
     return [
         _Branch(plane.carriers[index].curve, low, high)
@@ -257,7 +257,7 @@ def _branches(space: Space, normal: Axis) -> list[_Branch]:
     ]
 
 
-def _meeting_curves(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
+def _meeting_curves(space: CellComplex, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
     """Points of the curves in which slanted and round surfaces of the two other planes meet."""
     axes = IN_PLANE[normal]
     # The plane that shows the first coordinate against depth, and the one with the second.
@@ -297,7 +297,7 @@ def _hits(
     ]
 
 
-def _meeting_lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
+def _meeting_lines(space: CellComplex, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
     """Points of lines parallel to an axis in which slanted and round surfaces meet planes.
 
     The plane is at right angles to the line of sight.  Where that is so at a corner of a view, the
@@ -334,7 +334,7 @@ def _planes_across(
 
 
 class _DrawnNear:
-    """What is drawn within reach of a point, be it on a support or along a chain."""
+    """What is drawn within reach of a point, be it on a carrier or along a chain."""
 
     def __init__(self, plane: PlaneCarriers, near: float) -> None:
         self._plane = plane

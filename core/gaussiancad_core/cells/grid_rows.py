@@ -12,7 +12,7 @@ import numpy as np
 
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.arrangement_kernels import CHAIN, traces
-from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.cells.cell_complex import CellComplex
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.geometry.tolerances import ASIDE, ON_CURVE, SHORTEST
 from gaussiancad_core.geometry.whole_curves import Line, LineOrCircle
@@ -43,7 +43,7 @@ class Row:
                 yield low, high
 
 
-def find_rows(space: Space, normal: Axis) -> list[Row]:
+def find_rows(space: CellComplex, normal: Axis) -> list[Row]:
     """The lines of a plane's grid along which pieces say something."""
     plane = space.planes[normal]
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
@@ -71,12 +71,14 @@ def count_pieces(rows: Sequence[Row]) -> int:
 
 
 def _met(plane: Arrangement, coordinate: int, value: float) -> Iterator[tuple[float, int]]:
-    """Where a line of the grid meets supports, and which."""
+    """Where a line of the grid meets carriers, and which."""
     trace = plane.trace(coordinate, value)
     return zip(trace.positions, trace.carriers, strict=True)
 
 
-def _changes(space: Space, normal: Axis, coordinate: int, values: Sequence[float]) -> list[bool]:
+def _changes(
+    space: CellComplex, normal: Axis, coordinate: int, values: Sequence[float]
+) -> list[bool]:
     """Of values whether columns differ on both sides, be there no line of the plane itself.
 
     Of the planes beside, only the one that shows this coordinate can tell the sides apart.

@@ -2,7 +2,7 @@
 
 Such a plane is a surface of the part only where some of its faces are.  In every view a face shows
 all of its outline, so that the regions of the view inside of it belong to the face; only where the
-regions of all views do, the half space counts (see :class:`.columns.Space`).
+regions of all views do, the half space counts (see :class:`.cell_complex.CellComplex`).
 """
 
 from dataclasses import dataclass

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.cells.arrangement_kernels import Integers, Traces, traces
-from gaussiancad_core.cells.cell_complex import Body, Cell, Space, Surface, side_views
+from gaussiancad_core.cells.cell_complex import Body, Cell, CellComplex, Surface, side_views
 from gaussiancad_core.cells.crossing_kernels import SURFACES, VOID, Frame, Sides, Told, statements
 from gaussiancad_core.cells.edge_fragments import Piece
 from gaussiancad_core.cells.half_spaces import HalfSpace
@@ -50,7 +50,7 @@ class Keys:
         fit: whether all cells have keys.
     """
 
-    def __init__(self, space: Space) -> None:
+    def __init__(self, space: CellComplex) -> None:
         self.sizes = np.array([space.planes[axis].regions for axis in Axis], dtype=np.int64)
         self._bodies = len(space.bodies)
         places = int(np.prod([float(size) for size in self.sizes])).bit_length()
@@ -118,7 +118,7 @@ class SightLines:
         fit: whether the kernels can express all of the space.
     """
 
-    def __init__(self, space: Space) -> None:
+    def __init__(self, space: CellComplex) -> None:
         self._space = space
         self.keys = Keys(space)
         bodies = body_table(space.bodies)
@@ -182,7 +182,7 @@ class SightLines:
 
 def warm_up() -> None:
     """Compile the kernels, or load them from numba's cache, so that the first part is quick."""
-    nowhere = Space({axis: Arrangement(()) for axis in Axis})
+    nowhere = CellComplex({axis: Arrangement(()) for axis in Axis})
     piece = Piece(Role.FRONT, (0.0, 0.0), (1.0, 0.0), Linetype.VISIBLE, 1.0)
     for _ in SightLines(nowhere).said([piece]):
         pass

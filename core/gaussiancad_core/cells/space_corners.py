@@ -40,7 +40,7 @@ class _Places:
 
     Attributes:
         points: (n, 2).
-        lines: of each place the straight supports that are drawn there.
+        lines: of each place the straight carriers that are drawn there.
     """
 
     def __init__(self, plane: PlaneCarriers, near: float, short: float) -> None:

@@ -1,6 +1,6 @@
-"""Supports: the lines and circles that the strokes of a plane's views lie on.
+"""Carriers: the lines and circles that the strokes of a plane's views lie on.
 
-Collinear strokes share one support, strokes on one circle too.  A support is the trace of a surface
+Collinear strokes share one carrier, strokes on one circle too.  A carrier is the trace of a surface
 that is seen edge-on: a plane for a line, a cylinder for a circle.
 """
 
@@ -85,7 +85,7 @@ class PlaneCarriers:
         carriers: lines and circles.
         chains: drawn curves that are neither: projections of intersection curves and silhouettes;
             (role, points, linetype).
-        lost: (number of the support, low, high) of stretches that no view draws and one may lack.
+        lost: (number of the carrier, low, high) of stretches that no view draws and one may lack.
     """
 
     normal: Axis
@@ -97,7 +97,7 @@ class PlaneCarriers:
 
 @dataclass(frozen=True)
 class PartCarriers:
-    """The supports of all planes.
+    """The carriers of all planes.
 
     Attributes:
         planes: one for each axis that views look along.

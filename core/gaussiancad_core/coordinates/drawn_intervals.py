@@ -1,4 +1,4 @@
-"""Spans: the stretches of lines and circles that the views draw.
+"""Drawn intervals: the stretches of lines and circles that the views draw.
 
 Where strokes end is computed again from the curves that they end at; the ends as read are not used
 but to choose among those.  Where one line runs closely along another for a while, as hidden ones
@@ -37,10 +37,10 @@ _STEP = 2.0
 
 @dataclass(frozen=True)
 class Interval:
-    """A stretch of a support that a view draws.
+    """A stretch of a carrier that a view draws.
 
     Attributes:
-        low, high: parameters of the support's curve; 0 to 2 pi on circles.
+        low, high: parameters of the carrier's curve; 0 to 2 pi on circles.
         linetype: how it is drawn.
         confidence: 0 to 1; without any it may be drawn or not.
     """
@@ -89,7 +89,7 @@ class Carrier:
         return found
 
     def is_open_at(self, role: Role, parameter: float, reach: float = 1e-4) -> bool:
-        """Whether a view may draw the support at a parameter, or may not."""
+        """Whether a view may draw the carrier at a parameter, or may not."""
         slack = reach / self.curve.speed
         return any(
             interval.confidence == 0.0
@@ -98,7 +98,7 @@ class Carrier:
         )
 
     def is_unsure_at(self, role: Role, parameter: float, reach: float = 1e-4) -> bool:
-        """Whether a view draws the support at a parameter without telling its linetype."""
+        """Whether a view draws the carrier at a parameter without telling its linetype."""
         slack = reach / self.curve.speed
         found = [
             interval.confidence
@@ -260,7 +260,7 @@ def _settled(
 
 
 def _filled(carrier: Carrier, others: Sequence[Carrier], tolerance: float) -> Carrier:
-    """The support without cracks, and with those gaps closed along which another line runs."""
+    """The carrier without cracks, and with those gaps closed along which another line runs."""
     intervals = {}
     for role, this_spans in carrier.intervals.items():
         gaps = [
@@ -281,7 +281,7 @@ def _filled(carrier: Carrier, others: Sequence[Carrier], tolerance: float) -> Ca
 
 
 def _cracks(intervals: Sequence[Interval], slack: float) -> Iterator[Interval]:
-    """What lacks between spans that end within ``slack`` of each other."""
+    """What lacks between intervals that end within ``slack`` of each other."""
     before: Interval | None = None
     for interval in sorted(intervals, key=lambda this_span: this_span.low):
         if before is not None and 1e-9 < interval.low - before.high <= slack:

@@ -1,4 +1,4 @@
-"""Reliefs of exact solids: how deep their first and last surface lies in the regions of a view.
+"""Depth maps of exact solids: how deep their first and last surface lies in the regions of a view.
 
 Each pixel of a view's mask is a ray.  What it meets first, and what it leaves last, belongs to a
 smooth patch of the solid; pixels of one patch that hang together are a region.  Where several
@@ -143,7 +143,7 @@ def _regions(patches: Numbers, view: View) -> Numbers:
 
 @dataclass(frozen=True)
 class Confidence:
-    """How sure the regions of a relief are.
+    """How sure the regions of a depth map are.
 
     Attributes:
         shares: (n + 1,) by number of the region: share of the lines of its border that the sheet
@@ -153,15 +153,15 @@ class Confidence:
     shares: npt.NDArray[np.float64]
 
 
-def confidence(relief: DepthMap, view: View, matched: MatchedLines) -> Confidence:
+def confidence(depth_map: DepthMap, view: View, matched: MatchedLines) -> Confidence:
     """How much of what bounds each region is on the sheet.
 
     Args:
-        relief: of a solid.
-        view: of the relief.
+        depth_map: of a solid.
+        view: of the depth map.
         matched: the solid's lines in that view and the sheet's.
     """
-    regions = relief.regions
+    regions = depth_map.regions
     count = int(regions.max()) + 1
     total, agreeing = np.zeros(count), np.zeros(count)
     for lines, explained in (
@@ -199,7 +199,7 @@ def _adjacent(
     return found
 
 
-def trusted(relief: DepthMap, sure: Confidence, least: float) -> DepthMap:
-    """The relief without the regions that are less sure: nothing is known there."""
-    kept = sure.shares[relief.regions] >= least
-    return replace(relief, regions=np.where(kept, relief.regions, 0).astype(np.int32))
+def trusted(depth_map: DepthMap, sure: Confidence, least: float) -> DepthMap:
+    """The depth map without the regions that are less sure: nothing is known there."""
+    kept = sure.shares[depth_map.regions] >= least
+    return replace(depth_map, regions=np.where(kept, depth_map.regions, 0).astype(np.int32))

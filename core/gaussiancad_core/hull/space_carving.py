@@ -99,11 +99,11 @@ def carved_hull(
     if result is None or result.shape is None or not parallel:
         return CarvedHull(plain)
     coarse = _Coarse(plain, views)
-    reliefs, doubted = _reliefs(coarse, result)
-    regions = sum(len(relief.chosen or ()) for relief in reliefs)
+    depth_maps, doubted = _depth_maps(coarse, result)
+    regions = sum(len(depth_map.chosen or ()) for depth_map in depth_maps)
     if not regions:
         return CarvedHull(plain, doubted=doubted)
-    carved = visual_hull(views, cameras, reliefs)
+    carved = visual_hull(views, cameras, depth_maps)
     refused = _loses(coarse, carved)
     if not refused and result.status is not Status.VERIFIED:
         refused = _contradicts(views, plain, carved)
@@ -156,7 +156,7 @@ class _Coarse:
         return found[:height, :width]
 
 
-def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[DepthMap, ...], int]:
+def _depth_maps(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[DepthMap, ...], int]:
     """Depths from all sides that have regions worth carving; how many were doubted."""
     views = coarse.views
     solids = [CastSolid(shape, views.size) for shape in (result.shape, *result.alternatives)]
@@ -168,31 +168,31 @@ def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[DepthMap, ..
             rough = depth_map_of(solids, few, behind)
             if not _filled_regions(rough, coarse.depths(view.role, behind), slack, _COARSE_SPOT):
                 continue
-            relief = depth_map_of(solids, view, behind)
-            worth = _filled_regions(relief, coarse.fine_depths(view.role, behind), slack, _SPOT)
+            depth_map = depth_map_of(solids, view, behind)
+            worth = _filled_regions(depth_map, coarse.fine_depths(view.role, behind), slack, _SPOT)
             if result.status is not Status.VERIFIED and worth:
-                sure = confidence(relief, view, result.checked.matched[view.role])
-                relief = trusted(relief, sure, _LEAST_CONFIDENCE)
+                sure = confidence(depth_map, view, result.checked.matched[view.role])
+                depth_map = trusted(depth_map, sure, _LEAST_CONFIDENCE)
                 left = frozenset(n for n in worth if sure.shares[n] >= _LEAST_CONFIDENCE)
                 doubted += len(worth) - len(left)
                 worth = left
-            found.append(replace(relief, chosen=worth))
+            found.append(replace(depth_map, chosen=worth))
     return tuple(found), doubted
 
 
 def _filled_regions(
-    relief: DepthMap, hull: Depths, slack: float, spot: npt.NDArray[np.uint8]
+    depth_map: DepthMap, hull: Depths, slack: float, spot: npt.NDArray[np.uint8]
 ) -> frozenset[int]:
-    """The regions of a relief that the hull fills by more than ``slack`` mm.
+    """The regions of a depth map that the hull fills by more than ``slack`` mm.
 
     Args:
-        relief: of the solid.
+        depth_map: of the solid.
         hull: (h, w) mm, the hull's first surface.
         slack: mm.
         spot: the smallest group of pixels that counts.
     """
-    deeper = (relief.depths - hull > slack) & (relief.regions > 0)
-    filled = relief.regions[_spots(deeper, spot)]
+    deeper = (depth_map.depths - hull > slack) & (depth_map.regions > 0)
+    filled = depth_map.regions[_spots(deeper, spot)]
     return frozenset(int(number) for number in np.unique(filled))
 
 

@@ -86,15 +86,15 @@ class DepthMap:
 def visual_hull(
     views: ViewSet,
     cameras: tuple[Camera, ...],
-    reliefs: tuple[DepthMap, ...] = (),
+    depth_maps: tuple[DepthMap, ...] = (),
     cells: int = DEFAULT_CELLS,
 ) -> TriangleMesh:
-    """Surface of the largest body that all masks, the box and the reliefs allow.
+    """Surface of the largest body that all masks, the box and the depth maps allow.
 
     Args:
         views: one to six views; a direction that no mask bounds ends at the box.
         cameras: one for each view, in any order; orthographic or pinhole.
-        reliefs: known depths; those of views with a pinhole camera are not used.
+        depth_maps: known depths; those of views with a pinhole camera are not used.
         cells: grid cells along the longest edge of the box.
 
     Returns:
@@ -111,9 +111,9 @@ def visual_hull(
     }
     carvings = [
         carving
-        for relief in reliefs
-        if relief.role in parallel
-        for carving in _carvings(relief, views[relief.role], max(views.size) / cells)
+        for depth_map in depth_maps
+        if depth_map.role in parallel
+        for carving in _carvings(depth_map, views[depth_map.role], max(views.size) / cells)
     ]
     coordinates = _grid(views, masks, carvings, cells)
     field = _box_field(coordinates, views.size)
@@ -133,7 +133,7 @@ def visual_hull(
 
 @dataclass(frozen=True, eq=False)
 class _Carving:
-    """One region of a relief, made ready for the grid.
+    """One region of a depth map, made ready for the grid.
 
     Attributes:
         view: whose region it is.
@@ -154,16 +154,16 @@ class _Carving:
     flat: float | None
 
 
-def _carvings(relief: DepthMap, view: View, step: float) -> list[_Carving]:
-    """The regions of a relief; ``step`` is the size of a cell in mm."""
-    regions = np.pad(relief.regions, PAD_PX)
-    depths = np.pad(relief.depths.astype(np.float32), PAD_PX)
+def _carvings(depth_map: DepthMap, view: View, step: float) -> list[_Carving]:
+    """The regions of a depth map; ``step`` is the size of a cell in mm."""
+    regions = np.pad(depth_map.regions, PAD_PX)
+    depths = np.pad(depth_map.depths.astype(np.float32), PAD_PX)
     blank = ~np.pad(view.mask, PAD_PX)
     margin = int(np.ceil(_REACH * step / view.mm_per_pixel)) + 2
     found = []
-    upward = (view.role.frame.look_axis[1] > 0) != relief.behind
+    upward = (view.role.frame.look_axis[1] > 0) != depth_map.behind
     for number in np.unique(regions[regions > 0]):
-        if relief.chosen is not None and int(number) not in relief.chosen:
+        if depth_map.chosen is not None and int(number) not in depth_map.chosen:
             continue
         mask = regions == number
         if mask.sum() < _CRUMB_PX:

@@ -23,7 +23,7 @@ def bridges(arrangement: Arrangement, chains: Sequence[Chain], reach: float) -> 
     """Links from ends that touch nothing to the nearest curve within reach.
 
     Args:
-        arrangement: of the supports.
+        arrangement: of the carriers.
         chains: the other boundaries.
         reach: units.
     """

@@ -69,7 +69,7 @@ class _Surface(NamedTuple):
     Attributes:
         coordinate: of the view, that the other plane shows as well.
         place: of that coordinate in the other plane.
-        key: (normal of the plane, support).
+        key: (normal of the plane, carrier).
         curve, drawn: there, and the stretches of it that are drawn.
         reach: (low, high) of the coordinate, where it is drawn.
     """

@@ -40,7 +40,7 @@ def with_missing_edges(
     cuts: Collection[tuple[Axis, float]] = (),
     floors: Mapping[Axis, Sequence[float]] = MappingProxyType({}),
 ) -> PartCarriers:
-    """The supports with stretches that views may lack.
+    """The carriers with stretches that views may lack.
 
     Where an edge has to be drawn is known of three planes only.
 
@@ -197,7 +197,7 @@ def _depths_at(
 
 
 def as_if_drawn(carriers: PartCarriers) -> PartCarriers:
-    """The supports with what views may lack as lines that may be drawn or not."""
+    """The carriers with what views may lack as lines that may be drawn or not."""
     planes = {}
     for axis, plane in carriers.planes.items():
         found = list(plane.carriers)
@@ -211,7 +211,7 @@ def as_if_drawn(carriers: PartCarriers) -> PartCarriers:
 
 
 def _divided(plane: PlaneCarriers, found: Iterable[Stretch]) -> PlaneCarriers:
-    """The plane with stretches on its supports, or on new ones, where nothing is drawn yet."""
+    """The plane with stretches on its carriers, or on new ones, where nothing is drawn yet."""
     carriers = list(plane.carriers)
     lost: list[tuple[int, float, float]] = []
     for curve, low, high in found:

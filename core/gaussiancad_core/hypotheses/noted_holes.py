@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, sin
 
-from gaussiancad_core.cells.cell_complex import Cell, Space
+from gaussiancad_core.cells.cell_complex import Cell, CellComplex
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.geometry.points import FULL_TURN, Point
 from gaussiancad_core.model.axes import Axis
@@ -59,7 +59,7 @@ def floors(holes: Iterable[NotedHole], carriers: PartCarriers) -> dict[Axis, tup
 
 
 def kept_notes(
-    holes: Iterable[NotedHole], space: Space, carriers: PartCarriers
+    holes: Iterable[NotedHole], space: CellComplex, carriers: PartCarriers
 ) -> tuple[tuple[Kept, ...], ...]:
     """For each note the labels under which it is kept; notes that no labels keep are left out."""
     near = max(_SAME, carriers.tolerance)
@@ -67,7 +67,7 @@ def kept_notes(
     return tuple(kepts for kepts in found if kepts)
 
 
-def _kept(hole: NotedHole, space: Space, scale: float, near: float) -> Iterator[Kept]:
+def _kept(hole: NotedHole, space: CellComplex, scale: float, near: float) -> Iterator[Kept]:
     plane = role_plane(hole.role)
     a, b = (value * sign * scale for value, sign in zip(hole.centre, plane.signs, strict=True))
     radii = [step.diameter * scale / 2.0 for step in hole.steps]
@@ -121,7 +121,7 @@ class _Stretch:
 _Column = tuple[_Stretch, ...]
 
 
-def _columns(space: Space, plane: RolePlane, centre: Point, radius: float) -> list[_Column]:
+def _columns(space: CellComplex, plane: RolePlane, centre: Point, radius: float) -> list[_Column]:
     """What lies behind a circle around a centre, each kind of column once."""
     found: dict[_Column, None] = {}
     for angle in _ANGLES:

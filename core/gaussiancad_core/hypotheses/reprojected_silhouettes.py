@@ -32,7 +32,7 @@ def retraced(
     half_spaces: Sequence[HalfSpace],
     bodies: Sequence[SurfaceOfRevolution] = (),
 ) -> PartCarriers:
-    """The supports with those lines moved that are edges of half spaces, or outlines of bodies."""
+    """The carriers with those lines moved that are edges of half spaces, or outlines of bodies."""
     if not half_spaces and not bodies:
         return carriers
     reach = MEETING * carriers.tolerance
@@ -95,7 +95,7 @@ def _outlines(
 
 
 def _missed(plane: PlaneCarriers, lines: dict[int, Line]) -> dict[int, Line]:
-    """Those of the lines that supports miss."""
+    """Those of the lines that carriers miss."""
     return {
         index: line
         for index, line in lines.items()

@@ -39,7 +39,7 @@ _THIN = 0.05
 
 
 _Round = tuple[Circle, Carrier]
-"""A circle, and the support whose curve it is."""
+"""A circle, and the carrier whose curve it is."""
 
 
 def find_bodies(carriers: PartCarriers, lone: bool = False) -> tuple[SurfaceOfRevolution, ...]:

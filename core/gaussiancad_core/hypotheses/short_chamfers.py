@@ -88,7 +88,7 @@ class _Side:
 
 
 def with_short_chamfers(carriers: PartCarriers) -> PartCarriers:
-    """The supports with the lines of chamfers that may be drawn; they have no confidence."""
+    """The carriers with the lines of chamfers that may be drawn; they have no confidence."""
     if len(carriers.planes) < len(Axis):
         return carriers
     near = SAME_READ * carriers.tolerance

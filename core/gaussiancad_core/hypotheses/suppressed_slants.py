@@ -54,7 +54,7 @@ class _Edge:
 
 
 def with_suppressed_slants(carriers: PartCarriers) -> PartCarriers:
-    """The supports with lines that may be drawn; their spans have no confidence."""
+    """The carriers with lines that may be drawn; their spans have no confidence."""
     if len(carriers.planes) < len(Axis):
         return carriers
     most = MOST * carriers.tolerance

@@ -44,7 +44,7 @@ class _FreeEnd:
 
 
 def with_smooth_edges(carriers: PartCarriers) -> PartCarriers:
-    """The supports, with lines without confidence where strokes end at edges that are not drawn."""
+    """The carriers, with lines without confidence where strokes end at edges that are not drawn."""
     near = max(MEETING * carriers.tolerance, _LEAST_NEAR)
     planes = {}
     for normal, plane in carriers.planes.items():
@@ -120,7 +120,7 @@ def _free_ends(plane: PlaneCarriers, near: float) -> list[_FreeEnd]:
 
 
 def _ends(carrier: Carrier) -> list[float]:
-    """Where what is drawn on a support ends; a circle's angle only begins again at zero."""
+    """Where what is drawn on a carrier ends; a circle's angle only begins again at zero."""
     ends = [end for stretch in carrier.drawn() for end in stretch]
     round_ones = {end for end in ends if min(end, FULL_TURN - end) < COMPUTED}
     if isinstance(carrier.curve, Circle) and len(round_ones) > 1:

@@ -18,7 +18,7 @@ _UV_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
-class Column:
+class RayCrossings:
     """The hits of one line of sight, nearest first.
 
     Attributes:
@@ -42,7 +42,7 @@ class _Patch:
     box: Array
 
 
-class SightLines:
+class SolidRays:
     """Lines of sight through one solid in one view.
 
     Args:
@@ -69,7 +69,7 @@ class SightLines:
             np.stack([corners.min(axis=0) - tolerance, corners.max(axis=0) + tolerance]),
         )
 
-    def columns(self, points: Array) -> list[Column]:
+    def crossings_at(self, points: Array) -> list[RayCrossings]:
         """What is met at (n, 2) points of the view's plane."""
         lines: list[npt.NDArray[np.int64]] = []
         depths: list[Array] = []
@@ -96,9 +96,9 @@ class SightLines:
         depths: list[Array],
         normals: list[Array],
         faces: list[npt.NDArray[np.int64]],
-    ) -> list[Column]:
+    ) -> list[RayCrossings]:
         if not lines:
-            empty = Column(np.zeros(0), np.zeros((0, 3)), np.zeros(0, int), True)
+            empty = RayCrossings(np.zeros(0), np.zeros((0, 3)), np.zeros(0, int), True)
             return [empty] * count
         line, depth = np.concatenate(lines), np.concatenate(depths)
         normal, face = np.concatenate(normals), np.concatenate(faces)
@@ -116,7 +116,9 @@ class SightLines:
             entering = normal[this_slice] @ self._look < 0.0
             alternates = bool(np.all(entering[0::2]) and not np.any(entering[1::2]))
             sound = (end - start) % 2 == 0 and alternates
-            columns.append(Column(depth[this_slice], normal[this_slice], face[this_slice], sound))
+            columns.append(
+                RayCrossings(depth[this_slice], normal[this_slice], face[this_slice], sound)
+            )
         return columns
 
 

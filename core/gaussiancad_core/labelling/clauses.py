@@ -1,4 +1,4 @@
-"""Rules as clauses over the Booleans of blocks, for CP-SAT."""
+"""Rules as clauses over the Booleans of equivalence classes, for CP-SAT."""
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence

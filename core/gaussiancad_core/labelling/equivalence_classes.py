@@ -1,4 +1,4 @@
-"""Blocks: what rules that have to hold tell of labels before any solver is asked.
+"""Equivalence classes: what rules that have to hold imply before any solver is asked.
 
 Nothing is drawn where two columns pass the same surfaces: of two crossings that are one surface
 either both are the part's or none is.  With 1 for material and 0 for void that is one linear

@@ -8,7 +8,7 @@ from types import MappingProxyType
 import numpy as np
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.cells.cell_complex import CellComplex
 from gaussiancad_core.cells.edge_fragments import Piece, find_pieces
 from gaussiancad_core.cells.grid_rows import count_pieces, find_rows
 from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
@@ -83,7 +83,7 @@ class PartModel:
     """
 
     carriers: PartCarriers
-    space: Space
+    space: CellComplex
     rules: tuple[Rule, ...]
     usual: Priors | None = None
     sections: Mapping[Role, Cut] = field(default_factory=dict)
@@ -96,7 +96,7 @@ def model_part(
     *,
     lost_lines: bool = False,
 ) -> PartModel:
-    """Supports, cells and rules of views.
+    """Carriers, cells and rules of views.
 
     Args:
         views: two to six; those that draw no hidden lines may lack any line along an axis, too,
@@ -134,7 +134,7 @@ def model_part(
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, _known_size(carriers))
-    space = Space(planes, (*find_bodies(carriers), *half_spaces))
+    space = CellComplex(planes, (*find_bodies(carriers), *half_spaces))
     return without_undrawn(_part(carriers, space, near, deadline, views.cuts), views)
 
 
@@ -212,7 +212,7 @@ def with_lone_bodies(
         if contradict(through):
             return None
     others = part.space.bodies[len(plain) :]
-    space = Space(part.space.planes, (*bodies, *others))
+    space = CellComplex(part.space.planes, (*bodies, *others))
     return _part(part.carriers, space, NEAR, deadline, part.sections)
 
 
@@ -229,7 +229,7 @@ def _looks_into(rule: Rule, bodies: Sequence[SurfaceOfRevolution]) -> bool:
 
 def _part(
     carriers: PartCarriers,
-    space: Space,
+    space: CellComplex,
     near: float,
     deadline: Deadline,
     cuts: Mapping[Role, Cut] = MappingProxyType({}),

@@ -13,7 +13,7 @@ from math import dist, hypot, prod
 from shapely import contains_xy
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space, Surface
+from gaussiancad_core.cells.cell_complex import Cell, CellComplex, Crossing, Surface
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.whole_curves import Circle
@@ -92,7 +92,7 @@ class Priors:
 
 def priors_of(
     carriers: PartCarriers,
-    space: Space,
+    space: CellComplex,
     roles: Iterable[Role],
     undrawn: Iterable[Role],
     cuts: Mapping[Role, Cut],
@@ -156,7 +156,7 @@ class _Found:
 
 
 def _look(
-    found: _Found, carriers: PartCarriers, space: Space, role: Role, *, with_holes: bool
+    found: _Found, carriers: PartCarriers, space: CellComplex, role: Role, *, with_holes: bool
 ) -> None:
     """What a view that is not cut tells."""
     looks = role_plane(role)
@@ -216,7 +216,7 @@ def _add_holes(
                 found.holes[Hole(behind[part], tuple(inner))] = None
 
 
-def _look_through(found: _Found, plane: PlaneCarriers, space: Space, cut: Cut) -> None:
+def _look_through(found: _Found, plane: PlaneCarriers, space: CellComplex, cut: Cut) -> None:
     """Holes that a section looks into along their axis: they are before its plane as well."""
     if cut.areas is None:
         return
@@ -234,7 +234,7 @@ def _look_through(found: _Found, plane: PlaneCarriers, space: Space, cut: Cut) -
     _add_holes(found, drawn, parts, behind)
 
 
-def _look_from(found: _Found, space: Space, normal: Axis, at: float, *, alike: bool) -> None:
+def _look_from(found: _Found, space: CellComplex, normal: Axis, at: float, *, alike: bool) -> None:
     """What is usual on both sides of a cutting plane."""
     for _, point in islice(space.planes[normal].inner_points(), _MOST):
         column = space.column(normal, *point)
@@ -305,7 +305,7 @@ def _adjacent(
             yield one.after, before[-1] if before else None
 
 
-def _undrawn(carriers: PartCarriers, space: Space) -> Iterator[frozenset[Transition]]:
+def _undrawn(carriers: PartCarriers, space: CellComplex) -> Iterator[frozenset[Transition]]:
     blank = {
         (normal.value, number)
         for normal, plane in carriers.planes.items()

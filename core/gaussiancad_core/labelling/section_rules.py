@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import shapely
 
-from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space
+from gaussiancad_core.cells.cell_complex import Cell, CellComplex, Crossing
 from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.labelling.visibility_rules import Group, Rule
 from gaussiancad_core.model.axes import Role, Vector
@@ -70,7 +70,7 @@ def behind(crossings: Column, role: Role, at: float) -> Column:
     return (entry, *kept) if up else (*kept, entry)
 
 
-def area_rules(space: Space, cuts: Mapping[Role, Cut]) -> Iterator[Rule]:
+def area_rules(space: CellComplex, cuts: Mapping[Role, Cut]) -> Iterator[Rule]:
     """Rules of hatched and of blank regions of sections."""
     for role, cut in cuts.items():
         if cut.areas is None:

@@ -9,7 +9,7 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from math import log
 
-from gaussiancad_core.cells.cell_complex import Cell, Space, Surface
+from gaussiancad_core.cells.cell_complex import Cell, CellComplex, Surface
 from gaussiancad_core.labelling.clauses import Labels
 from gaussiancad_core.labelling.visibility_rules import Rule, holds
 
@@ -21,7 +21,7 @@ Neighbours = Mapping[Cell, Sequence[tuple[Cell | None, Surface]]]
 
 
 def with_unconstrained(
-    space: Space, rules: Sequence[Rule], labels: Labels, thickest: float
+    space: CellComplex, rules: Sequence[Rule], labels: Labels, thickest: float
 ) -> Labels:
     """Labels for all cells; slim ones changed where all rules hold that held before.
 
@@ -61,7 +61,7 @@ def with_unconstrained(
     return found
 
 
-def _neighbours(space: Space) -> Neighbours:
+def _neighbours(space: CellComplex) -> Neighbours:
     found: dict[Cell, dict[tuple[Cell | None, Surface], None]] = defaultdict(dict)
     for one, other, surface in space.crossed():
         if one is not None:

@@ -13,7 +13,7 @@ from math import inf
 from typing import TypeVar
 
 from gaussiancad_core.cells.arrangement import Arrangement
-from gaussiancad_core.cells.cell_complex import Cell, Crossing, Space, parallel
+from gaussiancad_core.cells.cell_complex import Cell, CellComplex, Crossing, parallel
 from gaussiancad_core.cells.crossing_kernels import CLEAR, GROUP
 from gaussiancad_core.cells.edge_fragments import Piece
 from gaussiancad_core.cells.sight_lines import Keys, SightLines
@@ -86,7 +86,10 @@ Seen = Callable[[Role, Sequence[Point], Columns], Columns | None]
 
 
 def rules_of(
-    space: Space, pieces: Iterable[Piece], cut: Collection[Role] = (), seen: Seen | None = None
+    space: CellComplex,
+    pieces: Iterable[Piece],
+    cut: Collection[Role] = (),
+    seen: Seen | None = None,
 ) -> list[Rule]:
     """Rules of pieces; those that say the same become one.
 
@@ -114,7 +117,7 @@ _Said = TypeVar("_Said", bound=Hashable)
 
 
 def _informative(
-    space: Space, pieces: Sequence[Piece], seen: Seen | None = None
+    space: CellComplex, pieces: Sequence[Piece], seen: Seen | None = None
 ) -> Iterator[tuple[Piece, Groups]]:
     """Pieces that say something, and what: the plain way, for cells without keys and for columns
     that are cut."""
@@ -195,7 +198,9 @@ def _merged(said: Iterable[tuple[Piece, _Said]], decoded: Callable[[_Said], Grou
     return rules
 
 
-def groups_at(space: Space, piece: Piece, seen: Seen | None = None) -> tuple[Group, ...] | None:
+def groups_at(
+    space: CellComplex, piece: Piece, seen: Seen | None = None
+) -> tuple[Group, ...] | None:
     """Groups from the viewer on; None if the piece says nothing.
 
     The plain reference of what :mod:`gaussiancad_core.cells.sight_lines` does with many pieces at

@@ -21,7 +21,7 @@ from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 from gaussiancad_core.geometry.line_tolerances import Precision
 from gaussiancad_core.kernel.brep import bounding_box
 from gaussiancad_core.kernel.solid_edges import EdgeFacts, edge_facts
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.lines.coverage import StrokeIndex
 from gaussiancad_core.lines.edge_projection import project_edge
 from gaussiancad_core.lines.single_lines import clean_strokes, distinct_strokes
@@ -86,7 +86,7 @@ class LineDrawing:
 
     def seen(self, frame: ViewFrame) -> tuple[DrawnStroke, ...]:
         """The same for any direction of view."""
-        sight = SightLines(self._shape, frame, self._precision.fit)
+        sight = SolidRays(self._shape, frame, self._precision.fit)
         witness = RayTest(sight, frame, _BESIDE * self._extent)
         lines = self._lines(frame)
         drawn = decided(lines, witness, self._precision, self._options.tangent_edges)

@@ -8,7 +8,7 @@ from enum import Enum
 import numpy as np
 
 from gaussiancad_core.kernel.solid_edges import SMOOTH_ANGLE
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.kernel.surface_crossings import Array
 from gaussiancad_core.lines.two_rays import Difference, difference
 from gaussiancad_core.model.axes import ViewFrame
@@ -53,7 +53,7 @@ class RayTest:
         offset: mm between a line and the sight lines beside it.
     """
 
-    def __init__(self, sight: SightLines, frame: ViewFrame, offset: float) -> None:
+    def __init__(self, sight: SolidRays, frame: ViewFrame, offset: float) -> None:
         self._sight = sight
         self._look = np.array(frame.look, dtype=np.float64)
         self._plane = np.array([frame.right, frame.up], dtype=np.float64)
@@ -98,7 +98,7 @@ class RayTest:
                 answers[number] = answer
 
     def _compared(self, points: Array, across: Array, trusting: bool = False) -> list[Visibility]:
-        rays = self._sight.columns(np.concatenate([points - across, points + across]))
+        rays = self._sight.crossings_at(np.concatenate([points - across, points + across]))
         splits = np.concatenate([[0], np.cumsum([len(ray.depth) for ray in rays])])
         normals = np.concatenate([ray.normal for ray in rays])
         towards = normals @ self._look

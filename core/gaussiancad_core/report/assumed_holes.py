@@ -6,7 +6,7 @@ import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype
@@ -52,9 +52,9 @@ def assumed_holes(
         ]
         if not circles:
             continue
-        sights = SightLines(shape, view.role.frame, tolerance)
+        sights = SolidRays(shape, view.role.frame, tolerance)
         inside, outside = (
-            sights.columns(np.array([_point_right_of(circle, share) for circle in circles]))
+            sights.crossings_at(np.array([_point_right_of(circle, share) for circle in circles]))
             for share in (1.0 - _BESIDE, 1.0 + _BESIDE)
         )
         alike: dict[float, list[Arc]] = {}

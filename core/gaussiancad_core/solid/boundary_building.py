@@ -38,7 +38,7 @@ from gaussiancad_core.model.axes import Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
 from gaussiancad_core.solid.extra_faces import body_faces
 from gaussiancad_core.solid.face_patches import NARROW, Patch, PlanePatch, SweptPatch, find_patches
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 
 _BESIDE = 5e-5
 """Units from a sub-face at which the labels of its sides are looked up."""
@@ -110,7 +110,7 @@ class _Sewn:
     open_at: tuple[Vector, ...] = ()
 
 
-def build_solid(space: LabelledSpace, scale: float, deadline: Deadline = NEVER) -> BuiltSolid:
+def build_solid(space: LabelledComplex, scale: float, deadline: Deadline = NEVER) -> BuiltSolid:
     """The B-Rep of a labelled space.
 
     Args:
@@ -134,7 +134,7 @@ def _valid(built: BuiltSolid) -> BuiltSolid:
     return built if sound else BuiltSolid(None, built.bodies, closed=False)
 
 
-def _tried(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) -> BuiltSolid:
+def _tried(space: LabelledComplex, scale: float, fit: _Fit, deadline: Deadline) -> BuiltSolid:
     """What the faces close to; nothing where OpenCASCADE gives up on them."""
     try:
         return _built(space, scale, fit, deadline)
@@ -142,7 +142,7 @@ def _tried(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) ->
         return BuiltSolid(None, 0, closed=False)
 
 
-def _built(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) -> BuiltSolid:
+def _built(space: LabelledComplex, scale: float, fit: _Fit, deadline: Deadline) -> BuiltSolid:
     faces = [_face(patch) for patch in find_patches(space, fit.narrow)]
     faces += [face for body in space.space.bodies for face in body_faces(body)]
     if not faces:
@@ -256,7 +256,7 @@ def _is_sliver(face: TopoDS_Face, width: float = _SLIVER) -> bool:
 class _Sides:
     """Tells on which side of a face the material is."""
 
-    def __init__(self, space: LabelledSpace) -> None:
+    def __init__(self, space: LabelledComplex) -> None:
         self._space = space
         self._context = IntTools_Context()
 

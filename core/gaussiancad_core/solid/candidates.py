@@ -14,7 +14,7 @@ from gaussiancad_core.labelling.counted_work import Counted, Deadline
 from gaussiancad_core.labelling.unconstrained_cells import with_unconstrained
 from gaussiancad_core.model.axes import Vector
 from gaussiancad_core.solid.boundary_building import BuiltSolid, build_solid
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 from gaussiancad_core.solid.limits import Limits, Work
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.search_trace import Outcome
@@ -140,7 +140,7 @@ def _continued(work: Work, labels: Labels, thickest: float) -> Labels:
 
 def _build(work: Work, labels: Labels, deadline: Deadline, thickest: float) -> BuiltSolid:
     part = work.part
-    space = LabelledSpace(part.space, _continued(work, labels, thickest))
+    space = LabelledComplex(part.space, _continued(work, labels, thickest))
     built = build_solid(space, part.carriers.scale, deadline)
     work.meter.lap("build")
     return built

@@ -150,7 +150,7 @@ def _bounded(arrangement: Arrangement, shadow: _Shadow, samples: Points) -> Outl
 
 
 def pieces_of(arrangement: Arrangement) -> Iterator[tuple[int, float, float]]:
-    """(support, low, high) of what is drawn, cut where anything meets it."""
+    """(carrier, low, high) of what is drawn, cut where anything meets it."""
     corners = np.array(arrangement.corners).reshape(-1, 2)
     for index, low, high in arrangement.stretches:
         curve = arrangement.carriers[index].curve
@@ -241,7 +241,7 @@ def _nearest(values: Sequence[float], at: float, reach: float) -> float:
 
 
 def _sides(polygons: Sequence[Sequence[Point]]) -> list[Carrier]:
-    """Polygons as supports, one a side."""
+    """Polygons as carriers, one a side."""
     found = []
     for polygon in polygons:
         corners: list[Point] = []

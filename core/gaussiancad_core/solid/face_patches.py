@@ -1,6 +1,6 @@
 """Where the surfaces of a labelled space are the surface of the part.
 
-A patch is a rectangle of a support's surface: a stretch of its curve times a range of depth.  It
+A patch is a rectangle of a carrier's surface: a stretch of its curve times a range of depth.  It
 holds every place where the labels on both sides differ, and is cut to them later.
 """
 
@@ -14,7 +14,7 @@ from gaussiancad_core.geometry.tolerances import ASIDE, SHORTEST
 from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, axis_line, meetings
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 
 Rectangle = tuple[float, float, float, float]
 """Low and high of the first, low and high of the second parameter."""
@@ -62,7 +62,7 @@ class SweptPatch:
 Patch = PlanePatch | SweptPatch
 
 
-def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
+def find_patches(space: LabelledComplex, narrow: float = NARROW) -> list[Patch]:
     """Patches that cover the part's surface but for that of the bodies.
 
     Args:
@@ -103,7 +103,7 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
 
 
 def _differences(
-    space: LabelledSpace,
+    space: LabelledComplex,
     normal: Axis,
     curve: LineOrCircle,
     stretch: tuple[float, float],
@@ -134,7 +134,7 @@ def _nearest(values: list[float], at: float, otherwise: float) -> float:
 
 
 def _pieces(
-    space: LabelledSpace, normal: Axis, curve: LineOrCircle, stretch: tuple[float, float]
+    space: LabelledComplex, normal: Axis, curve: LineOrCircle, stretch: tuple[float, float]
 ) -> Iterator[tuple[float, float]]:
     cuts = {*stretch}
     for coordinate, index in enumerate(IN_PLANE[normal]):

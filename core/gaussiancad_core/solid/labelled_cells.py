@@ -2,13 +2,13 @@
 
 from dataclasses import dataclass
 
-from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.cells.cell_complex import CellComplex
 from gaussiancad_core.labelling.clauses import Labels
 from gaussiancad_core.model.axes import Axis, Vector
 
 
 @dataclass(frozen=True)
-class LabelledSpace:
+class LabelledComplex:
     """Cells and their labels.
 
     Attributes:
@@ -16,7 +16,7 @@ class LabelledSpace:
         labels: True is material; cells that nothing is said about are void.
     """
 
-    space: Space
+    space: CellComplex
     labels: Labels
 
     def is_material(self, point: Vector) -> bool:

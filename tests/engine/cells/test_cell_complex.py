@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.cells.arrangement import Arrangement
-from gaussiancad_core.cells.cell_complex import BODY, Space, parallel
+from gaussiancad_core.cells.cell_complex import BODY, CellComplex, parallel
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.whole_curves import axis_line
@@ -23,13 +23,13 @@ _SHARE = st.floats(-0.02, 1.02)
 
 
 @pytest.fixture(scope="module", params=_NAMES)
-def space(request: pytest.FixtureRequest, sample_views: Callable[[str], DrawnViews]) -> Space:
+def space(request: pytest.FixtureRequest, sample_views: Callable[[str], DrawnViews]) -> CellComplex:
     return model_part(sample_views(request.param)).space
 
 
 @given(st.tuples(_SHARE, _SHARE, _SHARE))
 def test_columns_of_all_axes_tell_the_cell_of_a_point(
-    space: Space, shares: tuple[float, float, float]
+    space: CellComplex, shares: tuple[float, float, float]
 ) -> None:
     ends = [space.values[axis] for axis in Axis]
     point = tuple(end[0] + s * (end[-1] - end[0]) for end, s in zip(ends, shares, strict=True))
@@ -49,7 +49,7 @@ def test_columns_of_all_axes_tell_the_cell_of_a_point(
 @pytest.mark.parametrize("normal", Axis)
 @given(_SHARE, _SHARE)
 def test_a_column_goes_from_void_to_void_step_by_step(
-    space: Space, normal: Axis, one: float, other: float
+    space: CellComplex, normal: Axis, one: float, other: float
 ) -> None:
     ends = [space.values[Axis(index)] for index in IN_PLANE[normal]]
     a, b = (
@@ -79,14 +79,14 @@ def test_a_column_goes_from_void_to_void_step_by_step(
     assert column is space.column(normal, a, b)
 
 
-def test_values_are_ascending_and_start_at_the_origin(space: Space) -> None:
+def test_values_are_ascending_and_start_at_the_origin(space: CellComplex) -> None:
     for axis in Axis:
         values = space.values[axis]
         assert values == sorted(values) and values[0] == pytest.approx(0.0, abs=1e-6)
         assert all(low + 1e-6 < high for low, high in pairwise(values))
 
 
-def test_nothing_is_outside_of_the_box(space: Space) -> None:
+def test_nothing_is_outside_of_the_box(space: CellComplex) -> None:
     for axis in Axis:
         for value in (space.values[axis][0] - 0.5, space.values[axis][-1] + 0.5):
             point = [10.0, 10.0, 10.0]
@@ -98,7 +98,7 @@ def test_thickness_is_the_longest_stretch_in_the_thinnest_direction(
     sample_views: Callable[[str], DrawnViews],
 ) -> None:
     planes = model_part(sample_views("stepped-block")).space.planes
-    fresh = Space(planes)
+    fresh = CellComplex(planes)
     assert fresh.thickness() == {}
     rng = np.random.default_rng(2)
     longest: dict[tuple[int, ...], dict[Axis, float]] = {}
@@ -134,7 +134,7 @@ def test_beside_the_corner_at_which_a_chain_ends_is_no_sliver_of_the_outside() -
     chain = ((2.0, 10.0), (1.4, 5.0), (0.0, 0.0))
     box = ((0, 0.0, 0.0, 15.0), (0, 10.0, 0.0, 15.0), (1, 0.0, 0.0, 10.0), (1, 15.0, 0.0, 10.0))
     square = ((0, 0.0, 0.0, 10.0), (0, 10.0, 0.0, 10.0), (1, 0.0, 0.0, 10.0), (1, 10.0, 0.0, 10.0))
-    space = Space(
+    space = CellComplex(
         {
             Axis.X: Arrangement(lines, [chain]),
             Axis.Y: Arrangement(_drawn(Role.FRONT, *box)),

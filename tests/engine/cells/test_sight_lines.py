@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from gaussiancad_core.cells.cell_complex import Space
+from gaussiancad_core.cells.cell_complex import CellComplex
 from gaussiancad_core.cells.edge_fragments import Piece, find_pieces
 from gaussiancad_core.cells.sight_lines import SightLines, body_table
 from gaussiancad_core.evidence.drawn_views import DrawnViews
@@ -34,8 +34,8 @@ def _pieces(part: PartModel) -> list[Piece]:
     return list(find_pieces(part.space, part.carriers.planes, _NEAR))
 
 
-def _fresh(part: PartModel) -> Space:
-    return Space(part.space.planes, part.space.bodies)
+def _fresh(part: PartModel) -> CellComplex:
+    return CellComplex(part.space.planes, part.space.bodies)
 
 
 def test_rules_are_those_of_the_plain_functions(
@@ -60,7 +60,7 @@ class _NoLines:
 
     fit = False
 
-    def __init__(self, _space: Space) -> None:
+    def __init__(self, _space: CellComplex) -> None:
         pass
 
 
@@ -106,10 +106,10 @@ class _Strange:
 
 def test_what_has_no_keys_is_told_the_plain_way(part: PartModel) -> None:
     assert body_table([_Strange()]) is None
-    space = Space(part.space.planes, [*part.space.bodies, _Strange()])
+    space = CellComplex(part.space.planes, [*part.space.bodies, _Strange()])
     assert not SightLines(space).fit
     pieces = _pieces(part)
     plain = [rule.weight for rule in rules_of(space, pieces)]
     assert plain == [rule.weight for rule in rules_of(_fresh(part), pieces)]
-    many = Space(part.space.planes, [*part.space.bodies] * 60)
+    many = CellComplex(part.space.planes, [*part.space.bodies] * 60)
     assert SightLines(many).fit == (not part.space.bodies)

@@ -19,10 +19,10 @@ BLOCK = box((0, 0, 0), SIZE)
 POCKETED = cut(BLOCK, box((10, 8, 12), (30, 22, 21)), cylinder(Axis.Z, (20, 15), 4, -1, 5))
 
 
-def _at(relief: DepthMap, view: View, right: float, up: float) -> tuple[int, float]:
+def _at(depth_map: DepthMap, view: View, right: float, up: float) -> tuple[int, float]:
     """Region and depth at a point of a view."""
     x, y = view.to_pixels(np.array([[right, up]]))[0]
-    return int(relief.regions[int(y), int(x)]), float(relief.depths[int(y), int(x)])
+    return int(depth_map.regions[int(y), int(x)]), float(depth_map.depths[int(y), int(x)])
 
 
 def test_depths_count_from_the_side_that_is_nearest(viewed: Viewed) -> None:
@@ -82,11 +82,11 @@ def test_regions_without_lines_on_the_sheet_are_not_trusted(viewed: Viewed) -> N
     view = viewed(two)[Role.TOP]
     sheet = viewed(one)[Role.TOP].strokes
     matched = match_lines(sheet, lines_of_strokes(view.strokes, 0.05), 0.2)
-    relief = depth_map_of([CastSolid(two, SIZE)], view, False)
-    drawn, invented = _at(relief, view, 9, 15)[0], _at(relief, view, 29, 15)[0]
-    sure = confidence(relief, view, matched)
+    depth_map = depth_map_of([CastSolid(two, SIZE)], view, False)
+    drawn, invented = _at(depth_map, view, 9, 15)[0], _at(depth_map, view, 29, 15)[0]
+    sure = confidence(depth_map, view, matched)
     assert sure.shares[drawn] == pytest.approx(1.0)
     assert sure.shares[invented] == pytest.approx(0.0)
-    kept = trusted(relief, sure, 0.8)
+    kept = trusted(depth_map, sure, 0.8)
     assert _at(kept, view, 9, 15)[0] == drawn
     assert _at(kept, view, 29, 15)[0] == 0

@@ -60,11 +60,11 @@ def hull_of(
     size: Size,
     shapes: dict[Role, Shape],
     roles: tuple[Role, ...] = THREE,
-    reliefs: tuple[DepthMap, ...] = (),
+    depth_maps: tuple[DepthMap, ...] = (),
 ) -> TriangleMesh:
     views = ViewSet(tuple(view(role, size, shapes.get(role)) for role in roles), size)
     cameras = tuple(orthographic_camera(role, size, 64) for role in roles)
-    return visual_hull(views, cameras, reliefs, cells=64)
+    return visual_hull(views, cameras, depth_maps, cells=64)
 
 
 def bracket(right: np.ndarray, up: np.ndarray) -> np.ndarray:
@@ -186,7 +186,7 @@ def test_views_without_a_common_part_say_so() -> None:
     assert caught.value.code == "empty-hull"
 
 
-def relief(role: Role, size: Size, depth: Shape, region: Shape | None = None) -> DepthMap:
+def depth_map(role: Role, size: Size, depth: Shape, region: Shape | None = None) -> DepthMap:
     base = view(role, size)
     right, up = pixel_centres(base)
     numbers = base.mask.astype(np.int32)
@@ -201,8 +201,8 @@ def test_a_known_depth_carves_a_blind_pocket() -> None:
     def pocket(right: np.ndarray, up: np.ndarray) -> np.ndarray:
         return (abs(right - 15.0) < 8.0) & (abs(up - 10.0) < 5.0)
 
-    top = relief(Role.TOP, size, lambda right, up: np.where(pocket(right, up), 6.0, 0.0), pocket)
-    hull = hull_of(size, {}, reliefs=(top,))
+    top = depth_map(Role.TOP, size, lambda right, up: np.where(pocket(right, up), 6.0, 0.0), pocket)
+    hull = hull_of(size, {}, depth_maps=(top,))
     assert hull.watertight
     assert hull.volume == pytest.approx(6000.0 - 16.0 * 10.0 * 6.0, rel=0.004)
     floor = hull.vertices[np.hypot(hull.vertices[:, 0] - 15.0, hull.vertices[:, 1] - 10.0) < 3.0]
@@ -215,8 +215,10 @@ def test_a_depth_from_behind_carves_the_far_side() -> None:
     def pocket(right: np.ndarray, up: np.ndarray) -> np.ndarray:
         return (abs(right - 15.0) < 8.0) & (abs(up - 10.0) < 5.0)
 
-    depths = relief(Role.TOP, size, lambda right, up: np.where(pocket(right, up), 6.0, 0.0), pocket)
-    hull = hull_of(size, {}, reliefs=(replace(depths, behind=True),))
+    depths = depth_map(
+        Role.TOP, size, lambda right, up: np.where(pocket(right, up), 6.0, 0.0), pocket
+    )
+    hull = hull_of(size, {}, depth_maps=(replace(depths, behind=True),))
     assert hull.watertight
     assert hull.volume == pytest.approx(6000.0 - 16.0 * 10.0 * 6.0, rel=0.004)
     roof = hull.vertices[np.hypot(hull.vertices[:, 0] - 15.0, hull.vertices[:, 1] - 10.0) < 3.0]
@@ -229,10 +231,10 @@ def test_only_chosen_regions_are_carved() -> None:
     def left(right: np.ndarray, up: np.ndarray) -> np.ndarray:
         return right < 15.0
 
-    top = relief(Role.TOP, size, lambda right, up: np.where(left(right, up), 4.0, 0.0), left)
+    top = depth_map(Role.TOP, size, lambda right, up: np.where(left(right, up), 4.0, 0.0), left)
     for chosen, carved in ((None, True), ({2}, True), ({1}, False), (set(), False)):
         numbers = None if chosen is None else frozenset(chosen)
-        hull = hull_of(size, {}, reliefs=(replace(top, chosen=numbers),))
+        hull = hull_of(size, {}, depth_maps=(replace(top, chosen=numbers),))
         assert hull.watertight
         assert hull.volume == pytest.approx(6000.0 - 1200.0 * carved, rel=0.004)
 
@@ -246,19 +248,19 @@ def test_a_known_depth_makes_a_boss_round() -> None:
     def side(right: np.ndarray, up: np.ndarray) -> np.ndarray:
         return (up < 8.0) | (abs(right - 10.0) < 6.0)
 
-    top = relief(Role.TOP, size, lambda right, up: np.where(boss(right, up), 0.0, 12.0), boss)
+    top = depth_map(Role.TOP, size, lambda right, up: np.where(boss(right, up), 0.0, 12.0), boss)
     shapes = {Role.FRONT: side, Role.RIGHT: side}
     exact = 400.0 * 8.0 + np.pi * 36.0 * 12.0
     assert hull_of(size, shapes).volume > exact * 1.05
-    hull = hull_of(size, shapes, reliefs=(top,))
+    hull = hull_of(size, shapes, depth_maps=(top,))
     assert hull.watertight
     assert hull.volume == pytest.approx(exact, rel=0.004)
 
 
 def test_a_depth_that_the_hull_has_anyway_changes_nothing() -> None:
     size = (30.0, 20.0, 10.0)
-    flat = relief(Role.TOP, size, lambda right, up: np.full_like(right, 0.05))
-    assert hull_of(size, {}, reliefs=(flat,)).volume == pytest.approx(6000.0, rel=1e-4)
+    flat = depth_map(Role.TOP, size, lambda right, up: np.full_like(right, 0.05))
+    assert hull_of(size, {}, depth_maps=(flat,)).volume == pytest.approx(6000.0, rel=1e-4)
 
 
 def test_regions_side_by_side_leave_no_skin_between_them() -> None:
@@ -267,8 +269,8 @@ def test_regions_side_by_side_leave_no_skin_between_them() -> None:
     def half(right: np.ndarray, up: np.ndarray) -> np.ndarray:
         return right > 10.0
 
-    deep = relief(Role.TOP, size, lambda right, up: np.full_like(right, 7.0), half)
-    hull = hull_of(size, {}, reliefs=(deep,))
+    deep = depth_map(Role.TOP, size, lambda right, up: np.full_like(right, 7.0), half)
+    hull = hull_of(size, {}, depth_maps=(deep,))
     assert hull.watertight
     assert hull.volume == pytest.approx(400.0 * 3.0, rel=1e-3)
     assert hull.bounds[1, 2] == pytest.approx(3.0, abs=1e-3)

@@ -24,7 +24,7 @@ from gaussiancad_core.labelling.cell_labelling import Effort, Search
 from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.solid.boundary_building import build_solid
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 
 Draw = Callable[..., DrawnViews]
 
@@ -52,7 +52,7 @@ def test_a_pad_that_passes_smoothly_into_a_face_is_found(drawn: Draw) -> None:
     part = model_part(drawn(solid))
     labels = Search(part.rules, Effort()).best(relaxed=False).labels
     assert labels is not None
-    built = build_solid(LabelledSpace(part.space, labels), part.carriers.scale)
+    built = build_solid(LabelledComplex(part.space, labels), part.carriers.scale)
     assert built.shape is not None
     assert volume(built.shape) == pytest.approx(volume(solid), rel=1e-7)
 
@@ -90,7 +90,7 @@ def test_a_web_that_touches_its_bosses_is_found(drawn: Draw, lower: float) -> No
     part = model_part(drawn(solid))
     labels = Search(part.rules, Effort()).best(relaxed=True).labels
     assert labels is not None
-    built = build_solid(LabelledSpace(part.space, labels), part.carriers.scale)
+    built = build_solid(LabelledComplex(part.space, labels), part.carriers.scale)
     assert built.shape is not None
     assert volume(built.shape) == pytest.approx(volume(solid), rel=1e-7)
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.kernel.brep import bounding_box, volume
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.samples import SAMPLES, SamplePart, sample
 
@@ -16,7 +16,7 @@ def test_columns_enter_and_leave_in_turn_and_hold_the_volume(part: SamplePart) -
         low, high = corners.min(axis=0), corners.max(axis=0)
         steps = (np.arange(24) + 0.4371) / 24.0
         grid = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2)
-        columns = SightLines(shape, role.frame, 1e-6).columns(low + grid * (high - low))
+        columns = SolidRays(shape, role.frame, 1e-6).crossings_at(low + grid * (high - low))
         assert all(column.sound for column in columns)
         inside = sum(
             float(column.depth[1::2].sum() - column.depth[0::2].sum()) for column in columns
@@ -27,7 +27,7 @@ def test_columns_enter_and_leave_in_turn_and_hold_the_volume(part: SamplePart) -
 
 def test_a_column_tells_depth_normal_and_face() -> None:
     shape = sample("pocket-block").build()
-    neighbour, through, outside = SightLines(shape, Role.TOP.frame, 1e-6).columns(
+    neighbour, through, outside = SolidRays(shape, Role.TOP.frame, 1e-6).crossings_at(
         np.array([[5.0, 5.0], [30.0, 20.0], [100.0, 5.0]])
     )
     assert neighbour.depth == pytest.approx([-30.0, 0.0])
@@ -41,5 +41,5 @@ def test_a_column_tells_depth_normal_and_face() -> None:
 
 def test_an_inverted_solid_is_not_sound() -> None:
     shape = sample("pocket-block").build().Reversed()
-    (column,) = SightLines(shape, Role.TOP.frame, 1e-6).columns(np.array([[5.0, 5.0]]))
+    (column,) = SolidRays(shape, Role.TOP.frame, 1e-6).crossings_at(np.array([[5.0, 5.0]]))
     assert not column.sound

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.lines.visibility import RayTest, Visibility
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.samples.modelling import box, cut, cylinder, edges_along, filleted, fuse
@@ -10,7 +10,7 @@ ACROSS_X, ACROSS_Y = (1.0, 0.0), (0.0, 1.0)
 
 
 def _look(shape: object, role: Role, point: tuple, normal: tuple, slack: float = 0.0) -> Visibility:
-    witness = RayTest(SightLines(shape, role.frame, 1e-6), role.frame, 1e-3)
+    witness = RayTest(SolidRays(shape, role.frame, 1e-6), role.frame, 1e-3)
     return witness.visibility_of(np.array([point]), np.array([normal]), np.array([slack]))[0]
 
 

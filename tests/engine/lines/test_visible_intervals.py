@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.geometry.line_tolerances import Precision
-from gaussiancad_core.kernel.solid_rays import SightLines
+from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.lines.visibility import RayTest, Visibility
 from gaussiancad_core.lines.visible_intervals import ProjectedLine, decided
@@ -16,7 +16,7 @@ PART = fuse(box((0, 20, 0), (60, 40, 30)), box((10, 0, 0), (30, 20, 18)))
 
 
 def _decided(strokes: list[DrawnStroke], role: Role = Role.REAR) -> list[tuple]:
-    witness = RayTest(SightLines(PART, role.frame, 1e-6), role.frame, 1e-3)
+    witness = RayTest(SolidRays(PART, role.frame, 1e-6), role.frame, 1e-3)
     found = decided([ProjectedLine(stroke, 0.0) for stroke in strokes], witness, PRECISION, False)
     return [
         (round(stroke.start[0], 2), round(stroke.end[0], 2), stroke.linetype) for stroke in found

@@ -9,9 +9,9 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.labelling.cell_labelling import Effort, Search
 from gaussiancad_core.labelling.part_model import PartModel, model_part
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 
-Labelled = tuple[PartModel, LabelledSpace]
+Labelled = tuple[PartModel, LabelledComplex]
 
 
 @pytest.fixture(scope="session")
@@ -22,7 +22,7 @@ def labelled(sample_views: Callable[[str], DrawnViews]) -> Callable[[str], Label
         part = model_part(sample_views(name))
         labels = Search(part.rules, Effort()).best(relaxed=False).labels
         assert labels is not None
-        return part, LabelledSpace(part.space, labels)
+        return part, LabelledComplex(part.space, labels)
 
     return cache(find)
 

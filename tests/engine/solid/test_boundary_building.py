@@ -33,9 +33,9 @@ from gaussiancad_core.solid import boundary_building
 from gaussiancad_core.solid.boundary_building import BuiltSolid, build_solid
 from gaussiancad_core.solid.extra_faces import revolved_face
 from gaussiancad_core.solid.face_patches import Patch, PlanePatch, find_patches
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 
-Labelled = Callable[[str], tuple[PartModel, LabelledSpace]]
+Labelled = Callable[[str], tuple[PartModel, LabelledComplex]]
 Draw = Callable[..., DrawnViews]
 
 _CURVED = ("counterbored-block", "filleted-block", "slotted-link", "stepped-shaft", "ball-knob")
@@ -63,7 +63,7 @@ def _built(solid: TopoDS_Shape, drawn: Draw) -> BuiltSolid:
     part = model_part(drawn(solid))
     labels = Search(part.rules, Effort()).best(relaxed=False).labels
     assert labels is not None
-    return build_solid(LabelledSpace(part.space, labels), part.carriers.scale)
+    return build_solid(LabelledComplex(part.space, labels), part.carriers.scale)
 
 
 def test_a_cavity_is_a_second_shell(drawn: Draw) -> None:
@@ -90,13 +90,13 @@ def test_separate_bodies_are_counted_and_make_no_solid_but_the_largest_is_told(
 
 def test_no_material_no_solid(labelled: Labelled) -> None:
     part, space = labelled("stepped-block")
-    void = LabelledSpace(part.space, dict.fromkeys(space.labels, False))
+    void = LabelledComplex(part.space, dict.fromkeys(space.labels, False))
     assert build_solid(void, part.carriers.scale).shape is None
 
 
 def test_all_material_is_the_space_that_the_outlines_leave(labelled: Labelled) -> None:
     part, space = labelled("pocket-block")
-    full = LabelledSpace(part.space, dict.fromkeys(space.labels, True))
+    full = LabelledComplex(part.space, dict.fromkeys(space.labels, True))
     built = build_solid(full, part.carriers.scale)
     assert built.shape is not None
     low, high = bounding_box(built.shape)
@@ -117,7 +117,7 @@ def test_stretches_are_the_material_along_a_line(labelled: Labelled) -> None:
                 assert space.is_material(tuple(point))
 
 
-def _low_step(height: float) -> tuple[PartModel, LabelledSpace]:
+def _low_step(height: float) -> tuple[PartModel, LabelledComplex]:
     """A plate, its left half higher; the front view does not show where the step is."""
 
     def rectangle(width: float, top: float) -> list[Segment]:
@@ -134,7 +134,7 @@ def _low_step(height: float) -> tuple[PartModel, LabelledSpace]:
     part = model_part(exact_views(strokes, (100.0, 60.0, top)))
     places = [(x, 30.0, z) for x in (25.0, 75.0) for z in (15.0, 30.0 + height / 2.0)]
     labels = {part.space.cell_at(place): place[0] < 50.0 or place[2] < 30.0 for place in places}
-    return part, LabelledSpace(part.space, labels)
+    return part, LabelledComplex(part.space, labels)
 
 
 def test_where_faces_do_not_close_narrower_ones_are_taken_along_if_there_is_time() -> None:
@@ -186,7 +186,7 @@ def test_a_face_that_only_touches_others_does_not_keep_them_open(
     units = part.carriers.scale
     touching = PlanePatch(Axis.Z, 2.0 * units, (36 * units, 39.2 * units, 15 * units, 16 * units))
 
-    def with_touching(space: LabelledSpace, narrow: float) -> list[Patch]:
+    def with_touching(space: LabelledComplex, narrow: float) -> list[Patch]:
         return [*find_patches(space, narrow), touching]
 
     monkeypatch.setattr(boundary_building, "_FITS", boundary_building._FITS[:1])

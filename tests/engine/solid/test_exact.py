@@ -37,7 +37,7 @@ from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.solid import candidates, exact
 from gaussiancad_core.solid.boundary_building import BuiltSolid, build_solid
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import verify
@@ -327,7 +327,7 @@ def test_what_could_not_be_built_may_be_another_solid(
 ) -> None:
     built: list[BuiltSolid] = []
 
-    def first_only(space: LabelledSpace, scale: float, deadline: Deadline) -> BuiltSolid:
+    def first_only(space: LabelledComplex, scale: float, deadline: Deadline) -> BuiltSolid:
         built.append(
             BuiltSolid(None, 1, closed=False) if built else build_solid(space, scale, deadline)
         )

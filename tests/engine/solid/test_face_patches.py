@@ -17,9 +17,9 @@ from gaussiancad_core.solid.face_patches import (
     find_patches,
     united,
 )
-from gaussiancad_core.solid.labelled_cells import LabelledSpace
+from gaussiancad_core.solid.labelled_cells import LabelledComplex
 
-Labelled = Callable[[str], tuple[object, LabelledSpace]]
+Labelled = Callable[[str], tuple[object, LabelledComplex]]
 
 _SPAN = st.tuples(st.integers(0, 40), st.integers(1, 8)).map(lambda p: (p[0], p[0] + p[1]))
 _RECTANGLE = st.tuples(_SPAN, _SPAN).map(lambda p: (*map(float, p[0]), *map(float, p[1])))
