@@ -23,6 +23,7 @@ from gaussiancad_core.sheet.tracing.closed_circles import is_closed_by_others
 from gaussiancad_core.sheet.tracing.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.dangling import with_met_ends
+from gaussiancad_core.sheet.tracing.edged_chamfers import with_edged_chamfers
 from gaussiancad_core.sheet.tracing.explained_ink import (
     Explained,
     is_new,
@@ -54,6 +55,7 @@ from gaussiancad_core.sheet.tracing.outline_jogs import find_jogs
 from gaussiancad_core.sheet.tracing.parted_lines import parted_at_corners
 from gaussiancad_core.sheet.tracing.remaining_dashes import find_remaining_dashes
 from gaussiancad_core.sheet.tracing.run_linetypes import classify
+from gaussiancad_core.sheet.tracing.run_outs import with_run_outs
 from gaussiancad_core.sheet.tracing.rungs import find_rungs
 from gaussiancad_core.sheet.tracing.shadows import without_shadows
 from gaussiancad_core.sheet.tracing.short_hidden_lines import with_corners_reached
@@ -103,12 +105,14 @@ def classify_strokes(
     parted = parted_at_corners(ended, view.sheet, rhythm)
     if len(parted) > len(ended):
         ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
-    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width)
+    ended, cuts = with_edged_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
+    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width, cuts)
     ended = _with_fillets(ended, rounded, explained)
     ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_short_legs(ended, view.sheet, rhythm)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
+    ended = with_run_outs(ended, view.sheet)
     ended = with_ends_behind_edges(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for placed in ended:

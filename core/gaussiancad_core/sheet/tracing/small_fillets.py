@@ -46,6 +46,9 @@ from gaussiancad_core.sheet.tracing.pen_profile import Pen, visible_pen
 Floats = npt.NDArray[np.float64]
 Key = tuple[int, bool, bool]
 
+_SAME = 1e-3
+"""px between two ends that are one."""
+
 _LONGEST_TANGENT = 26.0
 """px from the corner to where an arc begins, at most: larger fillets are grown."""
 
@@ -70,7 +73,10 @@ class Fillet:
 
 
 def find_fillets(
-    weight: npt.NDArray[np.float32], placed: Sequence[Placed], stroke_width: float
+    weight: npt.NDArray[np.float32],
+    placed: Sequence[Placed],
+    stroke_width: float,
+    cuts: Sequence[Placed] = (),
 ) -> list[Fillet]:
     """The round corners between the ends of visible straight pieces.
 
@@ -78,6 +84,7 @@ def find_fillets(
         weight: (h, w) ink.
         placed: pieces with their ends at junctions; px, pixel centres at integers.
         stroke_width: px.
+        cuts: those of the pieces that are known to cut the corner between their ends.
     """
     ends = straight_ends(placed, Linetype.VISIBLE)
     corners = _chords_last(open_corners(ends, placed), placed)
@@ -94,6 +101,8 @@ def find_fillets(
         if keys & taken:
             continue
         others = others_near(corner, placed, boxes, pen.width + 2.0 * AROUND)
+        if any(_joins(cut, corner) for cut in cuts):
+            continue
         on_arc = any(is_chord(placed[corner.first.index], fillet.arc) for fillet in found)
         if on_arc or _lies_beyond(corner, others):
             continue
@@ -106,6 +115,14 @@ def find_fillets(
         pieces.update(fillet.pieces)
         found.append(fillet)
     return found
+
+
+def _joins(cut: Placed, corner: Corner) -> bool:
+    """Whether a piece runs from the one end at a corner to the other one."""
+    tips = cut[0].points_at(np.array([cut[1].start, cut[1].end]))
+    ends = np.array([corner.first.place, corner.second.place])
+    away = [np.abs(ends - values).max() for values in (tips, tips[::-1])]
+    return bool(min(away) < _SAME)
 
 
 def keys_of(corner: Corner) -> set[Key]:
