@@ -44,7 +44,7 @@ from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.labels.label_evidence import SheetLabels
 from gaussiancad_core.sheet.registration.view_masks import supersampling_for
-from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.sheet_stages import ReadView, check_amount
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.views.painted_strokes import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.views.sheet_layout import Layout
@@ -80,7 +80,7 @@ def taken_lines(
     Raises:
         UnreadableError: ``reading-not-read``: a stroke runs far beyond the sheet.
         UsageError: ``reading-of-another-sheet``, ``role-repeated``; a box holds nothing to read.
-        NoModelError: ``no-views``, ``empty-view``.
+        NoModelError: ``no-views``, ``empty-view``, ``part-too-complex``.
     """
     image, clean = sheet.image, sheet.clean
     if reading.sheet.sha256 != image.sha256 or reading.sheet.page != job.page:
@@ -103,6 +103,8 @@ def taken_lines(
         tell_layout(notes, layout, turn)
     with notes.stage("lines"):
         drawn = _drawn(reading, clean, reread)
+        for view in drawn:
+            check_amount(view)
         scale = scale_of(reading, turn)
         reading_options = in_worked_px(_with_given_length(job, reading).reading, turn)
         options = tell_scale(reading_options, scale, drawn, notes)

@@ -225,7 +225,7 @@ def register_views(
             ``part-too-complex``; ``size-out-of-range``; the views contradict each other.
     """
     for view in drawn:
-        _check_amount(view)
+        check_amount(view)
         _check_outline(view)
     hidden_axis = unseen.axis if unseen is not None else None
     extents = axis_extents({view.role: view.box for view in drawn}, hidden_axis)
@@ -268,7 +268,12 @@ def register_views(
     )
 
 
-def _check_amount(view: ReadView) -> None:
+def check_amount(view: ReadView) -> None:
+    """Refuse a view of more lines than any part has.
+
+    Raises:
+        NoModelError: ``part-too-complex``.
+    """
     if len(view.strokes) > _MOST_STROKES:
         raise NoModelError(
             Code.PART_TOO_COMPLEX,
