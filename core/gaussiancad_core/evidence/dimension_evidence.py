@@ -21,18 +21,10 @@ from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.model.views import Arc
 from gaussiancad_core.sheet.registration.view_registration import Placement
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
+from gaussiancad_core.writing.dimension_layout import MISSED
 from gaussiancad_core.writing.dimension_texts import Span
-from gaussiancad_core.writing.scale_agreement import Measure
+from gaussiancad_core.writing.scale_agreement import AGREE, EXACT, Measure
 from gaussiancad_core.writing.sheet_scale import SheetScale
-
-_BEYOND_PX = 4.0
-"""px by which what a dimension measures may reach beyond its view."""
-
-_SAME = 0.003
-"""Share by which the scale of a sheet's dimensions may differ from the one that was taken."""
-
-_OTHER = 0.01
-"""The same from which the sheet says something else."""
 
 _LEAST_PX, _NOISES, _MOST_PX = 0.5, 5.0, 0.75
 """px by which a length may be drawn otherwise than its number says: times the noise of the lines,
@@ -64,13 +56,13 @@ def dimension_constraints(
 def trusted(registered: RegisteredSheet, scale: SheetScale | None) -> tuple[Measure, ...]:
     """What dimensions say, where they are true at the scale that was taken."""
     apart = scale_apart(registered, scale)
-    return () if scale is None or apart is None or apart > _SAME else scale.measures
+    return () if scale is None or apart is None or apart > EXACT else scale.measures
 
 
 def contradicts(registered: RegisteredSheet, scale: SheetScale | None) -> bool:
     """Whether the dimensions of a sheet agree on another scale than the one that was taken."""
     apart = scale_apart(registered, scale)
-    return apart is not None and apart > _OTHER
+    return apart is not None and apart > AGREE
 
 
 def scale_apart(registered: RegisteredSheet, scale: SheetScale | None) -> float | None:
@@ -96,7 +88,7 @@ def _measured(registered: RegisteredSheet, measure: Measure) -> Iterator[Told]:
 def _length(role: Role, placement: Placement, span: Span, value: float) -> LengthDimension | None:
     x0, y0, x1, y1 = placement.box
     first, last = (x0, x1) if span.level else (y0, y1)
-    if span.low < first - _BEYOND_PX or span.high > last + _BEYOND_PX:
+    if span.low < first - MISSED or span.high > last + MISSED:
         return None
     ends = [(at, y0) if span.level else (x0, at) for at in (span.low, span.high)]
     right, up = placement.to_plane(np.array(ends)).T

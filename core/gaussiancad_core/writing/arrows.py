@@ -11,28 +11,16 @@ import numpy as np
 
 from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.picture_noise import LEVEL
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import Rule
+from gaussiancad_core.sheet.votes import HALF
+from gaussiancad_core.writing.dimension_layout import ALONG, BESIDE, IN_LINE
 from gaussiancad_core.writing.dimension_texts import Span
 from gaussiancad_core.writing.sheet_texts import SheetText
 
-_LEVEL = 0.02
-"""Sine of the angle within which a head points along the sheet."""
-
-_ALIGNED = 1.5
-"""px by which the tips of one line may be out of line."""
-
-_DRAWN = 0.5
-"""Share of what lies between two heads that line and text take at least, if the line runs there."""
-
 _FAR = 12.0
 """Distance of two heads that point at each other from outside, in their length, at most."""
-
-_BESIDE = 1.0
-"""Distance from a text to its dimension line at most, in its height."""
-
-_BEYOND = 7.0
-"""The same along that line, of a text that stands beside what it says."""
 
 _SURE, _LIKELY = 1.5, 1.1
 """Weights of what the nearest pair of heads measures, and of what others do."""
@@ -115,7 +103,7 @@ def _tips(heads: Sequence[Head], level: bool, turn: Turn) -> list[_Tip]:
         way = ends[1] - ends[0]
         way /= np.hypot(*way)
         along, across = (0, 1) if level else (1, 0)
-        if abs(way[across]) <= _LEVEL:
+        if abs(way[across]) <= LEVEL:
             tip = ends[0]
             length = head.length / turn.scale
             found.append(
@@ -125,7 +113,7 @@ def _tips(heads: Sequence[Head], level: bool, turn: Turn) -> list[_Tip]:
 
 
 def _in_line(tip: _Tip, far: _Tip) -> bool:
-    return abs(far.across - tip.across) <= _ALIGNED and far.along > tip.along
+    return abs(far.across - tip.across) <= IN_LINE and far.along > tip.along
 
 
 def _is_drawn(tip: _Tip, far: _Tip, rules: Sequence[Rule], texts: Sequence[SheetText]) -> bool:
@@ -133,14 +121,14 @@ def _is_drawn(tip: _Tip, far: _Tip, rules: Sequence[Rule], texts: Sequence[Sheet
     low, high = tip.along + tip.length, far.along - far.length
     if high <= low:
         return True
-    spans = [(rule.low, rule.high) for rule in rules if abs(rule.at - tip.across) <= _ALIGNED]
+    spans = [(rule.low, rule.high) for rule in rules if abs(rule.at - tip.across) <= IN_LINE]
     level = bool(rules) and rules[0].level
     for text in texts:
         along, across = _sides(text.box, level)
         if across[0] <= tip.across <= across[1]:
             height = min(along[1] - along[0], across[1] - across[0])
             spans.append((along[0] - height, along[1] + height))
-    return _covered(spans, low, high) >= _DRAWN * (high - low)
+    return _covered(spans, low, high) >= HALF * (high - low)
 
 
 def _covered(spans: Sequence[tuple[float, float]], low: float, high: float) -> float:
@@ -178,7 +166,7 @@ def _near(text: SheetText, pairs: Sequence[ArrowPair]) -> Iterator[tuple[float, 
         centre = (along[0] + along[1]) / 2.0
         off = max(across[0] - pair.at, pair.at - across[1], 0.0)
         past = max(pair.low - centre, centre - pair.high, 0.0)
-        if off > _BESIDE * height or past > _BEYOND * height:
+        if off > BESIDE * height or past > ALONG * height:
             continue
         if past and pair.inside and max(pair.low - along[1], along[0] - pair.high) > height:
             continue

@@ -6,16 +6,11 @@ from math import hypot
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.picture_noise import LEVEL, OVERRUN
 from gaussiancad_core.writing.leaders import Lines
-
-_BESIDE = 3.0
-"""px between lines that run along each other."""
 
 _GAP = 60.0
 """px between dashes of a line at most."""
-
-_LEAN = 0.02
-"""Sine of the angle between a line and the direction that it is taken to have."""
 
 _MOST = 12
 """Steps of a cutting line at most."""
@@ -42,7 +37,7 @@ def stepped_path(ends: tuple[Place, Place], way: Place, lines: Lines) -> tuple[P
     at, level = float(start[0]), float(start[1])
     for _ in range(_MOST):
         reach = _led(flat, level, at)
-        if abs(level - goal[1]) <= _BESIDE and reach >= goal[0] - _GAP:
+        if abs(level - goal[1]) <= OVERRUN and reach >= goal[0] - _GAP:
             corners.append(goal)
             path = [corner[0] * along + corner[1] * across for corner in corners]
             path = path[::-1] if turned else path
@@ -66,9 +61,9 @@ def _sorted(lines: Lines, along: np.ndarray, across: np.ndarray) -> tuple[Spans,
     for start, end in lines:
         (a, b), (c, d) = ((item @ along, item @ across) for item in (start, end))
         length = hypot(c - a, d - b)
-        if abs(d - b) <= _LEAN * length:
+        if abs(d - b) <= LEVEL * length:
             flat.append(((b + d) / 2.0, *sorted((a, c))))
-        elif abs(c - a) <= _LEAN * length:
+        elif abs(c - a) <= LEVEL * length:
             steep.append(((a + c) / 2.0, *sorted((b, d))))
     return _joined(flat), _joined(steep)
 
@@ -79,7 +74,7 @@ def _joined(pieces: Sequence[tuple[float, float, float]]) -> Spans:
     for at, low, high in sorted(pieces, key=lambda piece: piece[1]):
         for items in found:
             gap = min(_GAP, max(items[3], high - low))
-            if abs(items[0] - at) <= _BESIDE and low <= items[2] + gap:
+            if abs(items[0] - at) <= OVERRUN and low <= items[2] + gap:
                 items[2], items[3] = max(items[2], high), max(items[3], high - low)
                 break
         else:
@@ -89,7 +84,7 @@ def _joined(pieces: Sequence[tuple[float, float, float]]) -> Spans:
 
 def _led(spans: Spans, level: float, start: float) -> float:
     """How far dashes at a level lead from a place on."""
-    span = spans[np.abs(spans[:, 0] - level) <= _BESIDE]
+    span = spans[np.abs(spans[:, 0] - level) <= OVERRUN]
     reach = start
     for _, low, high in span[np.argsort(span[:, 1])].tolist():
         if low <= reach + _GAP and high > reach:
@@ -103,13 +98,13 @@ def _step(
     """The last place of a level at which a line leads to another level that goes on, and that."""
     found = []
     for at, low, high in steep.tolist():
-        if not between[0] + _BESIDE < at <= between[1] + _GAP:
+        if not between[0] + OVERRUN < at <= between[1] + _GAP:
             continue
         for near, far in ((low, high), (high, low)):
-            if abs(near - level) <= _GAP and abs(far - level) > _BESIDE:
-                levels = flat[(flat[:, 1] <= at + _GAP) & (flat[:, 2] > at + _BESIDE)][:, 0]
+            if abs(near - level) <= _GAP and abs(far - level) > OVERRUN:
+                levels = flat[(flat[:, 1] <= at + _GAP) & (flat[:, 2] > at + OVERRUN)][:, 0]
                 levels = levels[np.abs(levels - far) <= _GAP]
-                levels = levels[np.abs(levels - level) > _BESIDE]
+                levels = levels[np.abs(levels - level) > OVERRUN]
                 if len(levels):
                     found.append((at, float(levels[np.argmin(np.abs(levels - far))])))
     return max(found, default=None)

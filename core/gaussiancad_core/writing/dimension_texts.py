@@ -16,8 +16,19 @@ from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.picture_noise import OVERSHOOT
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
+from gaussiancad_core.writing.dimension_layout import (
+    ALONG,
+    BESIDE,
+    CLOSE,
+    IN_LINE,
+    LIKELY,
+    LOOSELY,
+    MISSED,
+    POSSIBLE,
+)
 from gaussiancad_core.writing.sheet_texts import SheetText
 
 _RULES = frozenset({AnnotationKind.EXTENSION, AnnotationKind.DIMENSION, AnnotationKind.CENTRE_LINE})
@@ -25,52 +36,8 @@ _RULES = frozenset({AnnotationKind.EXTENSION, AnnotationKind.DIMENSION, Annotati
 
 _NO_LINES = frozenset({StrokeKind.FILL, StrokeKind.HATCH})
 
-_AWAY = 0.9
-"""Distance from a text's border to the dimension line below it at most, in its height."""
-
-_ABOVE = 0.5
-"""The same to a dimension line above it, which is rare."""
-
-_LOOSE, _NEARBY = 1.6, 0.5
-"""The same on any side of a text, however it runs, and the weight of what such a line measures."""
-
-_HALF = 0.6
-"""Weight of what a line measures of which only one half was found."""
-
-_TOUCH = 4.0
-"""px by which lines may miss each other and still meet."""
-
-_EXTENT, _OFF = 0.4, 1.0
-"""Weight of a view's extent that a text stands beside, and distance of the text's middle from the
-extent's at most, in its height."""
-
-_FEET = 0.9
-"""Weight of what a dimension line measures between the lines near its ends."""
-
-_HEAD = 1.1
-"""Length of the arrowhead between the end of a line and what it points at, at most, in the height
-of its text."""
-
-_ACROSS = 0.9
-"""Weight of what two arrows measure that point at it from outside."""
-
-_ONE_ARROW = 0.5
-"""The same where only one of the arrows was found."""
-
 _ACROSS_LINE = 0.8
 """How far beside its middle the line runs that a level text interrupts, in half its width."""
-
-_ALIGNED = 1.5
-"""px by which pieces of one line may be out of line."""
-
-_GAP = 6.0
-"""px between pieces of a line that other lines cross."""
-
-_SHORTEST = 6.0
-"""px under which a length says little."""
-
-_REACH = 6.0
-"""Distance along its line from a text outside to what it says, in its height, at most."""
 
 
 @dataclass(frozen=True)
@@ -132,7 +99,7 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
         across = [rule for rule in rules if rule.level is not level]
         for line, weight in _nearby_lines(text, level, this_rules):
             stops = _stops(line, across, _head(text))
-            borders = _stops(line, [edge for edge in edges if edge.level is not level], _TOUCH)
+            borders = _stops(line, [edge for edge in edges if edge.level is not level], MISSED)
             spans = _spans(text, line, stops, borders)
             found += [replace(span, weight=weight * span.weight) for span in spans]
             found += _from_end_to_end(text, line, across, weight)
@@ -140,7 +107,7 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
             found += _from_outside(text, line, this_rules, across)
     unique: list[Span] = []
     for span in sorted(found, key=lambda span: -span.weight):
-        if span.length >= _SHORTEST and not any(_same(span, other) for other in unique):
+        if span.length >= MISSED and not any(_same(span, other) for other in unique):
             unique.append(span)
     return tuple(unique)
 
@@ -162,16 +129,17 @@ def adjacent_extents(text: SheetText, boxes: Iterable[Box]) -> tuple[Span, ...]:
             along, across = _sides(text.box, level)
             off = abs(along[0] + along[1] - low - high) / 2.0
             away = max(across[0] - last, first - across[1])
-            if off <= _OFF * height and 0.0 <= away <= _REACH * height:
-                found.append(Span(level, low, high, _EXTENT))
+            if off <= BESIDE * height and 0.0 <= away <= ALONG * height:
+                # Less likely than what any line measures.
+                found.append(Span(level, low, high, 0.8 * POSSIBLE))
     return tuple(found)
 
 
 def _same(one: Span, other: Span) -> bool:
     return (
         one.level is other.level
-        and abs(one.low - other.low) < _ALIGNED
-        and abs(one.high - other.high) < _ALIGNED
+        and abs(one.low - other.low) < IN_LINE
+        and abs(one.high - other.high) < IN_LINE
     )
 
 
@@ -190,16 +158,16 @@ def _nearby_lines(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[t
     height = across[1] - across[0] if text.level is level else along[1] - along[0]
     middle, reach = 0.5 * (across[0] + across[1]), 0.5 * (across[1] - across[0])
     if text.level is level:
-        low, high = reach + _ABOVE * height, reach + _AWAY * height
+        low, high = reach + CLOSE * height, reach + BESIDE * height
     else:
         # A text that does not run along its line stands in it.
         low = high = _ACROSS_LINE * reach
     strict = [rule for rule in rules if middle - low <= rule.at <= middle + high]
-    least, most = across[0] - _LOOSE * height, across[1] + _LOOSE * height
+    least, most = across[0] - LOOSELY * height, across[1] + LOOSELY * height
     loose = [rule for rule in rules if least <= rule.at <= most and rule not in strict]
     sides = (along, across)
     found = _lines_at(strict, sides, height)
-    return found + [(line, _NEARBY * value) for line, value in _lines_at(loose, sides, height)]
+    return found + [(line, POSSIBLE * value) for line, value in _lines_at(loose, sides, height)]
 
 
 def _lines_at(
@@ -218,7 +186,7 @@ def _lines_at(
     near = sorted(near, key=lambda rule: abs(rule.at - middle))
     found: list[tuple[Rule, float]] = []
     while near:
-        pieces = [rule for rule in near if abs(rule.at - near[0].at) < _ALIGNED]
+        pieces = [rule for rule in near if abs(rule.at - near[0].at) < IN_LINE]
         near = [rule for rule in near if rule not in pieces]
         inline = across[0] < pieces[0].at < across[1]
         for line in _joined(pieces, (along[0] - height, along[1] + height) if inline else None):
@@ -226,7 +194,7 @@ def _lines_at(
             if max(line.low - centre, centre - line.high) <= min(0.5 * height, -apart):
                 found.append((line, 1.0))
             elif inline and apart <= height:
-                found.append((_mirrored(line, centre), _HALF))
+                found.append((_mirrored(line, centre), POSSIBLE))
             elif max(line.low - centre, centre - line.high) <= 0.5 * height:
                 found.append((line, 1.0))
     return found
@@ -239,8 +207,8 @@ def _joined(pieces: Sequence[Rule], text: tuple[float, float] | None) -> list[Ru
     for rule in ordered[1:]:
         last = joined[-1]
         gap = rule.low - last.high
-        filled = text is not None and last.high >= text[0] - _GAP and rule.low <= text[1] + _GAP
-        if gap <= _GAP or filled:
+        filled = text and last.high + OVERSHOOT >= text[0] and rule.low - OVERSHOOT <= text[1]
+        if gap <= OVERSHOOT or filled:
             longer = max(last, rule, key=lambda piece: piece.high - piece.low)
             joined[-1] = Rule(last.level, longer.at, last.low, max(last.high, rule.high))
         else:
@@ -259,7 +227,7 @@ def _mirrored(line: Rule, centre: float) -> Rule:
 def _head(text: SheetText) -> float:
     """px that an arrowhead takes at the end of a text's line, at most."""
     x0, y0, x1, y1 = text.box
-    return _TOUCH + _HEAD * (y1 - y0 if text.level else x1 - x0)
+    return MISSED + BESIDE * (y1 - y0 if text.level else x1 - x0)
 
 
 def _from_outside(
@@ -269,7 +237,7 @@ def _from_outside(
     where there is no room for arrows inside."""
     along, _ = _sides(text.box, line.level)
     centre, head = 0.5 * (along[0] + along[1]), _head(text)
-    others = [rule for rule in rules if abs(rule.at - line.at) < _ALIGNED]
+    others = [rule for rule in rules if abs(rule.at - line.at) < IN_LINE]
     before = max((rule.high for rule in others if rule.high < line.low), default=None)
     after = min((rule.low for rule in others if rule.low > line.high), default=None)
     for low, high in ((before, line.low), (line.high, after)):
@@ -279,7 +247,7 @@ def _from_outside(
         stops = _stops(met, across, head)
         ends = [_nearest(stops, end) for end in (low, high) if stops]
         if ends and ends[0] < ends[1] and _meets(ends, met, head):
-            yield Span(line.level, ends[0], ends[1], _ACROSS)
+            yield Span(line.level, ends[0], ends[1], LIKELY)
 
 
 def _from_end_to_end(
@@ -291,7 +259,7 @@ def _from_end_to_end(
     ends = [_nearest(stops, end, np.inf) for end in (line.low, line.high)]
     if ends[0] >= ends[1] or not _meets(ends, line, _head(text)):
         return []
-    return [Span(line.level, ends[0], ends[1], weight * _FEET)]
+    return [Span(line.level, ends[0], ends[1], weight * LIKELY)]
 
 
 def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:
@@ -300,10 +268,10 @@ def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:
     stops = _stops(replace(line, low=-np.inf, high=np.inf), across, 0.0)
     for end, way in ((line.low, -1.0), (line.high, 1.0)):
         met = _nearest(stops, end, np.inf)
-        others = [at for at in stops if way * (at - met) > _ALIGNED]
+        others = [at for at in stops if way * (at - met) > IN_LINE]
         if abs(met - end) <= head and others:
             low, high = sorted((met, min(others, key=lambda at: abs(at - end))))
-            yield Span(line.level, low, high, _ONE_ARROW)
+            yield Span(line.level, low, high, POSSIBLE)
 
 
 def _nearest(places: Sequence[float], to: float, default: float = 0.0) -> float:
@@ -311,7 +279,7 @@ def _nearest(places: Sequence[float], to: float, default: float = 0.0) -> float:
     return min(places, key=lambda at: abs(at - to), default=default)
 
 
-def _stops(line: Rule, across: Sequence[Rule], beyond: float, touch: float = _TOUCH) -> list[float]:
+def _stops(line: Rule, across: Sequence[Rule], beyond: float, touch: float = MISSED) -> list[float]:
     """Where other lines cross or meet a line, or lie so many px beyond its ends, in order; each
     once, by its longest piece.  They may end ``touch`` px before it."""
     met = [
@@ -322,7 +290,7 @@ def _stops(line: Rule, across: Sequence[Rule], beyond: float, touch: float = _TO
     ]
     found: list[float] = []
     for rule in sorted(met, key=lambda rule: rule.low - rule.high):
-        if all(abs(rule.at - at) > _ALIGNED for at in found):
+        if all(abs(rule.at - at) > IN_LINE for at in found):
             found.append(rule.at)
     return sorted(found)
 
@@ -334,15 +302,15 @@ def _spans(
     along, across = _sides(text.box, line.level)
     centre = 0.5 * (along[0] + along[1])
     height = min(along[1] - along[0], across[1] - across[0])
-    found = _adjacent(line.level, centre, stops, 1.0, _REACH * height)
+    found = _adjacent(line.level, centre, stops, 1.0, ALONG * height)
     ends = [_nearest(stops, end) for end in (line.low, line.high)] if (stops) else []
     if ends and ends[0] < ends[1] and _meets(ends, line, _head(text)):
         found.append(Span(line.level, ends[0], ends[1], 1.0 if not found else 0.8))
     if borders:
         every = sorted([*stops, *borders])
-        found += _adjacent(line.level, centre, every, 0.5, _REACH * height)
+        found += _adjacent(line.level, centre, every, 0.5, ALONG * height)
         ends = [_nearest(every, end) for end in (line.low, line.high)]
-        if ends[0] < ends[1] and _meets(ends, line, _TOUCH):
+        if ends[0] < ends[1] and _meets(ends, line, MISSED):
             found.append(Span(line.level, ends[0], ends[1], 0.7))
     return found
 

@@ -10,8 +10,10 @@ from gaussiancad_core.model.views import Arc
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.picture_noise import ASLANT
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import rule_of
+from gaussiancad_core.writing.dimension_layout import BESIDE, IN_LINE, MISSED
 from gaussiancad_core.writing.sheet_texts import SheetText
 
 Points = npt.NDArray[np.float64]
@@ -29,18 +31,6 @@ _NARROW = frozenset(
     }
 )
 """What narrow lines are taken for: a leader may look like a part of a symbol."""
-
-_NEAR = 1.2
-"""Distance from a text to the line that leads away from it at most, in its height."""
-
-_TOUCH = 4.0
-"""px by which a leader's tip may miss its circle, and its shelf its slanted line."""
-
-_PARALLEL = 0.05
-"""Sine of the angle between a head and its line at most."""
-
-_ALIGNED = 2.0
-"""px by which pieces of a leader may be out of line."""
 
 _BESIDE = 0.15
 """Distance at which a leader passes its circle's centre at most, in radii."""
@@ -71,12 +61,12 @@ def pointed_lines(heads: Iterable[Head], lines: Lines, turn: Turn) -> list[Leade
         base = np.subtract(head.tip, np.multiply(head.length, head.way))
         tip, back = turn.to_upright(np.array([head.tip, base]))
         way = (tip - back) / np.hypot(*(tip - back))
-        parallel = np.abs(ways @ np.array([-way[1], way[0]])) <= _PARALLEL
+        parallel = np.abs(ways @ np.array([-way[1], way[0]])) <= ASLANT
         for at in (0, 1):
             near = np.minimum(*(np.hypot(*(ends[:, at] - item).T) for item in (tip, back)))
             far = ends[:, 1 - at]
             away = (back - far) @ way > 0.0
-            found += [(start, tip) for start in far[parallel & away & (near <= _TOUCH)]]
+            found += [(start, tip) for start in far[parallel & away & (near <= MISSED)]]
     return found
 
 
@@ -105,13 +95,13 @@ def circles_at(
     """
     if not text.level:
         return ()
-    near = _NEAR * (text.box[3] - text.box[1])
+    near = BESIDE * (text.box[3] - text.box[1])
     ends = np.array(leaders, dtype=float).reshape(-1, 2)
     starting = _distances(text.box, ends) <= near
     for shelf in shelves:
         if _runs_along_text(shelf, text.box, near):
             for end in shelf:
-                starting |= np.hypot(*(ends - end).T) <= _TOUCH
+                starting |= np.hypot(*(ends - end).T) <= MISSED
     centres = np.array([arc.centre for arc in arcs]).reshape(-1, 2)
     radii = np.array([arc.radius for arc in arcs])
     missed: dict[float, tuple[float, Arc]] = {}
@@ -132,7 +122,7 @@ def _beyond(start: Points, tip: Points, points: Points) -> Points:
     length = float(np.hypot(*(tip - start)))
     way, offsets = (tip - start) / length, points - start
     neighbour = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
-    return points[(offsets @ way > length) & (neighbour <= _ALIGNED)]
+    return points[(offsets @ way > length) & (neighbour <= IN_LINE)]
 
 
 def _runs_along_text(shelf: Leader, box: Box, near: float) -> bool:
@@ -162,5 +152,5 @@ def _pointed_at(
     offsets = centres - tip
     miss = np.abs(np.hypot(offsets[:, 0], offsets[:, 1]) - radii)
     neighbour = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
-    hit = np.flatnonzero((miss <= _TOUCH) & (neighbour <= _BESIDE * radii + 2.0))
+    hit = np.flatnonzero((miss <= MISSED) & (neighbour <= _BESIDE * radii + 2.0))
     return list(zip(miss[hit].tolist(), hit.tolist(), strict=True))

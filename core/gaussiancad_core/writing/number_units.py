@@ -8,11 +8,9 @@ from gaussiancad_core.files.content import Note
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.writing.numbers import Unit, parse_unit
+from gaussiancad_core.writing.scale_agreement import PAPER
 from gaussiancad_core.writing.sheet_texts import SheetText
 from gaussiancad_protocol.codes import Code
-
-_AGREE = 0.03
-"""Share by which two scales may differ that are one: as of single dimensions and paper."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +63,7 @@ def other_size(drawing: VectorDrawing | None, written: float, drawn: float) -> t
         drawn: the same by the file's unit and the scale note, if there is one.
     """
     share = written / drawn
-    if drawing is None or drawing.unit_mm is None or abs(log(share)) <= _AGREE:
+    if drawing is None or drawing.unit_mm is None or abs(log(share)) <= PAPER:
         return ()
     message = Message(
         "the dimensions say that the part is {share:.4g} times as large as the file draws it in "

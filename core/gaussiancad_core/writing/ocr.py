@@ -33,10 +33,7 @@ _ALPHABET = (
 """What a drawing is written with; at last the letters of the names of views."""
 
 _ROWS = 48
-"""px of height that the network takes."""
-
-_NARROWEST = 48
-"""px of width under which it reads nothing."""
+"""px of height that the network takes; of pictures that are narrower it reads nothing."""
 
 _WIDEST = 1600
 """px of width that no short line of text has."""
@@ -143,8 +140,8 @@ def _prepared(picture: Darkness) -> npt.NDArray[np.float32]:
     width = int(np.clip(round(padded.shape[1] * factor), 1, _WIDEST))
     way = cv2.INTER_AREA if factor < 1.0 else cv2.INTER_CUBIC
     scaled = np.clip(cv2.resize(padded, (width, _ROWS), interpolation=way), 0.0, 1.0)
-    if width < _NARROWEST:
-        spare = _NARROWEST - width
+    if width < _ROWS:
+        spare = _ROWS - width
         left = spare // 2
         scaled = cv2.copyMakeBorder(scaled, 0, 0, left, spare - left, cv2.BORDER_CONSTANT)
     return (1.0 - 2.0 * scaled).astype(np.float32)

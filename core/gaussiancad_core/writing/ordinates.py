@@ -5,18 +5,10 @@ from collections.abc import Sequence
 
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import Rule
+from gaussiancad_core.writing.dimension_layout import BESIDE, CLOSE, LOOSELY
 from gaussiancad_core.writing.sheet_texts import SheetText
 
 _ZERO = re.compile(r"[0O](?:[.,]0+)?")
-
-_APART = 1.5
-"""Gap between a text and its line at most, in its height."""
-
-_BESIDE = 0.5
-"""Distance of a text's middle from its line at most, in its height."""
-
-_ALIGNED = 1.0
-"""Distance between the starts, or ends, of texts in a row at most, in their height."""
 
 
 def is_zero(text: SheetText) -> bool:
@@ -56,7 +48,7 @@ def _across(box: Box, level: bool) -> tuple[float, float]:
 
 def _in_row(one: Box, two: Box, level: bool) -> bool:
     """Whether two texts start or end together, below each other."""
-    reach = _ALIGNED * (_across(one, level)[1] - _across(one, level)[0])
+    reach = BESIDE * (_across(one, level)[1] - _across(one, level)[0])
     (low, high), (start, end) = _along(one, level), _along(two, level)
     return min(abs(low - start), abs(high - end)) <= reach
 
@@ -69,10 +61,10 @@ def _line_at_end(box: Box, level: bool, rules: Sequence[Rule]) -> Rule | None:
         rule
         for rule in rules
         if rule.level is level
-        and abs(rule.at - middle) <= _BESIDE * height
+        and abs(rule.at - middle) <= CLOSE * height
         and (
-            -0.2 * height <= rule.low - high <= _APART * height
-            or -0.2 * height <= low - rule.high <= _APART * height
+            -0.2 * height <= rule.low - high <= LOOSELY * height
+            or -0.2 * height <= low - rule.high <= LOOSELY * height
         )
     ]
     return min(near, key=lambda rule: abs(rule.at - middle), default=None)

@@ -12,18 +12,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from gaussiancad_core.model.views import Arc
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.writing.dimension_texts import Span
 from gaussiancad_core.writing.numbers import DimensionText, Sign, Unit
 
-_AGREE = 0.01
+AGREE = 0.01
 """Share by which dimensions that agree may differ."""
 
-_EXACT = 0.003
+EXACT = 0.003
 """Share by which those may differ from their median of which the scale is taken."""
-
-_MISSED = 1.0
-"""px by which a length may be wrong without a word."""
 
 _SHARE = 0.34
 """Share of the measured dimensions that agree at least: fewer may do so by chance."""
@@ -34,8 +32,9 @@ _CHANCE = 0.05
 _WHOLE = re.compile(r"\d+")
 """The digits before the point of the first number of a text."""
 
-_PAPER = 0.03
-"""Share by which a single dimension may differ from the paper's scale: copies shrink."""
+PAPER = 0.03
+"""Share by which two scales that are one may differ, as that of a dimension and that of the paper:
+copies shrink."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +84,7 @@ class Dimension:
             return read
         step = 10.0 ** len(digits[0]) * read / self.said.value
         lost = round((wanted_mm - read) / step)
-        by_chance = 2.0 * _AGREE * wanted_mm / step
+        by_chance = 2.0 * AGREE * wanted_mm / step
         return read + lost * step if lost > 0 and by_chance <= _CHANCE else read
 
 
@@ -171,7 +170,7 @@ def fitting_unit(dimensions: Sequence[Dimension], paper_scale: float | None) -> 
     inch, millimetre = (
         sum(
             any(
-                _fits(dimension, unit, candidate, paper_scale, _PAPER)
+                _fits(dimension, unit, candidate, paper_scale, PAPER)
                 for candidate in dimension.candidates
             )
             for dimension in dimensions
@@ -198,9 +197,9 @@ def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None
         paper_scale: mm per px by the paper's size and the scale note, where both are known.
     """
     measured = [dimension for dimension in dimensions if dimension.candidates]
-    scale = _group(measured, unit, _commonest(measured, unit), _AGREE, 2)
+    scale = _group(measured, unit, _commonest(measured, unit), AGREE, 2)
     if scale is None:
-        scale = _group(measured, unit, paper_scale, _PAPER, 1)
+        scale = _group(measured, unit, paper_scale, PAPER, 1)
     read_dimensions = tuple(_read_dimension(dimension, unit, scale) for dimension in dimensions)
     return Agreement(scale, read_dimensions)
 
@@ -237,21 +236,19 @@ def _scale(
 
 
 def _fits(
-    dimension: Dimension, unit: Unit, candidate: Candidate, scale: float, share: float = _AGREE
+    dimension: Dimension, unit: Unit, candidate: Candidate, scale: float, share: float = AGREE
 ) -> bool:
     """Whether a length is what a dimension says, at a scale."""
     off = abs(math.log(_scale(dimension, unit, candidate, scale) / scale))
-    return off <= max(share, _MISSED / candidate.pixels)
+    return off <= max(share, ONE_PLACE / candidate.pixels)
 
 
-def _best(
-    dimension: Dimension, unit: Unit, scale: float, share: float = _AGREE
-) -> Candidate | None:
+def _best(dimension: Dimension, unit: Unit, scale: float, share: float = AGREE) -> Candidate | None:
     """The length of a dimension that fits a scale best; nothing if none does."""
     best, least = None, (math.inf, math.inf)
     for candidate in dimension.candidates:
         off = abs(math.log(_scale(dimension, unit, candidate, scale) / scale))
-        if off <= max(share, _MISSED / candidate.pixels) and (-candidate.weight, off) < least:
+        if off <= max(share, ONE_PLACE / candidate.pixels) and (-candidate.weight, off) < least:
             best, least = candidate, (-candidate.weight, off)
     return best
 
@@ -267,7 +264,7 @@ def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
     if not votes:
         return None
     most, scale = max(votes)
-    rivals = [vote for vote, other in votes if abs(math.log(other / scale)) > 2 * _AGREE]
+    rivals = [vote for vote, other in votes if abs(math.log(other / scale)) > 2 * AGREE]
     return scale if all(vote < most - 1e-9 for vote in rivals) else None
 
 
@@ -282,7 +279,7 @@ def _refined(members: Sequence[Dimension], unit: Unit, scale: float, share: floa
     order = np.argsort(values / pixels)
     values, pixels = values[order], pixels[order]
     middle = float((values / pixels)[np.searchsorted(np.cumsum(pixels), 0.5 * pixels.sum())])
-    near = np.abs(values / pixels / middle - 1.0) <= np.maximum(_EXACT, 0.5 * _MISSED / pixels)
+    near = np.abs(values / pixels / middle - 1.0) <= np.maximum(EXACT, 0.5 * ONE_PLACE / pixels)
     # Least squares: every length is wrong by about as many px.
     return float((values * pixels)[near].sum() / (pixels**2)[near].sum())
 

@@ -14,23 +14,13 @@ import numpy.typing as npt
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.picture_noise import LEVEL, OVERRUN
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.writing.cutting_line_steps import stepped_path
+from gaussiancad_core.writing.dimension_layout import ALONG
 from gaussiancad_core.writing.leaders import Leader, pointed_lines
 from gaussiancad_core.writing.sheet_texts import SheetText
 from gaussiancad_core.writing.titles import Title, TitleKind, looks_of, parse_title
-
-_LETTER = 5.0
-"""Distance from an arrow to its letter at most, in the letter's height."""
-
-_ONE_WAY = 0.02
-"""Sine of the angle between the arrows of one section at most."""
-
-_IN_LINE = 6.0
-"""px by which the ends of a straight cut may be out of line; those of one in steps are more."""
-
-_ON_LINE = 3.0
-"""px from an end of an arrow to a line square to it at most, if the arrow stands on that line."""
 
 _SHAFT = 5.0
 """Length of an arrow with its shaft at most, in that of its head."""
@@ -166,14 +156,14 @@ def _trace(
         short = [start for start in led if np.hypot(*(start - tip)) <= _SHAFT * head.length]
         tail = min(short, key=lambda p: np.hypot(*(p - back)), default=back)
         near = [_apart(box, place) / (box[3] - box[1]) for box in letters for place in (tip, tail)]
-        if near and min(near) <= _LETTER:
+        if near and min(near) <= ALONG:
             way = (tip - back) / np.hypot(*(tip - back))
             rests = None if _square_at(tail, way, lines) else _square_at(tip, way, lines)
             arrows.append((tail if rests is None else tip + rests * way, way))
     pairs = [
         (one, two)
         for one, two in combinations(arrows, 2)
-        if one[1] @ two[1] > 0.0 and abs(_cross(one[1], two[1])) <= _ONE_WAY
+        if one[1] @ two[1] > 0.0 and abs(_cross(one[1], two[1])) <= LEVEL
     ]
     if not pairs:
         return None
@@ -182,13 +172,13 @@ def _trace(
     one, two = min(
         pairs,
         key=lambda pair: (
-            _steps(pair) > _IN_LINE,
+            _steps(pair) > 2.0 * OVERRUN,
             -abs(_cross(pair[0][1], pair[1][0] - pair[0][0])),
         ),
     )
     ends = (_plain(one[0]), _plain(two[0]))
     way = _plain(one[1])
-    if _steps((one, two)) <= _IN_LINE:
+    if _steps((one, two)) <= 2.0 * OVERRUN:
         return Trace(label, ends, way, ends)
     return Trace(label, ends, way, stepped_path(ends, way, lines))
 
@@ -198,8 +188,8 @@ def _square_at(point: Point, way: Point, lines: Ends) -> float | None:
     where there is none. A tip may end at the edge of a wide line."""
     ahead = (lines - point) @ way
     adjacent = np.sort((lines - point) @ np.array([-way[1], way[0]]), axis=1)
-    level = (np.abs(ahead).max(axis=1) <= _ON_LINE) & (np.ptp(adjacent, axis=1) > 2.0 * _ON_LINE)
-    found = ahead[level & (adjacent[:, 0] <= _ON_LINE) & (adjacent[:, 1] >= -_ON_LINE)].mean(axis=1)
+    level = (np.abs(ahead).max(axis=1) <= OVERRUN) & (np.ptp(adjacent, axis=1) > 2.0 * OVERRUN)
+    found = ahead[level & (adjacent[:, 0] <= OVERRUN) & (adjacent[:, 1] >= -OVERRUN)].mean(axis=1)
     return min(found.tolist(), key=abs, default=None)
 
 

@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
 from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
+from gaussiancad_core.writing.dimension_layout import LIKELY, POSSIBLE
 from gaussiancad_core.writing.dimension_texts import (
     Span,
     adjacent_extents,
@@ -51,6 +52,7 @@ from gaussiancad_core.writing.scale_agreement import (
     usual_unit,
 )
 from gaussiancad_core.writing.sheet_texts import (
+    MOST_TEXTS,
     SheetText,
     fields_of,
     file_texts,
@@ -62,24 +64,12 @@ from gaussiancad_protocol.codes import Code
 _MOST_RULES = 5000
 """Lines of a sheet that are looked at, the longest first: more take too long."""
 
-_MOST_TEXTS = 200
-"""The same of the texts that give lengths, in the sheet's order."""
-
 _MOST_NAMED = 5
 """Numbers that one message names at most."""
-
-_PART = 0.5
-"""Weight of a part of what two arrowheads measure, in that of what lies between any lines."""
-
-_LEADER = 0.8
-"""Weight of the circle at the tip of a leader."""
 
 _CUT = 0.7
 """Distance of a text's beginning from a line across it, in its height, at which the line may have
 taken a letter: digits are narrower."""
-
-_OTHER = 0.6
-"""Weight of a circle that the leader crosses."""
 
 
 _ON_PAPER = Message(
@@ -315,7 +305,7 @@ def _dimensions(
     )
     numbers = [(text, said) for text, said in parsed if said is not None]
     found = []
-    for text, said in numbers[:_MOST_TEXTS]:
+    for text, said in numbers[:MOST_TEXTS]:
         circles = circles_at(text, lines.leaders, shelves, lines.arcs)
         candidates = _candidates(text, said, lines, circles)
         ordinate = ordinate_length(text, zeros, lines.rules)
@@ -347,7 +337,7 @@ def _candidates(
         found += [Candidate(span.length, span.weight, span) for span in spans]
     # Where the sign was not read, the leader tells that it is a diameter.
     times = 1.0 if said.sign is Sign.RADIUS else 2.0
-    weights = [_LEADER] + [_OTHER] * len(circles)
+    weights = [LIKELY] + [POSSIBLE] * len(circles)
     found += [
         Candidate(times * arc.radius, weight, arc)
         for arc, weight in zip(circles, weights, strict=False)
@@ -361,7 +351,7 @@ def _spans(text: SheetText, lines: _Lines) -> tuple[Span, ...]:
         return spans_of(text, lines.rules, lines.edges)
     whole = arrow_spans(text, lines.pairs)
     parts = spans_of(text, lines.rules, lines.edges) if whole else ()
-    return (*whole, *(replace(part, weight=_PART * part.weight) for part in parts))
+    return (*whole, *(replace(part, weight=POSSIBLE * part.weight) for part in parts))
 
 
 def _disagreement(found: Agreement) -> tuple[Note, ...]:

@@ -12,6 +12,8 @@ from gaussiancad_core.files.vectors import VectorText
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet, Ink
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.line_conventions import FRAME
+from gaussiancad_core.sheet.picture_noise import FAINT, PARALLEL
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.writing.numbers import parse_dimension
 from gaussiancad_core.writing.ocr import ReadText, read_text
@@ -22,11 +24,8 @@ _SURE = 0.7
 _STROKES = ("", "1")
 """What is read where there may be a mere stroke."""
 
-_MOST = 120
-"""Texts that are read from the pixels of a sheet at most: more take too long."""
-
-_SLANT = 0.03
-"""Sine of the angle within which a text is level or upright."""
+MOST_TEXTS = 200
+"""Texts of a sheet that are read, or asked what they measure, at most: more take too long."""
 
 _LONG = 1.9
 """Ratio of a box's sides from which its text runs along the longer one."""
@@ -36,13 +35,6 @@ _BORDER = 2
 
 _BELOW = 0.3
 """How far letters reach out of their box, in its height: commas below the line."""
-
-_INK = 0.3
-"""Share of full ink from which a pixel counts as inked."""
-
-_ALONG_SHEET = 0.6
-"""Share of the sheet's side that a line of its frame takes at least: lines of the title block are
-shorter."""
 
 _LARGEST_FIELD = 0.025
 """Share of the sheet that a field of the title block has at most; others are its border's."""
@@ -86,8 +78,8 @@ def file_texts(
     found = []
     for text in texts:
         angle = text.angle - turn.angle
-        level = abs(np.sin(angle)) < _SLANT
-        if level or abs(np.cos(angle)) < _SLANT:
+        level = abs(np.sin(angle)) < PARALLEL
+        if level or abs(np.cos(angle)) < PARALLEL:
             box = turn.box_to_upright(text.box)
             field = any(_holds(this_field, box) for this_field in fields)
             found.append(SheetText(text.text.strip(), box, bool(level), field=field))
@@ -125,8 +117,8 @@ def _inner_frame(marks: Iterable[Mark], shape: tuple[int, int]) -> Box:
             continue
         ends = np.array(mark.line)
         for across in (0, 1):
-            long = float(np.ptp(ends[:, 1 - across])) >= _ALONG_SHEET * shape[across]
-            if long and float(np.ptp(ends[:, across])) <= _SLANT * shape[across]:
+            long = float(np.ptp(ends[:, 1 - across])) >= FRAME * shape[across]
+            if long and float(np.ptp(ends[:, across])) <= PARALLEL * shape[across]:
                 at, size = float(ends[:, across].mean()), shape[1 - across]
                 if at < size / 2.0:
                     found[across] = max(found[across], at)
@@ -150,11 +142,11 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
     """
     boxes = [mark.box for mark in marks if mark.kind is AnnotationKind.TEXT]
     written = sorted(filter(_is_readable, boxes), key=_thickness, reverse=True)
-    found = [_read(sheet, box) for box in written[:_MOST]]
+    found = [_read(sheet, box) for box in written[:MOST_TEXTS]]
     lines = [
         line for field in fields_of(marks, sheet.ink.size) for line in _lines_of(sheet.ink, field)
     ]
-    for box in lines[: _MOST - len(found)]:
+    for box in lines[: MOST_TEXTS - len(found)]:
         read = read_text(_picture(sheet, box))
         found.append(SheetText(read.text, box, True, read.confidence, field=True))
     return tuple(text for text in found if text.text not in _STROKES and text.confidence >= _SURE)
@@ -194,7 +186,7 @@ def _credit(read: ReadText) -> tuple[bool, float]:
 def _picture(sheet: CleanSheet, box: Box) -> npt.NDArray[np.float32]:
     """(h, w) the letters in a box, cut out closely."""
     part, _ = _letters(sheet, box)
-    rows, columns = np.nonzero(part > _INK)
+    rows, columns = np.nonzero(part > FAINT)
     if not len(rows):
         return part
     part = part[rows.min() : rows.max() + 1, columns.min() : columns.max() + 1]
@@ -213,7 +205,7 @@ def _letters(sheet: CleanSheet, box: Box) -> tuple[npt.NDArray[np.float32], tupl
     x1 = min(width, int(np.ceil(box[2])) + reach)
     y1 = min(height, int(np.ceil(box[3])) + reach)
     part = sheet.weight[y0:y1, x0:x1]
-    _, labels = cv2.connectedComponents((part > _INK).astype(np.uint8), connectivity=8)
+    _, labels = cv2.connectedComponents((part > FAINT).astype(np.uint8), connectivity=8)
     passing = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
     values = np.unique(labels[reach - 1 : 1 - reach, reach - 1 : 1 - reach])
     letters = np.isin(labels, np.setdiff1d(values, np.append(passing, 0)))
