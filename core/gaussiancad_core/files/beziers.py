@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.files.file_curves import (
     FLATNESS,
+    MOST_CHORDS,
     SMALLEST_SWEEP,
     STRAIGHT,
     Vector,
@@ -20,19 +21,11 @@ from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 _ARC_DEVIATION = 1.5e-3
 """Share of its radius by which a Bézier curve that stands for an arc may leave it; the usual
 quarter circle does by 2.7e-4."""
-
-_SAME_PLACE = 1e-2
-"""px within which the circles of neighbouring arcs are one."""
-
-_NOTHING = 1e-9
-"""px: what is shorter is a point."""
-
-_MOST_CHORDS = 512
-"""Chords of one Bézier curve, whatever its size."""
 
 
 def curves_from_beziers(beziers: list[npt.NDArray[np.float64]]) -> list[Curve]:
@@ -73,7 +66,7 @@ def curves_from_path(pieces: list[npt.NDArray[np.float64]], step: float | None) 
     """
     curves: list[Curve] = []
     for is_bezier, group in groupby(
-        (piece for piece in pieces if _extent(piece) > _NOTHING),
+        (piece for piece in pieces if _extent(piece) > COMPUTED),
         key=lambda piece: len(piece) == 4,
     ):
         run = list(group)
@@ -142,7 +135,7 @@ def _bezier_arc(bezier: npt.NDArray[np.float64]) -> tuple[CircularArc, bool] | N
 
 
 def _same_circle(a: CircularArc, b: CircularArc) -> bool:
-    tolerance = max(_SAME_PLACE, 2e-5 * a.radius)
+    tolerance = max(FLATNESS, 2e-5 * a.radius)
     apart = np.hypot(a.centre[0] - b.centre[0], a.centre[1] - b.centre[1])
     return bool(apart <= tolerance and abs(a.radius - b.radius) <= tolerance)
 
@@ -155,7 +148,7 @@ def _joined(run: list[tuple[npt.NDArray[np.float64], CircularArc, bool]]) -> lis
     centre, radius = circle_through(nodes)
     turning = run[0][2]
     sweep = sum(arc.sweep for _, arc, _ in run)
-    if np.hypot(*(nodes[0] - nodes[-1])) <= _SAME_PLACE:
+    if np.hypot(*(nodes[0] - nodes[-1])) <= FLATNESS:
         sweep = FULL_TURN
     start = nodes[0] if turning else nodes[-1]
     angle = float(np.arctan2(start[1] - centre[1], start[0] - centre[0]))
@@ -164,7 +157,7 @@ def _joined(run: list[tuple[npt.NDArray[np.float64], CircularArc, bool]]) -> lis
 
 def _whole_ellipse(beziers: list[npt.NDArray[np.float64]]) -> Curve | None:
     """The circle or ellipse that four Bézier curves, a quarter each, stand for."""
-    if len(beziers) != 4 or np.hypot(*(beziers[3][3] - beziers[0][0])) > _SAME_PLACE:
+    if len(beziers) != 4 or np.hypot(*(beziers[3][3] - beziers[0][0])) > FLATNESS:
         return None
     nodes = np.array([bezier[0] for bezier in beziers])
     centre = nodes.mean(axis=0)
@@ -183,7 +176,7 @@ def _whole_ellipse(beziers: list[npt.NDArray[np.float64]]) -> Curve | None:
     if steps.min() < -1e-6 or abs(steps.sum() - FULL_TURN) > 1e-2:
         return None
     tilted = np.hypot(*(nodes[0] + nodes[2] - nodes[1] - nodes[3]))
-    if tilted > max(_SAME_PLACE, 1e-5 * size):
+    if tilted > max(FLATNESS, 1e-5 * size):
         return None
     return affine_arc(
         centre, (nodes[0] - nodes[2]) / 2.0, (nodes[1] - nodes[3]) / 2.0, 0, FULL_TURN
@@ -194,7 +187,7 @@ def _chain(bezier: npt.NDArray[np.float64]) -> Chain:
     bend = np.abs(bezier[:-2] - 2.0 * bezier[1:-1] + bezier[2:])
     # A chord's error is at most an eighth of its squared step times the second derivative.
     count = int(np.ceil(np.sqrt(0.75 * float(np.hypot(*bend.T).max()) / FLATNESS))) + 1
-    points = _point_at(bezier, np.linspace(0.0, 1.0, min(max(count, 2), _MOST_CHORDS)))
+    points = _point_at(bezier, np.linspace(0.0, 1.0, min(max(count, 2), MOST_CHORDS)))
     return Chain(tuple(to_point(point) for point in points))
 
 
@@ -205,7 +198,7 @@ def _chains_linked(curves: list[Curve]) -> list[Curve]:
         last = linked[-1] if linked else None
         if isinstance(curve, Chain) and isinstance(last, Chain):
             (x0, y0), (x1, y1) = last.points[-1], curve.points[0]
-            if np.hypot(x1 - x0, y1 - y0) <= _SAME_PLACE:
+            if np.hypot(x1 - x0, y1 - y0) <= FLATNESS:
                 linked[-1] = Chain(last.points + curve.points[1:])
                 continue
         linked.append(curve)

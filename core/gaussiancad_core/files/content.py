@@ -25,6 +25,12 @@ MIN_SIDE = 64
 VECTOR_DPI = 200.0
 """Resolution at which PDF, SVG and DXF sheets are drawn, if they are not too large for that."""
 
+CSS_DPI = 96.0
+"""Pixels of an inch in CSS, and in pictures of programs that know nothing of paper."""
+
+DEEPEST = 32
+"""Blocks in blocks of a DXF file, and forms in forms of a PDF, at most."""
+
 MAX_PAGES = 1000
 """Pages of a file over which it is no drawing."""
 

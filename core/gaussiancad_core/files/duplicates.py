@@ -10,14 +10,11 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from gaussiancad_core.files.file_curves import FLATNESS
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.arcs import EllipticArc
 from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.geometry.curves import Curve
-
-_SAME = 0.02
-"""px within which curves are one: chains follow what they stand for as closely."""
-
 
 _PLACES = 5
 """Points that tell ellipses apart, as five determine a conic, and most chains."""
@@ -58,7 +55,7 @@ def _repeated(strokes: Sequence[VectorStroke]) -> list[int]:
     back = there[:, ::-1].reshape(len(there), -1)
     there = there.reshape(len(there), -1)
     tree = cKDTree(there)
-    near = [tree.query_ball_point(ways, _SAME, p=np.inf) for ways in (there, back)]
+    near = [tree.query_ball_point(ways, FLATNESS, p=np.inf) for ways in (there, back)]
     left_out: set[int] = set()
     for index, this_curve in enumerate(curves):
         if index in left_out:
@@ -89,4 +86,4 @@ def _is_along(chain: Curve, other: Curve, *, turned: bool) -> bool:
         other = Chain(other.points[::-1])
     shares = np.union1d(*(curve.along / max(curve.length, 1e-300) for curve in (chain, other)))
     one, two = (curve.points_at(shares * curve.length) for curve in (chain, other))
-    return bool(np.abs(one - two).max() <= _SAME)
+    return bool(np.abs(one - two).max() <= FLATNESS)

@@ -16,7 +16,7 @@ from ezdxf.entities.text import Text
 from ezdxf.math import Matrix44
 
 from gaussiancad_core.errors import LimitError
-from gaussiancad_core.files.content import MAX_ELEMENTS, too_many_elements
+from gaussiancad_core.files.content import DEEPEST, MAX_ELEMENTS, too_many_elements
 from gaussiancad_core.files.dxf_curves import (
     entity_curves,
     fill_outline,
@@ -28,9 +28,6 @@ from gaussiancad_core.files.dxf_look import Look, Looks, inside_block
 from gaussiancad_core.files.dxf_text import PlacedText, placed_paragraph, placed_text
 from gaussiancad_core.files.vectors import StrokeKind
 from gaussiancad_core.geometry.curves import Curve
-
-_DEEPEST = 32
-"""Blocks in blocks."""
 
 _UNDRAWN = frozenset(
     {
@@ -142,12 +139,12 @@ class Exploder:
     def _take_known(self, entity: DXFGraphic, parent: Look, depth: int) -> None:
         look = self._looks.of(entity, parent)
         if isinstance(entity, Insert):
-            if depth < _DEEPEST and not self._looks.is_frozen(look):
+            if depth < DEEPEST and not self._looks.is_frozen(look):
                 self._take_block(entity, look, depth)
         elif not self._looks.is_shown(entity, look):
             return
         elif entity.dxftype() in _ANNOTATIONS:
-            if depth < _DEEPEST:
+            if depth < DEEPEST:
                 inner = replace(look, kind=_ANNOTATIONS[entity.dxftype()])
                 self._take_all(_parts(entity), inner, depth)
         elif entity.dxftype() in _COMPOSED:

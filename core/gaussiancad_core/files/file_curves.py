@@ -15,13 +15,16 @@ Vector = npt.NDArray[np.float64]
 """(2,)"""
 
 FLATNESS = 0.02
-"""px by which a chain may leave the curve that it follows."""
+"""px by which a chain may leave the curve that it follows; nearer places and curves are one."""
 
 STRAIGHT = 5e-3
-"""px by which a curve that is a line may leave it."""
+"""px by which a curve that is a line or a circle may leave it: a quarter of the flatness."""
 
 SMALLEST_SWEEP = np.radians(2.0)
 """Under this turn, the centre of an arc is too uncertain."""
+
+MOST_CHORDS = 1024
+"""Chords that stand for one curve at most, whatever its size."""
 
 _ROUND = 1e-4
 """Share of the radius by which the axes of a circle may differ: files round what is in them."""

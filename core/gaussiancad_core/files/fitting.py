@@ -13,16 +13,8 @@ from gaussiancad_core.files.file_curves import (
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.ellipses import LEAST_SWEEP, LONGEST_CHORD
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
-
-_ON_CIRCLE = 5e-3
-"""px by which points of a circle may lie beside it."""
-
-_SMALLEST_CONIC_SWEEP = np.radians(20.0)
-"""Under this turn, many ellipses fit a curve."""
-
-_LARGEST_STEP = np.radians(15.0)
-"""The points of a polygon may lie on a circle too, but turn by more at once."""
 
 
 def circle_through(points: npt.NDArray[np.float64]) -> tuple[Vector, float]:
@@ -62,13 +54,13 @@ def curve_along(points: npt.NDArray[np.float64]) -> Curve:
 def _arc_along(points: npt.NDArray[np.float64]) -> CircularArc | None:
     centre, radius = circle_through(points)
     away = np.abs(np.hypot(*(points - centre).T) - radius)
-    if away.max() > _ON_CIRCLE:
+    if away.max() > STRAIGHT:
         return None
     angles = np.unwrap(np.arctan2(points[:, 1] - centre[1], points[:, 0] - centre[0]))
     steps = np.diff(angles)
     sweep = float(angles[-1] - angles[0])
     one_way = (steps > 0.0).all() or (steps < 0.0).all()
-    if not one_way or np.abs(steps).max() > _LARGEST_STEP or abs(sweep) < SMALLEST_SWEEP:
+    if not one_way or np.abs(steps).max() > LONGEST_CHORD or abs(sweep) < SMALLEST_SWEEP:
         return None
     start = float(angles[0] if sweep > 0.0 else angles[-1])
     return CircularArc(to_point(centre), radius, wrapped(start), min(abs(sweep), FULL_TURN))
@@ -99,8 +91,8 @@ def _ellipse_along(points: npt.NDArray[np.float64]) -> Curve | None:
     steps = np.diff(angles)
     sweep = float(angles[-1] - angles[0])
     one_way = (steps > 0.0).all() or (steps < 0.0).all()
-    if away.max() > FLATNESS or not one_way or abs(sweep) < _SMALLEST_CONIC_SWEEP:
+    if away.max() > FLATNESS or not one_way or abs(sweep) < LEAST_SWEEP:
         return None
-    if np.abs(steps).max() > _LARGEST_STEP:
+    if np.abs(steps).max() > LONGEST_CHORD:
         return None
     return affine_arc(centre, u, v, float(angles[0]), sweep)

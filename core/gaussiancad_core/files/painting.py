@@ -13,7 +13,8 @@ import numpy as np
 import resvg_py
 from PIL import Image
 
-from gaussiancad_core.files.content import Grey
+from gaussiancad_core.files.content import MOST_WORKED_ON, Grey
+from gaussiancad_core.files.file_curves import STRAIGHT
 from gaussiancad_core.files.fonts import known_font
 from gaussiancad_core.files.vectors import (
     StrokeKind,
@@ -26,18 +27,11 @@ from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
 
-_STRIP_PIXELS = 24_000_000
-
 _DEFAULT_WIDTH = 2.0
 """px, of edges whose width the file does not say: a quarter of a millimetre at 200 dpi."""
 
-_PAPER = 255
-
 _THINNEST = 1.4
 """px: thinner lines fade to grey.  Other lines than edges are as thin if the file does not say."""
-
-_SAGITTA = 5e-3
-"""px by which chords leave their circle."""
 
 _PARTS = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 
@@ -69,7 +63,7 @@ def render_svg(
         ValueError: resvg cannot draw them.
     """
     sheet = np.empty((height, width), dtype=np.uint8)
-    rows = max(1, _STRIP_PIXELS // width)
+    rows = max(1, MOST_WORKED_ON // width)
     for top in range(0, height, rows):
         strip = sheet[top : top + rows]
         left, upper = corner[0] / scale, (corner[1] + top) / scale
@@ -100,7 +94,7 @@ def paint(drawing: VectorDrawing, width: int, height: int) -> Grey:
 
     Paper beyond what is drawn is not painted: pictures are packed and unpacked on their way.
     """
-    sheet = np.full((height, width), _PAPER, dtype=np.uint8)
+    sheet = np.full((height, width), 255, dtype=np.uint8)
     for (x0, y0, x1, y1), strokes in _blocks(drawing, width, height):
         parts = ['<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">']
         parts += [_element(stroke) for stroke in strokes]
@@ -180,7 +174,7 @@ def _path(curve: Curve) -> str:
         points = np.array(curve.points)
     else:
         radius = curve.radius if isinstance(curve, CircularArc) else curve.semi_major
-        points = curve.vertices(np.sqrt(8.0 * radius * _SAGITTA))
+        points = curve.vertices(np.sqrt(8.0 * radius * STRAIGHT))
     return _polygon(points[:-1]) + "Z" if curve.is_closed else _polygon(points)
 
 

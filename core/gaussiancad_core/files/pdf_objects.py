@@ -15,7 +15,7 @@ import pypdfium2 as pdfium
 from pypdfium2 import raw
 
 from gaussiancad_core.files.beziers import curves_from_path
-from gaussiancad_core.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
+from gaussiancad_core.files.content import DEEPEST, MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
 from gaussiancad_core.files.file_grid import Strokes, WrittenPath, line_ends, with_steps
 from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.files.pdf_texts import (
@@ -36,9 +36,6 @@ Affine = npt.NDArray[np.float64]
 
 Pieces = list[npt.NDArray[np.float64]]
 """(2, 2) the ends of lines and (4, 2) Bézier curves."""
-
-_DEEPEST = 24
-"""Forms in forms."""
 
 _MAX_SEGMENTS = 4 * MAX_ELEMENTS
 
@@ -125,7 +122,7 @@ def _take_all(
             )
             walk.texts += [piece] if piece else []
         elif kind == raw.FPDF_PAGEOBJ_FORM:
-            if depth < _DEEPEST:
+            if depth < DEEPEST:
                 count = raw.FPDFFormObj_CountObjects(item)
                 walk.count(count, 0)
                 parts = (raw.FPDFFormObj_GetObject(item, index) for index in range(count))

@@ -24,15 +24,10 @@ Affine = npt.NDArray[np.float64]
 _WORD_GAP, _TEXT_GAP = 0.27, 0.56
 """Distances over the size of the letters: from here on words are apart, and texts."""
 
-_OVERLAP = 0.2
-"""The same by which neighbours may overlap, whatever their letters."""
-
-_AHEAD = 0.15
-"""The same by which what goes on begins after the last letter: narrow letters are often told as
-wider than they are, so that neighbours overlap by more."""
-
-_OFF_LINE = 0.25
-"""The same by which they may be off one base line: smaller signs are set in its middle."""
+_SLACK = 0.2
+"""The same by which neighbours may overlap, or be off one base line: smaller signs are set in its
+middle.  Narrow letters are often told as wider than they are: they may overlap by more, but begin
+by as much after the last letter."""
 
 _SAME_DIRECTION = 1e-2
 """Radians."""
@@ -221,10 +216,10 @@ def _gap(last: TextPiece, piece: TextPiece) -> float | None:
     across = np.array([-np.sin(last.angle), np.cos(last.angle)])
     off = abs(float(np.subtract(piece.origin, last.origin) @ across))
     gap = piece.span[0] - last.span[1]
-    if size <= 0.0 or off > _OFF_LINE * size or gap > _TEXT_GAP * size:
+    if size <= 0.0 or off > _SLACK * size or gap > _TEXT_GAP * size:
         return None
     along = np.array([np.cos(last.angle), np.sin(last.angle)])
     ahead = float(np.subtract(piece.origin, last.last) @ along)
-    if gap < -_OVERLAP * size and ahead < _AHEAD * size:
+    if gap < -_SLACK * size and ahead < _SLACK * size:
         return None
     return gap / size

@@ -7,18 +7,17 @@ as long as they can be while all points lie within the rounding, and into its ow
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.files.file_curves import MOST_CHORDS
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.ellipses import LONGEST_CHORD
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
+from gaussiancad_core.geometry.tolerances import COMPUTED
 
 Points = npt.NDArray[np.float64]
 """(n, 2) px."""
-
-_LARGEST_STEP = np.radians(15.0)
-"""Turn from chord to chord at most, but for their rounding: the corners of a polygon may lie on a
-circle too."""
 
 _UNEVEN = 4.0
 """Ratio of the lengths of neighbouring chords of one curve at most."""
@@ -29,12 +28,6 @@ _FEWEST, _SMALLEST_SWEEP = 6, np.radians(15.0)
 _BESIDE, _STEPS = 0.15, 0.8
 """px, and steps of the grid, within which points lie beside their circle: of the diagonal a half,
 and something for the chord."""
-
-_MOST = 1024
-"""Chords of an arc that are looked at."""
-
-_CLOSED = 1e-6
-"""px between the ends of a whole circle."""
 
 
 def lines_and_arcs(points: Points, step: float) -> list[Curve]:
@@ -60,7 +53,7 @@ def _ends_of_runs(points: Points, step: float) -> npt.NDArray[np.int64]:
     turns = np.abs(np.angle(np.exp(1j * np.diff(angles))))
     shorter = np.minimum(lengths[:-1], lengths[1:])
     longer = np.maximum(lengths[:-1], lengths[1:])
-    sharp = turns > _LARGEST_STEP + step / np.maximum(shorter, 1e-9)
+    sharp = turns > LONGEST_CHORD + step / np.maximum(shorter, 1e-9)
     uneven = longer - step > _UNEVEN * shorter
     return np.append(np.flatnonzero(sharp | uneven) + 1, len(points) - 1)
 
@@ -84,7 +77,7 @@ def _along_run(points: Points, offset: float) -> list[Curve]:
 def _farthest(points: Points, first: int, offset: float) -> int:
     """The last point up to which an arc runs from a point on, or that itself."""
     # The longest that still fits, by bisection: an arc's beginning fits where it does.
-    low, high = first + _FEWEST, min(len(points) - 1, first + _MOST)
+    low, high = first + _FEWEST, min(len(points) - 1, first + MOST_CHORDS)
     if high < low or not _fits(points[first : low + 1], offset):
         return first
     while low < high:
@@ -97,7 +90,7 @@ def _farthest(points: Points, first: int, offset: float) -> int:
 
 
 def _fits(points: Points, offset: float) -> bool:
-    return _off(points) <= offset and abs(_turn(points)) <= FULL_TURN + _LARGEST_STEP
+    return _off(points) <= offset and abs(_turn(points)) <= FULL_TURN + LONGEST_CHORD
 
 
 def _off(points: Points) -> float:
@@ -139,7 +132,7 @@ def _arc(points: Points) -> CircularArc:
     centre, radius = circle_through(points)
     angles = np.unwrap(np.arctan2(points[:, 1] - centre[1], points[:, 0] - centre[0]))
     sweep = float(angles[-1] - angles[0])
-    if np.hypot(*(points[-1] - points[0])) < _CLOSED:
+    if np.hypot(*(points[-1] - points[0])) < COMPUTED:
         sweep = FULL_TURN
     start = float(angles[0] if sweep > 0.0 else angles[-1])
     return CircularArc(to_point(centre), radius, wrapped(start), min(abs(sweep), FULL_TURN))

@@ -11,6 +11,7 @@ from PIL import ExifTags, Image, ImageOps, UnidentifiedImageError
 
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.files.content import (
+    CSS_DPI,
     MAX_PAGES,
     FileContent,
     Grey,
@@ -49,9 +50,6 @@ _SQUARE = 0.01
 
 _MOST_UNEQUAL = 2.5
 """Ratio of both at most, as of a fax in its coarse mode: 204 x 98 dpi."""
-
-_SCREEN_DPI = 96.0
-"""Written by programs that know nothing of paper."""
 
 _MIN_PAPER, _MAX_PAPER = 3.0, 100.0
 """Inches: the longest side of a sheet that is believable."""
@@ -225,7 +223,7 @@ def _paper_resolution(both: tuple[float, float] | None, longest: int) -> float |
     """
     if both is None or abs(both[0] - both[1]) > _SQUARE * both[0]:
         return None
-    if abs(both[0] - _SCREEN_DPI) < 0.1 or not _MIN_PAPER <= longest / both[0] <= _MAX_PAPER:
+    if abs(both[0] - CSS_DPI) < 0.1 or not _MIN_PAPER <= longest / both[0] <= _MAX_PAPER:
         return None
     return sum(both) / 2.0
 

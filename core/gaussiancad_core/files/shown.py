@@ -5,6 +5,10 @@ import numpy as np
 from gaussiancad_core.files.content import PAPER_LEVEL, Grey
 from gaussiancad_core.files.vectors import VectorStroke
 
+SHOWN = 0.3
+"""Share of a stroke that shows at least: the gaps of dashes do not, and nothing of a layer that is
+off, or of what is clipped or covered."""
+
 _MOST_SAMPLES = 5000
 """Points at which a stroke is looked for in the picture."""
 

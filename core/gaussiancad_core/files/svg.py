@@ -13,6 +13,7 @@ import numpy as np
 
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.files.content import (
+    CSS_DPI,
     VECTOR_DPI,
     FileContent,
     Note,
@@ -20,7 +21,7 @@ from gaussiancad_core.files.content import (
     page_missing,
 )
 from gaussiancad_core.files.painting import render_svg
-from gaussiancad_core.files.shown import shown_share
+from gaussiancad_core.files.shown import SHOWN, shown_share
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_texts
@@ -30,25 +31,19 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_protocol.codes import Code
 
-_CSS_DPI = 96.0
-
 _PHYSICAL = {
-    "mm": _CSS_DPI / MM_PER_INCH,
-    "cm": _CSS_DPI / 2.54,
-    "in": _CSS_DPI,
-    "pt": _CSS_DPI / 72.0,
-    "pc": _CSS_DPI / 6.0,
-    "q": _CSS_DPI / 101.6,
+    "mm": CSS_DPI / MM_PER_INCH,
+    "cm": CSS_DPI / 2.54,
+    "in": CSS_DPI,
+    "pt": CSS_DPI / 72.0,
+    "pc": CSS_DPI / 6.0,
+    "q": CSS_DPI / 101.6,
 }
 """CSS px."""
 
 _RELATIVE = {"": 1.0, "px": 1.0, "em": 16.0, "ex": 8.0}
 
 _LENGTH = re.compile(r"\s*([+]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([a-zA-Z]*)\s*$")
-
-_SHOWN = 0.3
-"""Share of a stroke that must show: the gaps of dashes do not, clipped and covered strokes not at
-all."""
 
 
 @dataclass(frozen=True)
@@ -88,12 +83,12 @@ def read_svg(path: Path, page: int) -> FileContent:
 def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     size = _size(safe.root) or _size_of_content(path, safe)
     if size.physical:
-        inches = size.width / _CSS_DPI, size.height / _CSS_DPI
+        inches = size.width / CSS_DPI, size.height / CSS_DPI
         check_pixels(path, *(side * VECTOR_DPI for side in inches))
         dpi = paper_dpi(*inches)
-        sizing = Sizing(dpi / _CSS_DPI, dpi, on_paper=True)
+        sizing = Sizing(dpi / CSS_DPI, dpi, on_paper=True)
     else:
-        sizing = size_without_unit(size.width, size.height, (1.0 / _CSS_DPI,))
+        sizing = size_without_unit(size.width, size.height, (1.0 / CSS_DPI,))
     scale = sizing.scale
     pixels = size.width * scale, size.height * scale
     check_pixels(path, *pixels)
@@ -109,7 +104,7 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
             path=path,
         )
     grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
-    shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= _SHOWN)
+    shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= SHOWN)
     vectors = VectorDrawing(
         shown, tuple(texts), not safe.pictures, unit_px=None if sizing.pixels_per_inch else scale
     )

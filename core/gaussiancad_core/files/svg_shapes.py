@@ -10,7 +10,7 @@ import numpy.typing as npt
 import svgelements
 
 from gaussiancad_core.files.beziers import curves_from_path
-from gaussiancad_core.files.content import PAPER_LEVEL
+from gaussiancad_core.files.content import CSS_DPI, PAPER_LEVEL
 from gaussiancad_core.files.file_curves import affine_arc
 from gaussiancad_core.files.file_grid import WrittenPath, line_ends, with_steps
 from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
@@ -18,9 +18,6 @@ from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke,
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import FULL_TURN, to_point
-
-_PIXELS_PER_INCH = 96.0
-"""CSS's reference pixel."""
 
 _LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
@@ -73,7 +70,7 @@ def svg_elements(root: Element) -> SvgElements:
     """All elements of an SVG tree with its ``width`` and ``height`` in CSS px, styles and matrices
     resolved."""
     tree = svgelements.SVG.parse(
-        BytesIO(tostring(root, encoding="utf-8")), reify=False, ppi=_PIXELS_PER_INCH
+        BytesIO(tostring(root, encoding="utf-8")), reify=False, ppi=CSS_DPI
     )
     return list(tree.elements()) if isinstance(tree, svgelements.SVG) else []
 
@@ -132,7 +129,7 @@ def _channels(colour: svgelements.Color) -> tuple[int, int, int]:
 
 def _number(value: object, default: float) -> float:
     try:
-        number = float(svgelements.Length(value).value(ppi=_PIXELS_PER_INCH))
+        number = float(svgelements.Length(value).value(ppi=CSS_DPI))
     except (TypeError, ValueError):
         return default
     return number if np.isfinite(number) else default

@@ -27,7 +27,7 @@ _CLOSED = FULL_TURN * (1.0 - 1e-9)
 _QUARTERS = (0.0, 0.5 * pi, pi, 1.5 * pi)
 """Where a circle runs along an axis of its plane."""
 
-_SAGITTA = 1e-5
+SAGITTA = 1e-5
 """Share of its longer half axis by which the chords lie beside an ellipse from which distances are
 taken."""
 
@@ -194,7 +194,7 @@ class EllipticArc:
 
     def distances(self, points: Points) -> Points:
         """(n,) distances of (n, 2) points, within a hundred-thousandth of the longer half axis."""
-        return chain_distances(points, self.chords(_SAGITTA * self.semi_major))
+        return chain_distances(points, self.chords(SAGITTA * self.semi_major))
 
     def chords(self, sagitta: float) -> Points:
         """(n, 2) corners of a chain along the curve, at most ``sagitta`` beside it."""

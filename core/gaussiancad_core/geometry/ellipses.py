@@ -8,6 +8,12 @@ import numpy.typing as npt
 
 Points = npt.NDArray[np.float64]
 
+LONGEST_CHORD = np.radians(15.0)
+"""Turn from point to point of a curve at most: with larger ones it may be a polygon."""
+
+LEAST_SWEEP = np.radians(20.0)
+"""Turn of points under which many ellipses fit them."""
+
 _FLATTEST = 1e-6
 """Least product of a conic's two curvatures, in squares of the larger one, of an ellipse."""
 

@@ -15,9 +15,6 @@ _FEW_SAMPLES = 24
 _MOST_SAMPLES = 250
 _DIVISIONS, _ROUNDS = 16, 4
 
-_CHORD = 1e-5
-"""Share of its longer half axis at which an ellipse's chords may lie beside it."""
-
 
 class StrokeIndex:
     """Strokes that can be looked up by where they are.

@@ -3,15 +3,13 @@
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.geometry.arcs import SAGITTA
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.lines.coverage import StrokeIndex
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Arc, Ellipse, Segment
 
 Points = npt.NDArray[np.float64]
-
-_CHORD = 1e-5
-"""Share of its longer half axis at which an ellipse's chords may lie beside it."""
 
 
 def junctions(stroke: DrawnStroke, others: StrokeIndex, tolerance: float) -> Points:
@@ -45,7 +43,7 @@ def _meet(one: DrawnStroke, other: DrawnStroke, tolerance: float) -> Points:
 
 def _vertices(stroke: Segment | Ellipse | Polyline) -> Points:
     if isinstance(stroke, Ellipse):
-        return stroke.chords(_CHORD * stroke.semi_major)
+        return stroke.chords(SAGITTA * stroke.semi_major)
     return stroke.vertices(np.inf)
 
 

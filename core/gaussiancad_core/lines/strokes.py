@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from gaussiancad_core.geometry.chains import Chain
-from gaussiancad_core.geometry.ellipses import ellipse_through
+from gaussiancad_core.geometry.ellipses import LEAST_SWEEP, LONGEST_CHORD, ellipse_through
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 
@@ -41,12 +41,6 @@ DrawnStroke = Segment | Arc | Ellipse | Polyline
 _ON_ELLIPSE = 2e-4
 """Share of a chain's size by which its points may lie beside an ellipse that replaces it."""
 
-_LONGEST_CHORD = np.radians(15.0)
-"""Largest step of the parameter between two points of a chain along an ellipse."""
-
-_LEAST_SWEEP = np.radians(20.0)
-"""Under this turn, many ellipses fit a chain."""
-
 
 def as_plain_strokes(strokes: tuple[DrawnStroke, ...]) -> tuple[Stroke, ...]:
     """The strokes as :data:`gaussiancad_core.model.views.Stroke`: chains along an ellipse become
@@ -74,8 +68,8 @@ def _ellipse_along(chain: Polyline) -> Ellipse | None:
     way = np.sign(steps.sum())
     sweep = abs(float(steps.sum()))
     # Chains may hold a point twice.
-    even = (way * steps > -1e-9).all() and np.abs(steps).max() < _LONGEST_CHORD
-    if np.abs(away).max() > _ON_ELLIPSE * size or not even or sweep < _LEAST_SWEEP:
+    even = (way * steps > -1e-9).all() and np.abs(steps).max() < LONGEST_CHORD
+    if np.abs(away).max() > _ON_ELLIPSE * size or not even or sweep < LEAST_SWEEP:
         return None
     first = float(np.mod(parameters[0] if way > 0.0 else parameters[-1], 2.0 * np.pi))
     axes = found.semi_major, found.semi_minor, found.rotation

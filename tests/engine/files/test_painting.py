@@ -41,7 +41,7 @@ def test_ink_lies_on_the_curves(ink_offsets: Callable) -> None:
 
 def test_strips_are_seamless(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = paint(VectorDrawing(STROKES, ()), 400, 300)
-    monkeypatch.setattr("gaussiancad_core.files.painting._STRIP_PIXELS", 400 * 37)
+    monkeypatch.setattr("gaussiancad_core.files.painting.MOST_WORKED_ON", 400 * 37)
     strips = paint(VectorDrawing(STROKES, ()), 400, 300)
     differences = np.abs(strips.astype(int) - whole)
     # Where a strip cuts a line, its slope is rounded anew: to sixteenths of ink in a few pixels.
