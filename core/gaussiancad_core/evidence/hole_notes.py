@@ -10,9 +10,11 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.views import Arc, Linetype
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.writing.callouts import NoteKind
+from gaussiancad_core.writing.dimension_layout import LOOSELY
 from gaussiancad_core.writing.note_texts import SheetNote
 from gaussiancad_core.writing.scale_agreement import ReadDimension
 from gaussiancad_protocol.codes import Code
@@ -20,17 +22,11 @@ from gaussiancad_protocol.codes import Code
 _SAME = 0.02
 """Share by which a circle's diameter may differ from the one in a note."""
 
-_SAME_PX = 1.0
-"""The same in px of the sheet."""
-
 _SAID_PX = 3.0
 """px of the sheet by which a circle may differ from the one that a person pointed at."""
 
 _MINOR = 0.75
 """Diameter of the core hole of a thread as a share of the nominal one, at least (ISO 724)."""
-
-_BELOW = 1.5
-"""Heights between lines of one note at most."""
 
 _HOLES = (NoteKind.DIAMETER, NoteKind.THREAD)
 _WIDER = (NoteKind.COUNTERBORE, NoteKind.COUNTERSINK)
@@ -156,7 +152,7 @@ def _goes_on(above: Box, note: SheetNote) -> bool:
     """Whether a note stands right below a box, and begins within it."""
     x0, y0, x1, y1 = note.box
     height = min(y1 - y0, above[3] - above[1])
-    near = -0.5 * height <= y0 - above[3] <= _BELOW * height
+    near = -0.5 * height <= y0 - above[3] <= LOOSELY * height
     return near and x0 <= above[2] and above[0] <= x1
 
 
@@ -212,7 +208,7 @@ def _meant(
         }
     for role, this_arcs in by_role.items():
         at = [
-            each for each in this_arcs if pointed is not None and _apart(pointed, each) <= _SAME_PX
+            each for each in this_arcs if pointed is not None and _apart(pointed, each) <= ONE_PLACE
         ]
         if at:
             return role, at[:1] if count == 1 else this_arcs
@@ -226,7 +222,7 @@ def _plain(arcs: Sequence[Arc], others: Sequence[Arc]) -> list[Arc]:
         each
         for each in arcs
         if not any(
-            other.radius > each.radius and _apart(each, other) <= _SAME_PX for other in others
+            other.radius > each.radius and _apart(each, other) <= ONE_PLACE for other in others
         )
     ]
     return found or list(arcs)
@@ -235,7 +231,7 @@ def _plain(arcs: Sequence[Arc], others: Sequence[Arc]) -> list[Arc]:
 def _is_around(note: SheetNote, circle: Arc, others: Sequence[Arc], scale: float) -> bool:
     """Whether what a note says to be wider is drawn around a circle."""
     return note.callout.kind not in _WIDER or any(
-        _apart(circle, other) <= _SAME_PX and _fits(note, other, scale) for other in others
+        _apart(circle, other) <= ONE_PLACE and _fits(note, other, scale) for other in others
     )
 
 
@@ -243,7 +239,7 @@ def _fits(note: SheetNote, circle: Arc, scale: float) -> bool:
     drawn, said = 2.0 * circle.radius * scale, note.value_mm
     if said is None:
         return False
-    slack = max(_SAME * said, _SAME_PX * scale)
+    slack = max(_SAME * said, ONE_PLACE * scale)
     if note.callout.kind is NoteKind.THREAD:
         return _MINOR * said - slack <= drawn <= said + slack
     return abs(drawn - said) <= slack

@@ -17,6 +17,7 @@ from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import AROUND, EVEN, FEWEST_PLACES
 from gaussiancad_core.sheet.registration.view_registration import Placement
 
 Floats = npt.NDArray[np.float64]
@@ -24,17 +25,8 @@ Floats = npt.NDArray[np.float64]
 _STEP, _ACROSS = 1.0, 0.25
 """px between places along a line, and between those across it that are weighed."""
 
-_REACH = 2.0
-"""px beside the line's width up to which ink is looked for."""
-
-_ALONE = 0.15
-"""Darkness at both ends of what is weighed, at most: otherwise other ink is near."""
-
 _SAME_WIDTH = 0.35
 """Share of the pen's width by which the ink across may be more or less."""
-
-_LEAST = 8
-"""Places of a line that have to tell: fewer are ends, where others meet it."""
 
 _PARTS = 8
 """Parts of a line over each of which the offset is a mean: noise of paper is no offset."""
@@ -85,7 +77,7 @@ def _offset(
     places, across = _places(line, placement)
     aside, stated = _centroids(places, across, sheet)
     places, aside = places[stated], aside[stated]
-    if len(aside) < _LEAST:
+    if len(aside) < FEWEST_PLACES:
         return None
     size = max(3, len(aside) // _PARTS)
     half = size // 2
@@ -115,12 +107,12 @@ def _centroids(
 ) -> tuple[Floats, npt.NDArray[np.bool_]]:
     """(n,) px across from places to the middle of the ink, and whether that is one pen's alone."""
     width = sheet.stroke_width
-    reach = 0.5 * width + _REACH
+    reach = 0.5 * width + AROUND
     shifts = np.arange(-reach, reach + 1e-9, _ACROSS)
     # Pixels are weighed at their middles.
     x, y = np.moveaxis(places[:, None] + shifts[None, :, None] * across[:, None] - 0.5, 2, 0)
     ink = map_coordinates(sheet.weight, [y, x], order=1, mode="constant", output=np.float64)
     total = ink.sum(axis=1)
     ends = np.maximum(ink[:, 0], ink[:, -1])
-    stated = (np.abs(total * _ACROSS - width) < _SAME_WIDTH * width) & (ends < _ALONE)
+    stated = (np.abs(total * _ACROSS - width) < _SAME_WIDTH * width) & (ends < EVEN)
     return (ink * shifts).sum(axis=1) / np.maximum(total, 1e-9), stated

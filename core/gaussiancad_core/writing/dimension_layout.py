@@ -11,7 +11,7 @@ BESIDE = 1.0
 """Heights between a text and its line or leader, and between texts of a row; a head is as long."""
 
 LOOSELY = 1.5
-"""Heights between a text and the line that it belongs to at most."""
+"""Heights between a text and the line that it belongs to, or the note that it goes on, at most."""
 
 ALONG = 6.0
 """Heights along a line from a text or letter that stands outside to what it belongs to at most."""
