@@ -14,19 +14,14 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.geometry.tolerances import MEETING, TELLING
+from gaussiancad_core.geometry.tolerances import MEETING, TELLING, WELL_READ
 from gaussiancad_core.lines.line_points import Lines, lines_of_strokes
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Arc, Linetype, Segment
+from gaussiancad_core.sheet.votes import MOST
 
 UNSURE = 0.4
 """Confidence up to which a stroke may be of either linetype; readers tell more of each."""
-
-_STEP = 0.5
-"""Tolerances between the points of strokes at which others may meet them."""
-
-_AS_DRAWN = 0.6
-"""Share of a stroke that a solid draws as the other linetype, for it to be of that."""
 
 Points = npt.NDArray[np.float64]
 
@@ -45,7 +40,7 @@ def with_unsure_kinds(views: DrawnViews) -> DrawnViews | None:
     strokes = {}
     found = False
     for role, curves in views.strokes.items():
-        points = [stroke.sample(_STEP * views.tolerance) for stroke in curves]
+        points = [stroke.sample(WELL_READ * views.tolerance) for stroke in curves]
         parts = [_parts(curves, number, points, views) for number in range(len(curves))]
         strokes[role] = tuple(part for stroke in parts for part in stroke)
         found |= any(is_unsure(part) for part in strokes[role])
@@ -80,7 +75,7 @@ def _as_drawn(stroke: DrawnStroke, drawn: Lines, tolerance: float) -> DrawnStrok
         for kind, lines in ((Linetype.VISIBLE, drawn.visible), (Linetype.HIDDEN, drawn.hidden))
     }
     other = _other(stroke.linetype)
-    if shares[other] > _AS_DRAWN and shares[other] > shares[stroke.linetype]:
+    if shares[other] > MOST and shares[other] > shares[stroke.linetype]:
         return replace(cast("Segment | Arc", stroke), linetype=other)
     return stroke
 

@@ -41,7 +41,7 @@ from gaussiancad_core.coordinates.tangents import touched_circles
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.points import FULL_TURN, to_point
-from gaussiancad_core.geometry.tolerances import TELLING
+from gaussiancad_core.geometry.tolerances import APART, SAME_PLACE, TELLING
 from gaussiancad_core.geometry.whole_curves import (
     Line,
     LineOrCircle,
@@ -51,15 +51,6 @@ from gaussiancad_core.geometry.whole_curves import (
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS, plane_points, role_plane
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-
-_FOLDED = 0.01
-"""Units within which the way back of a curve runs along its way out."""
-
-_ALONG = 0.05
-"""Units within which points along a drawn circle lie, at least: files write such curves roughly."""
-
-_SHORT = 1.0
-"""Tolerances that a stroke is long at least to be taken at all."""
 
 _SHORT_SLANT, _SHORT_SLANT_READ = 0.2, 2.5
 """Units and tolerances that a slanted segment is long at least to tell a plane; shorter ones are
@@ -217,7 +208,7 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
                 chain = tuple(map(tuple, plane_points(run.points, role, scale).tolist()))
                 plane.chains.append((role, chain, strokes[run.first].linetype))
         for number, stroke in enumerate(strokes):
-            if number in followed or stroke.length * scale <= _SHORT * tolerance:
+            if number in followed or stroke.length * scale <= tolerance:
                 continue
             line = _line(stroke, role, scale) if isinstance(stroke, Segment) else None
             if line is not None and _is_long_enough(line, tolerance):
@@ -230,10 +221,10 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
                 plane.arcs.append(_arc(stroke, role, scale))
             else:
                 points = plane_points(stroke.sample(stroke.length / _CHAIN_LINKS), role, scale)
-                for chain in single_runs(points, max(_FOLDED, tolerance)):
+                for chain in single_runs(points, max(SAME_PLACE, tolerance)):
                     plane.chains.append((role, chain, stroke.linetype))
     for plane in planes.values():
-        _take_arcs(plane, max(_ALONG, tolerance))
+        _take_arcs(plane, max(APART, tolerance))
     return planes
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gaussiancad_core.geometry.tolerances import LEVEL
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points, role_plane
@@ -21,12 +22,6 @@ _FEWEST = 3
 
 _BENDS = np.radians(0.2), np.radians(25.0)
 """Least and largest turn from one chord to the next."""
-
-_LEVEL = 1e-3
-"""Slope of a stroke along an axis, at most."""
-
-_JOINED = 1e-3
-"""Share of a chord by which the next one may begin beside its end."""
 
 _DRAWN_JOINTS = 0.34
 """Share of the joints at which other views may draw lines by chance."""
@@ -87,7 +82,7 @@ def _goes_on(one: DrawnStroke, other: DrawnStroke) -> bool:
     if one.linetype is not other.linetype:
         return False
     gap = np.hypot(*np.subtract(other.start, one.end))
-    if gap > _JOINED * min(one.length, other.length):
+    if gap > LEVEL * min(one.length, other.length):
         return False
     (a, b), (c, d) = (np.subtract(stroke.end, stroke.start) for stroke in (one, other))
     bend = abs(np.arctan2(a * d - b * c, a * c + b * d))
@@ -117,6 +112,6 @@ def _levels(strokes: Sequence[DrawnStroke], role: Role) -> dict[Axis, np.ndarray
             continue
         start, end = plane_points(np.array([stroke.start, stroke.end]), role, 1.0)
         for coordinate, index in enumerate(axes):
-            if abs(end[coordinate] - start[coordinate]) <= _LEVEL * stroke.length:
+            if abs(end[coordinate] - start[coordinate]) <= LEVEL * stroke.length:
                 found[Axis(index)].append(float(start[coordinate] + end[coordinate]) / 2.0)
     return {axis: np.array(values) for axis, values in found.items()}

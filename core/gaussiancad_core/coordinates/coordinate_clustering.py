@@ -14,7 +14,7 @@ import numpy as np
 
 from gaussiancad_core.coordinates.circle_constraints import circle_relations
 from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces, constrained_places
-from gaussiancad_core.coordinates.design_step import NominalStep, nominal_step
+from gaussiancad_core.coordinates.design_step import ODD, NominalStep, nominal_step
 from gaussiancad_core.coordinates.dimension_equations import dimension_relations, with_dimensions
 from gaussiancad_core.coordinates.grid_fitting import Roughness, likely_numbers
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, solved
@@ -27,10 +27,6 @@ from gaussiancad_core.model.projection_planes import IN_PLANE
 
 CERTAIN = 1e6
 """Weight of a number that is known to be a multiple of the part's step."""
-
-_FOLLOWING = 1e-5
-"""Share of the step within which a centre or a radius is a multiple, or the middle of two, because
-equations make it so: what was only read is there by chance once in twenty thousand times."""
 
 _AGREEING = 0.15
 """Share of the reach within which ends of slanted lines that have one coordinate agree."""
@@ -406,4 +402,4 @@ def _rounded(
 def _follows(number: float, step: float) -> bool:
     """Whether a number is a multiple of a step, or halfway between two, because they make it so."""
     halves = 2.0 * number / step
-    return abs(halves - round(halves)) <= 2.0 * _FOLLOWING
+    return abs(halves - round(halves)) <= 2.0 * 0.1 * ODD

@@ -32,7 +32,7 @@ _SHARE = 0.85
 _CHANCE = 1e-7
 """Probability at which so many numbers fit by chance, over all steps that are tried."""
 
-_ODD = 1e-4
+ODD = 1e-4
 """Share of the step from which a number is no multiple of it."""
 
 ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-5
@@ -62,7 +62,7 @@ class NominalStep:
         """How many numbers are no multiples; those that are one, or mirror images, count once."""
         found: list[float] = []
         for number in numbers:
-            if abs(number - self.length * round(number / self.length)) > _ODD * self.length:
+            if abs(number - self.length * round(number / self.length)) > ODD * self.length:
                 images = (number, extent - number) if extent else (number,)
                 apart = (abs(image - other) for image in images for other in found)
                 if min(apart, default=self.length) > self.reach:

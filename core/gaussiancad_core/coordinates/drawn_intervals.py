@@ -17,12 +17,10 @@ import numpy as np
 from gaussiancad_core.coordinates.ambiguous_linetypes import UNSURE
 from gaussiancad_core.coordinates.joints import joints_of
 from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.tolerances import APART
 from gaussiancad_core.geometry.whole_curves import Line, LineOrCircle, meetings
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
-
-_DROPPED = 0.03
-"""Units of line that a drawing may leave out at the ends of strokes."""
 
 _BESIDE = 6.0
 """Tolerances beside a line within which a picture may not show another one."""
@@ -152,7 +150,7 @@ def carriers_with_intervals(
         grid: other lines that strokes may end at.
         tolerance: units by which the end of a stroke may be off.
     """
-    reach = max(3.0 * tolerance, _DROPPED)
+    reach = max(3.0 * tolerance, APART)
     own_stations = [stations_on(curve, list(curves)) for curve in curves]
     stations = [
         sorted({*items, *stations_on(curve, list(grid))})

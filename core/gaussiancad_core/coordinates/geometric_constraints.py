@@ -25,13 +25,10 @@ from gaussiancad_core.coordinates.corner_equations import (
 from gaussiancad_core.coordinates.linear_constraints import Linear, Numbers, Relation, solved
 from gaussiancad_core.coordinates.tangents import touched_circles, touching_circles
 from gaussiancad_core.geometry.points import FULL_TURN, Point
-from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING, MOVED
+from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING, MOVED, WELL_READ
 from gaussiancad_core.geometry.whole_curves import Circle, Line, line_through
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_ON = 0.5
-"""Tolerances within which a corner between well-read values is on a curve."""
 
 _ON_LOOSELY = 2.0
 """The same where a value is told by ends of strokes only, or the corner is the line's own end."""
@@ -42,9 +39,6 @@ _LOOSE = 0.1
 _FAR = 1.0
 """Tolerances by which well-read numbers move at most."""
 
-_FIRM = 1e6
-"""Factor of the weight of the extents."""
-
 _MOST = 1000
 """Incidences that are looked at: parts of 150 faces have some hundred."""
 
@@ -53,9 +47,6 @@ _UNROUNDED = 4
 
 _ROUNDED = 0.1 * CERTAIN
 """Weight from which a number was made a multiple of the step."""
-
-_SPANNING = 3
-"""Corners that any plane goes through."""
 
 _FREE = 1e-3
 """Weight of numbers that nothing tells."""
@@ -198,7 +189,7 @@ class _Network:
         for value in values:
             weight = self._snap.weights[axis, value]
             # The views were lined up by their extents.
-            factor = _FIRM if value in (values[0], values[-1]) else 1.0
+            factor = CERTAIN if value in (values[0], values[-1]) else 1.0
             far = MOVED if weight < _LOOSE else _FAR
             found[value] = self._add([value], [weight], far)
             self.weights[-1] *= factor
@@ -276,7 +267,7 @@ class _Network:
             if len(values) == len(snapped):
                 x, y, z = (self._values[axis][x] for axis, x in zip(Axis, values, strict=True))
                 known[x, y, z] = np.array(values)
-        if len(known) <= _SPANNING:
+        if len(known) <= 3:
             return
         normal = np.array(facet.normal)
         along = np.cross(normal, np.eye(3)[int(np.abs(normal).argmin())])
@@ -289,7 +280,7 @@ class _Network:
 
     def _is_on(self, corner: "_Corner", curve: Line | Circle, *, loose: bool) -> bool:
         off = curve.distance(corner.point)
-        return off <= (_ON_LOOSELY if loose else _ON) * self._tolerance
+        return off <= (_ON_LOOSELY if loose else WELL_READ) * self._tolerance
 
     def _corners(self, normal: Axis, ends: Sequence[Point]) -> dict[tuple[int, int], "_Corner"]:
         """Distinct pairs of values at which strokes of a plane end."""

@@ -20,15 +20,13 @@ from gaussiancad_core.coordinates.grid_fitting import (
 )
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import UNITS
+from gaussiancad_core.sheet.votes import HALF
 
 _REACH = 0.25
 """Tolerances by which a number may miss a round one."""
 
 _BY_CHANCE = 0.12
 """Share of all numbers that lie that near to a multiple of the step, at most."""
-
-_SHARE = 0.5
-"""Share of the measures that are round, at least: others may have been designed in inches."""
 
 
 def round_numbers(
@@ -65,7 +63,7 @@ def round_numbers(
         if rough.tolerance < number < UNITS - rough.tolerance
     ]
     fits = sum(rounded(number) is not None for number in stated_numbers)
-    if not fits or fits < _SHARE * len(stated_numbers):
+    if not fits or fits < HALF * len(stated_numbers):
         return None
     found = [rounded(float(number)) for number in numbers]
     meant = [

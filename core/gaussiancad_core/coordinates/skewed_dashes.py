@@ -11,6 +11,7 @@ from math import atan2, dist, pi
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.tolerances import WELL_READ
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Arc, Segment
 
@@ -22,9 +23,6 @@ _LONG_DASH = 24.0
 
 _ASKEW = 2.0
 """Tolerances by which its ends lie beside its line at most; less than one is no slant."""
-
-_TOUCHING = 0.75
-"""Tolerances by which a dash of a circle lies beside it at most."""
 
 _SKEW = 0.3
 """Sine of the angle between the two at most."""
@@ -64,7 +62,7 @@ def _runs_around(dash: Segment, arc: Arc, tolerance: float) -> bool:
     (x, y), (ox, oy) = dash.start, dash.end
     points = dash.start, dash.end, ((x + ox) / 2.0, (y + oy) / 2.0)
     away = max(abs(dist(point, arc.centre) - arc.radius) for point in points)
-    if arc.linetype is not dash.linetype or away > _TOUCHING * tolerance:
+    if arc.linetype is not dash.linetype or away > WELL_READ * tolerance:
         return False
     angles = [
         (atan2(y - arc.centre[1], x - arc.centre[0]) - arc.start_angle) % FULL_TURN

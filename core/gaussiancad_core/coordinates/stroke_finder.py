@@ -8,7 +8,7 @@ import numpy.typing as npt
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.views import Linetype, Segment
 
-_LINKS = 48
+LINKS = 96
 """Chords that stand for a curve."""
 
 
@@ -24,7 +24,7 @@ class StrokeFinder:
         for number, stroke in enumerate(strokes):
             if stroke.length <= 0.0:
                 continue
-            links = 1 if isinstance(stroke, Segment) else _LINKS
+            links = 1 if isinstance(stroke, Segment) else LINKS
             points = stroke.sample(stroke.length / links * (1.0 + 1e-9))
             starts.append(points[:-1])
             ends.append(points[1:])

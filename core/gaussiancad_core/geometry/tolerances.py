@@ -26,8 +26,17 @@ ASIDE = 2e-5
 SHORTEST = 1e-3
 """Units, or mm, that an edge is long at least: closer points are one."""
 
+SAME_PLACE = 0.01
+"""Units within which a computed curve is one that is drawn, and two places are one, at least."""
+
+APART = 0.05
+"""Units from which lines are two, and what lies between them is more than their noise, at least."""
+
 FAR = 1e3
 """Units; farther than any part, which is 100 long."""
+
+WELL_READ = 0.5
+"""Tolerances within which a point that is well known lies on a line."""
 
 SAME_READ = 1.5
 """Tolerances within which two views, or a line and a number, show the same: the difference of two
@@ -40,6 +49,9 @@ MOVED = 2.5
 MEETING = 3.0
 """Tolerances within which ends that were read meet, or lie on a curve: the crossing of two readings
 at a slant misses by more than either."""
+
+LEVEL = 1e-3
+"""Slope up to which a line runs along an axis, and share of a line within which another follows."""
 
 TELLING = 4.0
 """Tolerances of a length, a radius or a rise from which it tells something: less may be noise."""
