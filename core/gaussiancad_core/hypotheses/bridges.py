@@ -13,10 +13,8 @@ import numpy.typing as npt
 from gaussiancad_core.cells.arrangement import Arrangement
 from gaussiancad_core.coordinates.point_chains import Chain
 from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.tolerances import ON_CURVE
 from gaussiancad_core.geometry.whole_curves import Circle
-
-_TOUCHING = 2e-6
-"""Units within which an end lies on a curve."""
 
 
 def bridges(arrangement: Arrangement, chains: Sequence[Chain], reach: float) -> list[Chain]:
@@ -48,7 +46,7 @@ def _bridge(
         return []
     away = np.hypot(*(feet - np.array(end)).T)
     nearest = int(away.argmin())
-    if not _TOUCHING < away[nearest] <= reach:
+    if not ON_CURVE < away[nearest] <= reach:
         return []
     foot = (float(feet[nearest, 0]), float(feet[nearest, 1]))
     if any(hypot(foot[0] - a, foot[1] - b) <= reach for (a, b), _ in known):

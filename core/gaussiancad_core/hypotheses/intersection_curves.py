@@ -18,6 +18,7 @@ from gaussiancad_core.cells.cell_complex import BODY
 from gaussiancad_core.cells.surfaces_of_revolution import SurfaceOfRevolution
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.coordinates.curve_ends import with_common_ends
+from gaussiancad_core.coordinates.stroke_finder import LINKS
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.tolerances import COMPUTED, SAME_READ, TELLING
 from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle, axis_line, meetings
@@ -26,6 +27,7 @@ from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points, role_plane
 from gaussiancad_core.model.views import Arc, Segment
+from gaussiancad_core.sheet.votes import MOST
 
 _LOOKS = 5
 """Places across a stroke, within reach, at which lines of sight are looked along; twice as many,
@@ -33,15 +35,6 @@ two and a half times as far, once it is known along which curve."""
 
 _SAMPLES = 9
 """Points of a stroke at which it is compared."""
-
-_SHARE = 0.7
-"""Share of them at which the curve is there, at least: at its ends a surface may be turned away."""
-
-_LINKS = 96
-"""Links of the curve that stands for a stroke."""
-
-_LEVEL = 1.0
-"""Tolerances of rise up to which a straight stroke is parallel to an axis."""
 
 _ROUND = 1.01 * pi
 """Sweep from which an arc stands for itself: no curve follows a circle that far by chance."""
@@ -52,9 +45,6 @@ may be an edge of a face that is edge-on."""
 
 _STEPS = 12
 """Steps in which a point is led onto the curve."""
-
-_HALVINGS = 12
-"""Steps in which the end of a curve is found."""
 
 Points = npt.NDArray[np.float64]
 """(n, 2) in units of a plane."""
@@ -166,9 +156,9 @@ class _Sights:
         pair = self._pair(points, ks)
         if pair is None:
             return None
-        points = self._points(stroke, _LINKS)
+        points = self._points(stroke, LINKS)
         led = self._led(points, pair)
-        if len(led) < _SHARE * len(points):
+        if len(led) < MOST * len(points):
             return None
         if isinstance(stroke, Segment) and _bend(led) < _STRAIGHT * self._tolerance:
             return None
@@ -185,12 +175,12 @@ class _Sights:
             if not self._any_round:
                 return False
             rise = np.abs(np.subtract(stroke.end, stroke.start)).min() * self._scale
-            return bool(rise > _LEVEL * self._tolerance)
+            return bool(rise > self._tolerance)
         return True
 
     def _is_outlined(self, arc: Arc) -> bool:
         """Whether another view draws a line where an arc turns back: its cylinder's outline."""
-        for levels, values in zip(self._levels, self._points(arc, _LINKS).T, strict=True):
+        for levels, values in zip(self._levels, self._points(arc, LINKS).T, strict=True):
             for turn in (float(values.min()), float(values.max())):
                 inside = abs(turn - values[[0, -1]]).min() > self._tolerance
                 if inside and any(abs(turn - level) <= self._tolerance for level in levels):
@@ -233,7 +223,7 @@ class _Sights:
                     share = left / (left - right)
                     off = offsets[k] + share * (offsets[k + 1] - offsets[k])
                     found.setdefault((keys[one], keys[other]), []).append(abs(off))
-        whole = {p: items for p, items in found.items() if len(items) >= _SHARE * len(points)}
+        whole = {p: items for p, items in found.items() if len(items) >= MOST * len(points)}
         return min(whole, key=lambda p: float(np.mean(whole[p])), default=None)
 
     def _led(self, points: Points, pair: tuple[_Key, _Key]) -> Points:
@@ -259,7 +249,7 @@ class _Sights:
     ) -> Points | None:
         """The last point of the curve between a place that has one and a place that has none."""
         last = None
-        for _ in range(_HALVINGS):
+        for _ in range(_STEPS):
             middle = (inside + outside) / 2.0
             point = self._on_curve_near(middle, way, pair)
             if point is None:

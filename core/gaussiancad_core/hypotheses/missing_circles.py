@@ -7,17 +7,13 @@ from math import pi
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.whole_curves import Circle, Line
+from gaussiancad_core.hypotheses.suppressed_slants import MOST_LOST
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_MOST = 24
-"""Circles of a view that may be lost; where more would be, widths agree by chance."""
+from gaussiancad_core.sheet.work_limits import ENDS
 
 _SQUARE = 2
 """Sides of the square around a circle that are drawn at least where there is none."""
-
-_MOST_BANDS = 400
-"""Bands of a view that are looked at."""
 
 Band = tuple[float, float, float, float]
 """Middle and half of the width of two parallel lines, and from where to where both are drawn."""
@@ -43,8 +39,8 @@ def missing_circles(
     ):
         return
     first, second = (Axis(index) for index in IN_PLANE[normal])
-    one = [*islice(_bands(carriers.planes[second], first, near), _MOST_BANDS)]
-    other = [*islice(_bands(carriers.planes[first], second, near), _MOST_BANDS)]
+    one = [*islice(_bands(carriers.planes[second], first, near), ENDS)]
+    other = [*islice(_bands(carriers.planes[first], second, near), ENDS)]
     plane = carriers.planes[normal]
     drawn = [s.curve for s in plane.carriers if isinstance(s.curve, Circle)]
     found: list[Circle] = []
@@ -57,7 +53,7 @@ def missing_circles(
             known = any(_alike(circle, other, near) for other in (*drawn, *found))
             if not known and _sides(plane, circle, near) < _SQUARE:
                 found.append(circle)
-    for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
+    for circle in sorted(found, key=lambda circle: circle.radius)[:MOST_LOST]:
         yield circle, 0.0, FULL_TURN
 
 
@@ -82,7 +78,7 @@ def sectioned_circles(
         along = IN_PLANE[normal].index(axis.value)
         across = Axis(IN_PLANE[normal][1 - along])
         through = [curve.centre for curve in drawn if abs(curve.centre[along] - at) <= near]
-        for middle, radius, *_ in islice(_bands(carriers.planes[axis], across, near), _MOST_BANDS):
+        for middle, radius, *_ in islice(_bands(carriers.planes[axis], across, near), ENDS):
             for centre in through:
                 circle = Circle(centre, radius)
                 known = any(_alike(circle, other, near) for other in (*drawn, *found))
@@ -92,7 +88,7 @@ def sectioned_circles(
                     continue
                 if _sides(plane, circle, near) < _SQUARE:
                     found.append(circle)
-    for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
+    for circle in sorted(found, key=lambda circle: circle.radius)[:MOST_LOST]:
         yield circle, 0.0, FULL_TURN
 
 

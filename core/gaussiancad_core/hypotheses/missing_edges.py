@@ -17,7 +17,7 @@ from gaussiancad_core.cells.arrangement import Arrangement, distinct
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, merged_intervals
 from gaussiancad_core.geometry.points import Point
-from gaussiancad_core.geometry.tolerances import SHORTEST
+from gaussiancad_core.geometry.tolerances import APART, SHORTEST
 from gaussiancad_core.geometry.whole_curves import Circle, Line, LineOrCircle, axis_line
 from gaussiancad_core.hypotheses.missing_circles import missing_circles, sectioned_circles
 from gaussiancad_core.hypotheses.missing_slants import missing_slants
@@ -25,9 +25,6 @@ from gaussiancad_core.hypotheses.open_corners import joining
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
-
-_APART = 0.05
-"""Units from all other lines that one is at least at which nothing is drawn."""
 
 Stretch = tuple[LineOrCircle, float, float]
 """A curve and its parameters from a low to a high one."""
@@ -141,7 +138,7 @@ def _grid(
         if Axis(index) in silent:
             values += [0.5 * (low + high) for low, high in pairwise(values)]
         for floor in floors.get(Axis(index), ()):
-            if all(abs(floor - value) > _APART for value in values):
+            if all(abs(floor - value) > APART for value in values):
                 values.append(floor)
         for value in values:
             yield axis_line(coordinate, value), min(along), max(along)

@@ -6,15 +6,9 @@ from itertools import islice
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.geometry.whole_curves import Circle, Line, line_through
-from gaussiancad_core.hypotheses.suppressed_slants import shows, slanted_edges
+from gaussiancad_core.hypotheses.suppressed_slants import EDGES, MOST_LOST, shows, slanted_edges
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, UNITS
-
-_LOOKED_AT = 4000
-"""Edges that are looked at for a view."""
-
-_MOST = 16
-"""Slanted lines of a view that may be lost; where more would be, ends agree by chance."""
 
 
 def missing_slants(
@@ -31,7 +25,7 @@ def missing_slants(
     plane = carriers.planes[normal]
     stated = [
         *_mirrored(carriers, normal),
-        *islice(slanted_edges(carriers, normal, UNITS), _LOOKED_AT),
+        *islice(slanted_edges(carriers, normal, UNITS), EDGES),
     ]
     found: list[tuple[Point, Point]] = []
     for start, end in stated:
@@ -42,7 +36,7 @@ def missing_slants(
         edge = min(first, last), max(first, last)
         if edge not in found and not any(shows(carrier, *edge, near) for carrier in plane.carriers):
             found.append(edge)
-    for start, end in found[:_MOST]:
+    for start, end in found[:MOST_LOST]:
         line = line_through(start, end)
         low, high = sorted((line.parameter(start), line.parameter(end)))
         yield line, low, high

@@ -12,6 +12,7 @@ from math import cos, sin
 from gaussiancad_core.cells.cell_complex import Cell, CellComplex
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.geometry.points import FULL_TURN, Point
+from gaussiancad_core.geometry.tolerances import SAME_PLACE
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import RolePlane, role_plane
@@ -21,9 +22,6 @@ _ANGLES = tuple((k + 0.317) * FULL_TURN / 12 for k in range(12))
 
 _BESIDE = 0.4
 """Units beside a hole where its face is looked up."""
-
-_SAME = 1e-2
-"""Units between depths that are one."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +39,7 @@ class Kept:
 def floors(holes: Iterable[NotedHole], carriers: PartCarriers) -> dict[Axis, tuple[float, ...]]:
     """Coordinates in units at which holes may end, beside those that any view shows."""
     found: dict[Axis, list[float]] = {}
-    near = max(_SAME, carriers.tolerance)
+    near = max(SAME_PLACE, carriers.tolerance)
     for hole in holes:
         plane = role_plane(hole.role)
         sign = 1.0 if plane.looks_up else -1.0
@@ -62,7 +60,7 @@ def kept_notes(
     holes: Iterable[NotedHole], space: CellComplex, carriers: PartCarriers
 ) -> tuple[tuple[Kept, ...], ...]:
     """For each note the labels under which it is kept; notes that no labels keep are left out."""
-    near = max(_SAME, carriers.tolerance)
+    near = max(SAME_PLACE, carriers.tolerance)
     found = (tuple(dict.fromkeys(_kept(hole, space, carriers.scale, near))) for hole in holes)
     return tuple(kepts for kepts in found if kepts)
 

@@ -16,16 +16,13 @@ from scipy.spatial import ConvexHull
 from gaussiancad_core.cells.half_spaces import HalfSpace
 from gaussiancad_core.cells.space_corners import SpatialEdges, spatial_edges
 from gaussiancad_core.coordinates.carriers import PartCarriers
-from gaussiancad_core.geometry.tolerances import TELLING
+from gaussiancad_core.geometry.tolerances import SAME_PLACE, TELLING
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.axes import Axis, Vector
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
 _MOST = 64
 """Planes that are looked at: each one divides cells."""
-
-_SAME = 0.005
-"""Units within which coordinates of two views are the same, at least."""
 
 SHORT = 10.0
 """Tolerances by which slanted lines may end too early: at sharp angles lines run into each other
@@ -41,7 +38,7 @@ Plane = tuple[npt.NDArray[np.float64], float]
 
 def find_half_spaces(carriers: PartCarriers) -> tuple[HalfSpace, ...]:
     """Half spaces below the planes in which slanted edges close loops; the largest faces first."""
-    near = max(_SAME, 2.0 * carriers.tolerance)
+    near = max(SAME_PLACE, 2.0 * carriers.tolerance)
     shown = spatial_edges(carriers, near, SHORT * carriers.tolerance)
     candidates = _candidates(shown, near)
     candidates.sort(key=lambda candidate: -candidate.area)

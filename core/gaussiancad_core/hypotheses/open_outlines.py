@@ -12,25 +12,19 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
+from gaussiancad_core.coordinates.stroke_finder import LINKS
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import MEETING
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
-
-_REACH = 4.0
-"""Tolerances of the views within which ends meet."""
+from gaussiancad_core.sheet.work_limits import ENDS
 
 _LEAST_REACH = 0.002
 """The same as a share of the longest extent, at least."""
 
-_LINKS = 32
-"""Chords of a curve."""
-
 _MOST_LINES = 200
 """Visible lines of a view up to which it is looked at."""
-
-_MOST_TRIED = 400
-"""Gaps that are tried, at most."""
 
 _MOST_CLOSING = 6
 """Lines that would close a gap, at most."""
@@ -58,7 +52,7 @@ class Gap:
 
 def find_gaps(views: DrawnViews) -> tuple[Gap, ...]:
     """The gap of each view whose outline one straight line closes."""
-    reach = max(_REACH * views.tolerance, _LEAST_REACH * max(views.size))
+    reach = max(MEETING * views.tolerance, _LEAST_REACH * max(views.size))
     found = ((role, _closing(strokes, reach)) for role, strokes in views.strokes.items())
     return tuple(Gap(role, closing) for role, closing in found if closing)
 
@@ -94,14 +88,14 @@ def _closing(strokes: Sequence[DrawnStroke], reach: float) -> tuple[npt.NDArray[
     candidates = sorted(_candidates(lines, reach), key=lambda ends: _unlikely(ends, reach))
     closing = (
         ends
-        for ends in candidates[:_MOST_TRIED]
+        for ends in candidates[:ENDS]
         if _loose([*lines, shapely.LineString(ends)], reach) <= _CLOSED * reach
     )
     return tuple(islice(closing, _MOST_CLOSING))
 
 
 def _path(stroke: DrawnStroke) -> shapely.LineString:
-    links = 1 if isinstance(stroke, Segment) else _LINKS
+    links = 1 if isinstance(stroke, Segment) else LINKS
     return shapely.LineString(stroke.sample(stroke.length / links * (1.0 + 1e-9)))
 
 

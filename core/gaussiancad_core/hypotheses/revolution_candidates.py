@@ -19,7 +19,7 @@ from gaussiancad_core.cells.surfaces_of_revolution import (
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier
 from gaussiancad_core.geometry.points import FULL_TURN
-from gaussiancad_core.geometry.tolerances import COMPUTED
+from gaussiancad_core.geometry.tolerances import APART, COMPUTED, SAME_PLACE
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.hypotheses.profile_ends import ProfileEnds, with_continuations
 from gaussiancad_core.model.axes import Axis
@@ -28,14 +28,8 @@ from gaussiancad_core.model.projection_planes import IN_PLANE
 _MOST = 24
 """Bodies that are looked at: each one divides cells."""
 
-_SAME = 0.02
-"""Units within which profiles of two views are one, at least."""
-
 _WHOLE = 1.2 * pi
 """Angle of a circle that is drawn at least if the body turns all around."""
-
-_THIN = 0.05
-"""Units of height or radius that a profile has at least."""
 
 
 _Round = tuple[Circle, Carrier]
@@ -51,7 +45,7 @@ def find_bodies(carriers: PartCarriers, lone: bool = False) -> tuple[SurfaceOfRe
             the radii of drawn circles: in the other view something may be cut away there, as the
             outline of a groove by a bore, or the profile lies in front of no edge.
     """
-    near = max(_SAME, 1.5 * carriers.tolerance)
+    near = max(SAME_PLACE, 1.5 * carriers.tolerance)
     found: list[SurfaceOfRevolution] = []
     faint: list[SurfaceOfRevolution] = []
     for axis, plane in carriers.planes.items():
@@ -211,7 +205,7 @@ def _line(
     if at_low * at_high < 0.0 and min(abs(at_low), abs(at_high)) > near:
         return
     profile = LineProfile(low, high, abs(at_low), abs(at_high))
-    if high - low > _THIN and abs(profile.at_high - profile.at_low) > _THIN:
+    if high - low > APART and abs(profile.at_high - profile.at_low) > APART:
         yield profile
 
 
@@ -240,7 +234,7 @@ def _arcs(
             circle.radius,
             -1 if inner else 1,
         )
-        if profile.high - profile.low > _THIN and _least_radius(profile) > -near:
+        if profile.high - profile.low > APART and _least_radius(profile) > -near:
             yield profile
 
 

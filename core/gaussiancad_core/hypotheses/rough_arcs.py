@@ -12,7 +12,9 @@ from math import cos, hypot, pi, sin
 
 import numpy as np
 
+from gaussiancad_core.coordinates.stroke_finder import LINKS
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import LEVEL
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points, role_plane
@@ -26,12 +28,6 @@ _ROUND = 1.01 * pi
 
 _SMOOTH = 2e-3
 """Sine of the angle within which two strokes pass smoothly into each other."""
-
-_LEVEL = 1e-3
-"""Slope of a stroke along an axis, at most."""
-
-_LINKS = 64
-"""Links of the curve that stands for an arc."""
 
 
 def without_rough_arcs(views: DrawnViews) -> DrawnViews | None:
@@ -50,7 +46,7 @@ def without_rough_arcs(views: DrawnViews) -> DrawnViews | None:
 
 
 def _curve(arc: Arc) -> Polyline:
-    points = arc.sample(arc.length / _LINKS)
+    points = arc.sample(arc.length / LINKS)
     return Polyline(tuple(map(tuple, points.tolist())), arc.linetype)
 
 
@@ -149,7 +145,7 @@ def _levels(views: DrawnViews) -> dict[Axis, np.ndarray]:
             if isinstance(stroke, Segment):
                 start, end = plane_points(np.array([stroke.start, stroke.end]), role, 1.0)
                 for axis, low, high in zip(axes, start, end, strict=True):
-                    if abs(high - low) <= _LEVEL * stroke.length:
+                    if abs(high - low) <= LEVEL * stroke.length:
                         found[axis].append(float(low + high) / 2.0)
             elif isinstance(stroke, Arc) and stroke.sweep > _ROUND:
                 (centre,) = plane_points(np.array([stroke.centre]), role, 1.0)

@@ -14,9 +14,9 @@ from math import hypot, pi
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval
 from gaussiancad_core.geometry.points import Point
-from gaussiancad_core.geometry.tolerances import SAME_READ
+from gaussiancad_core.geometry.tolerances import MOVED, SAME_READ
 from gaussiancad_core.geometry.whole_curves import Circle, Line, line_through
-from gaussiancad_core.hypotheses.suppressed_slants import LEAST, MOST, shows
+from gaussiancad_core.hypotheses.suppressed_slants import LEAST, MOST, MOST_LOST, shows
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
@@ -29,12 +29,6 @@ _WIDEST = 14.0
 
 _STEEP = 2.0
 """Slope of such a chamfer, or of its counterpart, at most."""
-
-_BLURRED = 2.5
-"""Times the usual distance up to which the end of an edge may be off where a chamfer begins."""
-
-_CHANCE = 12
-"""Chamfers of a part that may be lost; where more would be, circles lie together by chance."""
 
 
 @dataclass(frozen=True)
@@ -103,7 +97,7 @@ def with_short_chamfers(carriers: PartCarriers) -> PartCarriers:
         completed = {normal: _completed(plane, chamfer, near) for normal, plane in planes.items()}
         added += completed != planes
         planes = completed
-    return replace(carriers, planes=planes) if 0 < added <= _CHANCE else carriers
+    return replace(carriers, planes=planes) if 0 < added <= MOST_LOST else carriers
 
 
 def _is_same(one: _Chamfer, other: _Chamfer, near: float) -> bool:
@@ -204,7 +198,7 @@ def _is_across(edge: Sequence[float], radius: float, radii: Sequence[float], nea
     A hidden one ends where the dashes of the chamfer begin: nobody can tell them apart.
     """
     return all(
-        abs(end - radius) <= _BLURRED * near
+        abs(end - radius) <= MOVED * near
         and radius == min(radii, key=lambda known: abs(known - end))
         for end in (-edge[0], edge[1])
     )

@@ -31,10 +31,10 @@ MOST = 24.0
 LEAST = 2.0
 """Tolerances from which a line counts."""
 
-_CHANCE = 12
+MOST_LOST = 16
 """Lines of a view that may be lost; where more would be, ends agree by chance."""
 
-_LOOKED_AT = 2000
+EDGES = 4000
 """Edges that are looked at for a view."""
 
 
@@ -60,7 +60,7 @@ def with_suppressed_slants(carriers: PartCarriers) -> PartCarriers:
     most = MOST * carriers.tolerance
     planes = {
         axis: _completed(
-            plane, islice(slanted_edges(carriers, axis, most), _LOOKED_AT), carriers.tolerance
+            plane, islice(slanted_edges(carriers, axis, most), EDGES), carriers.tolerance
         )
         for axis, plane in carriers.planes.items()
     }
@@ -127,7 +127,7 @@ def _completed(
         interval = Interval(low, high, Linetype.HIDDEN, 0.0)
         intervals: dict[Role, tuple[Interval, ...]] = {role: (interval,) for role in plane.roles}
         found.append(Carrier(line, intervals))
-        if len(found) > len(plane.carriers) + _CHANCE:
+        if len(found) > len(plane.carriers) + MOST_LOST:
             return plane
     return replace(plane, carriers=tuple(found))
 

@@ -9,19 +9,16 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.cells.cell_complex import Cell, Crossing
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.geometry.points import FULL_TURN, Point
-from gaussiancad_core.geometry.tolerances import MEETING
+from gaussiancad_core.geometry.tolerances import MEETING, SAME_PLACE
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-
-_LEAST = 1e-2
-"""The same in units, at least."""
 
 
 def is_symmetric(carriers: PartCarriers, axis: Axis) -> bool:
     """Whether all lines of the views that show an axis are alike on both sides of its middle."""
     middle = carriers.size[axis.value] / 2.0
-    reach = max(_LEAST, MEETING * carriers.tolerance)
+    reach = max(SAME_PLACE, MEETING * carriers.tolerance)
     shown = False
     for normal, plane in carriers.planes.items():
         if normal is axis:

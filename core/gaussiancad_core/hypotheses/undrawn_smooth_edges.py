@@ -14,14 +14,11 @@ from math import hypot
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.coordinates.drawn_intervals import Carrier, Interval, stations_on
 from gaussiancad_core.geometry.points import FULL_TURN, Point
-from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING
+from gaussiancad_core.geometry.tolerances import COMPUTED, MEETING, SAME_PLACE
 from gaussiancad_core.geometry.whole_curves import Circle, Line, LineOrCircle, axis_line, meetings
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Linetype
-
-_LEAST_NEAR = 0.02
-"""The same in units, at least."""
 
 _TOUCHING = 0.2
 """Share of a circle's radius within which a line that touches it ends at the touching point: small
@@ -45,7 +42,7 @@ class _FreeEnd:
 
 def with_smooth_edges(carriers: PartCarriers) -> PartCarriers:
     """The carriers, with lines without confidence where strokes end at edges that are not drawn."""
-    near = max(MEETING * carriers.tolerance, _LEAST_NEAR)
+    near = max(MEETING * carriers.tolerance, SAME_PLACE)
     planes = {}
     for normal, plane in carriers.planes.items():
         found = plane
