@@ -51,9 +51,6 @@ _IN_VAIN = 0.1
 _MORE = 0.1
 """Share by which other labels may give up more than the best do."""
 
-_MORE_UNITS = 1.0
-"""Units of line that they may give up more at least."""
-
 
 @dataclass(frozen=True)
 class Effort:
@@ -340,7 +337,7 @@ class Search:
 def _hardly_more(found: Labelling) -> int:
     """The cost of what other labels may give up at most."""
     given_up = sum(points(rule) for rule in found.given_up)
-    return SURFACES * round(given_up + max(_MORE * given_up, points_of(_MORE_UNITS)))
+    return SURFACES * round(given_up + max(_MORE * given_up, points_of(SLIGHT)))
 
 
 def _broken(rules: Sequence[Rule], labels: Labels) -> tuple[Rule, ...]:

@@ -20,7 +20,7 @@ from gaussiancad_core.coordinates.point_chains import Chain, through_points
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.points import Point
-from gaussiancad_core.geometry.tolerances import ASIDE
+from gaussiancad_core.geometry.tolerances import APART, ASIDE, SAME_PLACE
 from gaussiancad_core.geometry.whole_curves import axis_line
 from gaussiancad_core.hypotheses.bridges import bridges
 from gaussiancad_core.hypotheses.missing_edges import as_if_drawn, with_missing_edges
@@ -51,21 +51,9 @@ _MOST_READ, _EXACT = 40_000, 0.02
 """The same of pictures, whose views are known to more than so many units: where they are read that
 wrongly, no labels are found in time."""
 
-NEAR = 0.01
-"""Units within which a computed curve is one that is drawn, at least."""
-
 _MEETING = 0.5
 """Units between a chain's end and the corner that it ends at, at most: where a curve turns back,
 its last point is a sample."""
-
-_GAP = 0.05
-"""Units between the end of a curve and the one that it ends at, at most."""
-
-_BESIDE = 0.02
-"""Units beside a chain at which its sides are looked up, and corners are on it."""
-
-_SIDES = 2
-"""Coordinates along an axis at which a region ends at most, if its sides are straight."""
 
 Contradict = Callable[[Sequence[int]], bool]
 
@@ -91,7 +79,7 @@ class PartModel:
 
 def model_part(
     views: DrawnViews,
-    near: float = NEAR,
+    near: float = SAME_PLACE,
     deadline: Deadline = NEVER,
     *,
     lost_lines: bool = False,
@@ -169,7 +157,7 @@ def _undrawn_values(views: DrawnViews, carriers: PartCarriers) -> dict[Axis, tup
                     for value in corners[:, place]
                     if 0.0 < value < carriers.size[index]
                 }
-                if len(inner) <= _SIDES:
+                if len(inner) <= 2:
                     found[axis] = (*found.get(axis, ()), *sorted(inner))
     return found
 
@@ -213,7 +201,7 @@ def with_lone_bodies(
             return None
     others = part.space.bodies[len(plain) :]
     space = CellComplex(part.space.planes, (*bodies, *others))
-    return _part(part.carriers, space, NEAR, deadline, part.sections)
+    return _part(part.carriers, space, SAME_PLACE, deadline, part.sections)
 
 
 def _looks_into(rule: Rule, bodies: Sequence[SurfaceOfRevolution]) -> bool:
@@ -281,7 +269,7 @@ def _arranged(plane: PlaneCarriers, tolerance: float) -> Arrangement:
     plain = Arrangement(plane.carriers, lost=plane.lost)
     chains = [chain for _, chain, _ in plane.chains]
     leaking = [chain for chain in chains if _lies_outside(plain, chain)]
-    reach = max(_GAP, 1.5 * tolerance)
+    reach = max(APART, 1.5 * tolerance)
     attached = [_attached(chain, plain, chains) for chain in leaking]
     closing = bridges(plain, attached, reach)
     if not attached and not closing:
@@ -293,8 +281,9 @@ def _lies_outside(arrangement: Arrangement, chain: Chain) -> bool:
     """Whether most of a drawn curve has the outside on both sides, which cannot be."""
     outside = 0
     inner = chain[1:-1] or chain
+    aside = 2.0 * SAME_PLACE
     for a, b in inner:
-        sides = ((a + x, b + y) for x in (-_BESIDE, _BESIDE) for y in (-_BESIDE, _BESIDE))
+        sides = ((a + x, b + y) for x in (-aside, aside) for y in (-aside, aside))
         outside += all(arrangement.locate(*side) == OUTSIDE for side in sides)
     return 2 * outside > len(inner)
 
@@ -311,13 +300,13 @@ def _attached(chain: Chain, arrangement: Arrangement, chains: Sequence[Chain]) -
         away = np.hypot(*(targets - points[end]).T)
         if away.min() < _MEETING:
             points[end] = targets[int(away.argmin())]
-    return through_points(points, targets, _BESIDE)
+    return through_points(points, targets, 2.0 * SAME_PLACE)
 
 
 def _known_size(carriers: PartCarriers) -> tuple[float, float, float]:
     """The part's extents as its values have them, which may have been rounded."""
     x, y, z = (
-        nearest_value(carriers.values.get(axis, ()), extent, max(NEAR, carriers.tolerance))
+        nearest_value(carriers.values.get(axis, ()), extent, max(SAME_PLACE, carriers.tolerance))
         for axis, extent in zip(Axis, carriers.size, strict=True)
     )
     return x, y, z

@@ -16,6 +16,7 @@ from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.cells.cell_complex import Cell, CellComplex, Crossing, Surface
 from gaussiancad_core.coordinates.carriers import PartCarriers, PlaneCarriers
 from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.geometry.tolerances import APART, SAME_PLACE
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.hypotheses.noted_holes import Kept
 from gaussiancad_core.hypotheses.symmetry import is_symmetric, mirror_images
@@ -23,6 +24,7 @@ from gaussiancad_core.labelling.visibility_rules import Transition
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.model.section_planes import Cut
+from gaussiancad_core.sheet.work_limits import PLACES
 
 UNSEEN, LOOSE, BLIND = 40, 40, 3
 """Surfaces that weigh as much as a void that no view sees, as what stands by itself in a through
@@ -39,15 +41,6 @@ _BULK = 1000.0
 
 ROUND = 5
 """Surfaces that a square corner weighs as much as where a part may be round."""
-
-_OUT = 0.05
-"""Units beyond the square around a circle."""
-
-_MIDDLE = 1e-2
-"""Units by which twice the depth of a section through the middle may differ from the extent."""
-
-_MOST = 4_000
-"""Lines of sight that are followed at most."""
 
 
 @dataclass(frozen=True)
@@ -116,7 +109,7 @@ def priors_of(
         normal = role_plane(role).normal
         _look_through(found, carriers.planes[normal], space, cut)
         for at in {opening.at for opening in cut.openings}:
-            in_middle = abs(2.0 * at - carriers.size[normal.value]) <= _MIDDLE
+            in_middle = abs(2.0 * at - carriers.size[normal.value]) <= SAME_PLACE
             alike = in_middle and is_symmetric(carriers, normal)
             _look_from(found, space, normal, at, alike=alike)
     box = prod(values[-1] - values[0] for values in space.values.values())
@@ -161,12 +154,12 @@ def _look(
     """What a view that is not cut tells."""
     looks = role_plane(role)
     plane = carriers.planes[looks.normal]
-    rounds = _turned(plane, max(_MIDDLE, carriers.tolerance))
+    rounds = _turned(plane, max(SAME_PLACE, carriers.tolerance))
     drawn = _as_drawn(plane)
     behind: dict[int, tuple[Cell, ...]] = {}
     parts: defaultdict[int, set[int]] = defaultdict(set)
     for region, point, area in space.planes[plane.normal].trapezoids():
-        if len(found.sights) >= _MOST:
+        if len(found.sights) >= PLACES:
             break
         column = space.column(plane.normal, *point)
         inside = [(c.after, d.depth - c.depth) for c, d in pairwise(column) if c.after is not None]
@@ -236,7 +229,7 @@ def _look_through(found: _Found, plane: PlaneCarriers, space: CellComplex, cut: 
 
 def _look_from(found: _Found, space: CellComplex, normal: Axis, at: float, *, alike: bool) -> None:
     """What is usual on both sides of a cutting plane."""
-    for _, point in islice(space.planes[normal].inner_points(), _MOST):
+    for _, point in islice(space.planes[normal].inner_points(), PLACES):
         column = space.column(normal, *point)
         ends = [(d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
         before = [c.after for c in column if c.after is not None and c.depth <= at]
@@ -279,7 +272,7 @@ def _in_corner(point: Point, circle: Circle) -> bool:
 def _beyond(point: Point, circle: Circle) -> Point:
     """Where the way from a circle's centre through a point leaves the square around it."""
     (x, y), (a, b) = point, circle.centre
-    far = (circle.radius + _OUT) / max(abs(x - a), abs(y - b))
+    far = (circle.radius + APART) / max(abs(x - a), abs(y - b))
     return a + far * (x - a), b + far * (y - b)
 
 
@@ -288,7 +281,7 @@ def _is_ringed(point: Point, beyond: Point, circle: Circle, plane: PlaneCarriers
     near, far = dist(point, circle.centre), dist(beyond, circle.centre)
     return any(
         isinstance(carrier.curve, Circle)
-        and dist(carrier.curve.centre, circle.centre) <= _MIDDLE
+        and dist(carrier.curve.centre, circle.centre) <= SAME_PLACE
         and near < carrier.curve.radius < far
         for carrier in plane.carriers
     )
@@ -318,7 +311,7 @@ def _undrawn(carriers: PartCarriers, space: CellComplex) -> Iterator[frozenset[T
     for normal in Axis:
         # Views look along two axes at times, and across these surfaces along the third.
         first, second = (_middles(space.values[Axis(index)]) for index in IN_PLANE[normal])
-        for point in islice(product(first, second), _MOST):
+        for point in islice(product(first, second), PLACES):
             space.column(normal, *point)
     parted: defaultdict[Surface, set[Transition]] = defaultdict(set)
     for before, after, surface in space.crossed():

@@ -29,6 +29,7 @@ from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.tolerances import APART, ASIDE
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.kernel.brep import ShapeTable, bounding_box, faces_of, subshapes, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
@@ -39,12 +40,6 @@ from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
 from gaussiancad_core.solid.extra_faces import body_faces
 from gaussiancad_core.solid.face_patches import NARROW, Patch, PlanePatch, SweptPatch, find_patches
 from gaussiancad_core.solid.labelled_cells import LabelledComplex
-
-_BESIDE = 5e-5
-"""Units from a sub-face at which the labels of its sides are looked up."""
-
-_SLIVER = 0.05
-"""Units of width below which a face that splits others in vain is left out."""
 
 _VECTORS = np.eye(3)
 
@@ -245,7 +240,7 @@ def _gives_one_of(kept: list[TopoDS_Face], face: TopoDS_Face, fused: BOPAlgo_Bui
     return any(any(part.IsSame(each) for part in items) and not _is_sliver(each) for each in kept)
 
 
-def _is_sliver(face: TopoDS_Face, width: float = _SLIVER) -> bool:
+def _is_sliver(face: TopoDS_Face, width: float = APART) -> bool:
     """Whether a face is so narrow that its sides cannot be told."""
     inner, around = GProp_GProps(), GProp_GProps()
     BRepGProp.SurfaceProperties_s(face, inner)
@@ -275,7 +270,7 @@ class _Sides:
             normal = -normal
         at = np.array([point.X(), point.Y(), point.Z()])
         behind, before = (
-            self._space.is_material(tuple(at + way * _BESIDE * normal)) for way in (-1.0, 1.0)
+            self._space.is_material(tuple(at + way * ASIDE * normal)) for way in (-1.0, 1.0)
         )
         return behind, before
 

@@ -43,8 +43,6 @@ _CONTOUR_PX = 0.75
 _MOST_SIDES = 80
 """Sides of all polygons of a plane; more are made coarser."""
 
-_FEWEST_SIDES = 3
-
 _COARSER = 1.4
 _COARSEST_PX = 16.0
 """Steps in which they are, and where that ends."""
@@ -250,7 +248,7 @@ def _sides(polygons: Sequence[Sequence[Point]]) -> list[Carrier]:
                 corners.append(corner)
         while len(corners) > 1 and not _apart(corners[0], corners[-1]):
             corners.pop()
-        if len(corners) < _FEWEST_SIDES:
+        if len(corners) < 3:
             continue
         for start, end in pairwise([*corners, corners[0]]):
             curve = line_through(start, end)

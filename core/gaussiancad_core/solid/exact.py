@@ -44,9 +44,6 @@ from gaussiancad_core.solid.undrawn_variants import (
 from gaussiancad_core.solid.verify import Verification
 from gaussiancad_protocol.modes import Status
 
-_PATIENT = 0.25
-"""Share of the work after which it is not asked any more which lines contradict each other."""
-
 _FIRST, _OTHERS = 0.6, 0.9
 """Shares of the work at which building, and the search for others, end: of the first model's labels
 and of others'."""
@@ -209,7 +206,7 @@ def _found(
     if result is None:
         raise RuntimeError("no labels were looked for")
     result = replace(result, trace=journal.finished(best), seconds=meter.seconds)
-    if result.explains or not limits.relaxed or meter.spent > _PATIENT * limits.work:
+    if result.explains or not limits.relaxed or meter.spent > _QUICK * limits.work:
         return result, model
     conflict = find_conflict(model.part, views, limits.conflict)
     meter.lap("conflict")

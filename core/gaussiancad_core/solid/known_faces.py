@@ -16,14 +16,11 @@ from OCP.gp import gp_Ax1, gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face
 
-from gaussiancad_core.geometry.tolerances import SHORTEST
+from gaussiancad_core.geometry.tolerances import COMPUTED, SHORTEST
 from gaussiancad_core.kernel.brep import subshapes
 
 Points = npt.NDArray[np.float64]
 Known = npt.NDArray[np.bool_]
-
-_ALONG = 1e-7
-"""Component of a unit vector across an axis, at most, of what runs along it."""
 
 
 class KnownMeasures(Protocol):
@@ -65,7 +62,7 @@ def axes_of(face: TopoDS_Face) -> tuple[bool, bool, bool]:
     surface = BRepAdaptor_Surface(face)
     kind = surface.GetType()
     if kind == GeomAbs_SurfaceType.GeomAbs_Plane:
-        x, y, z = (bool(abs(value) > _ALONG) for value in _direction(surface.Plane().Axis()))
+        x, y, z = (bool(abs(value) > COMPUTED) for value in _direction(surface.Plane().Axis()))
         return x, y, z
     if kind in (GeomAbs_SurfaceType.GeomAbs_Cylinder, GeomAbs_SurfaceType.GeomAbs_Cone):
         cylinder = kind == GeomAbs_SurfaceType.GeomAbs_Cylinder
@@ -77,7 +74,7 @@ def axes_of(face: TopoDS_Face) -> tuple[bool, bool, bool]:
 
 def _is_plane_known(corners: Points, normal: Points, measures: KnownMeasures) -> bool:
     """Whether a plane goes through enough corners that are known."""
-    across = [k for k in range(3) if abs(normal[k]) > _ALONG]
+    across = [k for k in range(3) if abs(normal[k]) > COMPUTED]
     # In the coordinates that tell where the plane is, known corners have to span it.
     each = [measures.coordinates(k, corners[:, k]) for k in across]
     known = corners[np.logical_and.reduce(each)][:, across]
@@ -121,7 +118,7 @@ def _are_radii(measures: KnownMeasures, *radii: float) -> bool:
 def _along_axis(axis: gp_Ax1) -> int | None:
     """Along which axis of the model something runs, or None."""
     direction = np.abs(_direction(axis))
-    return int(direction.argmax()) if np.sort(direction)[1] <= _ALONG else None
+    return int(direction.argmax()) if np.sort(direction)[1] <= COMPUTED else None
 
 
 def _direction(axis: gp_Ax1) -> Points:

@@ -11,16 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from gaussiancad_core.coordinates.constrained_places import ConstrainedPlaces
-from gaussiancad_core.coordinates.design_step import ROUND_MM
+from gaussiancad_core.coordinates.design_step import ODD, ROUND_MM
+from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.solid.known_faces import Known, Points
-
-_ON = 1e-4
-"""Share of the step within which a number is a multiple of it: what was rounded is exact but for
-rounding errors, what was not is one to this by chance in one of five thousand."""
-
-_USUAL = 1e-6
-"""Share of a step by which it may miss a round number of mm."""
 
 _MOST_BY_CHANCE = 0.1
 """Odd measures that are taken for round ones by chance, on average, up to which two are not to be
@@ -48,7 +42,7 @@ class RoundMeasures:
         Others are parts of the longest extent.  Where that is odd itself, what is round otherwise
         may be near multiples of such a part, at a scale that is a little wrong.
         """
-        return any(abs(self.step - usual) <= _USUAL * usual for usual in ROUND_MM)
+        return any(abs(self.step - usual) <= COMPUTED * usual for usual in ROUND_MM)
 
     @property
     def by_chance(self) -> float:
@@ -62,7 +56,7 @@ class RoundMeasures:
 
     def radii(self, numbers: Points) -> Known:
         """Multiples of the step."""
-        return np.abs(numbers - self.step * np.round(numbers / self.step)) <= _ON * self.step
+        return np.abs(numbers - self.step * np.round(numbers / self.step)) <= ODD * self.step
 
     @property
     def is_chance(self) -> bool:

@@ -13,14 +13,12 @@ import numpy as np
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.coordinates.carriers import PartCarriers
-from gaussiancad_core.evidence.drawn_views import FLOOR_MM, DrawnViews
+from gaussiancad_core.evidence.drawn_views import EXACT_TOLERANCE, FLOOR_MM, DrawnViews
 from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.sheet.votes import NEARLY_ALL
 from gaussiancad_core.solid.known_faces import KnownMeasures, axes_of, is_known
 from gaussiancad_core.solid.known_measures import DimensionEvidence, RoundMeasures
 from gaussiancad_core.solid.verify import Verification
-
-_SHARE = 0.95
-"""Share of the faces that keep the bound."""
 
 _ROUNDED = 0.5
 """Error of a rounded number, in its last digit, at most."""
@@ -31,9 +29,6 @@ _TOLD = 0.02
 _ASIDE = 3.0
 """Times the noise that numbers may have been moved by to become round, at least; at most where the
 step is none that parts are designed in: they may have been round in another one."""
-
-_FLOOR = 2e-6
-"""Least bound as a share of the longest extent: what the kernel computes with."""
 
 
 class MeasureSource(Enum):
@@ -79,7 +74,7 @@ def measures_of(
         views: of these.
         verification: how the solid's lines lie beside those of the views.
     """
-    least = max(FLOOR_MM, _FLOOR * max(views.size))
+    least = max(FLOOR_MM, EXACT_TOLERANCE * max(views.size))
     drawn = max(least, views.bound)
     if not views.noise:
         # Lines of a file are where they belong but for how far they contradict each other.
@@ -92,7 +87,7 @@ def measures_of(
     x, y, z = (_most(bounds[along[:, k]], drawn) for k in range(3))
     counted = np.array([by_numbers for _, by_numbers in places])
     source = MeasureSource.MIXED if counted.any() else MeasureSource.DRAWING
-    if counted.mean() >= _SHARE:
+    if counted.mean() >= NEARLY_ALL:
         source = MeasureSource.NUMBERS
     return Measures(_most(bounds, drawn), (x, y, z), source)
 
@@ -128,4 +123,4 @@ def _most(bounds: np.ndarray, otherwise: float) -> float:
     """The bound that enough of the faces keep."""
     if not len(bounds):
         return otherwise
-    return float(np.quantile(bounds, _SHARE, method="higher"))
+    return float(np.quantile(bounds, NEARLY_ALL, method="higher"))

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Sequence
 
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.tolerances import SAME_PLACE
 from gaussiancad_core.hypotheses.intersection_curves import with_followed_curves
 from gaussiancad_core.hypotheses.rough_arcs import ROUGHLY, without_rough_arcs
 from gaussiancad_core.labelling.counted_work import Deadline
 from gaussiancad_core.labelling.part_model import (
-    NEAR,
     PartModel,
     model_part,
     with_lone_bodies,
@@ -27,10 +27,6 @@ what files have."""
 
 OtherModel = tuple[ModelKind, PartModel]
 
-_MOST_FINER = 4_000
-"""Rules up to which lines that views may lack are admitted before the views are taken as they
-are."""
-
 
 def modelled(
     kind: ModelKind,
@@ -38,7 +34,7 @@ def modelled(
     work: Work,
     deadline: Deadline,
     *,
-    near: float = NEAR,
+    near: float = SAME_PLACE,
     lost_lines: bool = False,
 ) -> OtherModel | None:
     """A model of some views, if there are such; None, and noted, where it is too large."""
@@ -85,7 +81,7 @@ def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterato
     found: tuple[OtherModel | None, ...]
     if views.cuts:
         found = (finer,)
-    elif finer is not None and len(finer[1].rules) <= _MOST_FINER:
+    elif finer is not None and len(finer[1].rules) <= _MANY:
         found = (finer, plain)
     else:
         # Of so many cells the labels take nearly all of the work.

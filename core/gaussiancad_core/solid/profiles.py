@@ -19,6 +19,7 @@ from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
+from gaussiancad_core.coordinates.stroke_finder import LINKS
 from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.geometry.tolerances import COMPUTED
@@ -27,9 +28,6 @@ from gaussiancad_core.kernel.booleans import unified
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.model.views import Arc
-
-_CHORDS = 96
-"""Of a whole circle."""
 
 _FLAT = 1e-5
 """Height of an arc over its chord, as a share of its radius, up to which that stands for it."""
@@ -267,6 +265,6 @@ def _arc_of(one: Floats, other: Floats, profile: Profile) -> int | None:
     found = [
         number
         for number, (arc, off) in enumerate(zip(profile.arcs, offsets, strict=True))
-        if off <= profile.near and chord < 4.0 * np.pi * arc.radius / _CHORDS
+        if off <= profile.near and chord < 4.0 * np.pi * arc.radius / LINKS
     ]
     return min(found, key=offsets.__getitem__, default=None)

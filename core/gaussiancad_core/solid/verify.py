@@ -42,9 +42,6 @@ _LEAST = 1e-3
 _FLAW = 2.5
 """Matching tolerances of line in one place from which a disagreement counts."""
 
-_SEEN = 1.0
-"""The same for a line of the sheet: nothing of it may be missing, where it is not just beside."""
-
 _UNREAD = 8.0
 """Tolerances of a hidden line, less what lies at its ends near others, up to which a picture may
 not tell it: it is one dash at most."""
@@ -195,7 +192,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         spread = max(spread, _spread(strokes, lines, tolerance, TELLING * tolerance))
         askew |= _is_askew(strokes, lines, _SHORT * tolerance)
         unread = max(least, _UNREAD * views.tolerance)
-        seen = max(_SEEN * tolerance, _SMALLEST_FLAW * max(views.size))
+        seen = max(tolerance, _SMALLEST_FLAW * max(views.size))
         for points, agree, missing, shortest, kind in (
             (found.sheet.visible, found.visible_found, True, seen, Linetype.VISIBLE),
             (found.sheet.hidden, found.hidden_found, True, least, Linetype.HIDDEN),
