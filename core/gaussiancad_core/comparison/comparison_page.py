@@ -24,13 +24,13 @@ from gaussiancad_core.comparison.page_tables import (
     paper_table,
     worst_points,
 )
+from gaussiancad_core.files.content import MAX_PIXELS
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.report.html_pages import html_page
 from gaussiancad_core.storage.plain_files import plain_bytes
 
 _WIDEST_OVERLAY = 1800
 _OVERLAY_QUALITY = 88
-_MOST_PIXELS = 150_000_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +96,7 @@ def overlay_of_result(result: Path) -> tuple[str, bytes] | None:
     import numpy as np
 
     image = cv2.imdecode(np.frombuffer(content, dtype=np.uint8), cv2.IMREAD_COLOR)
-    if image is None or image.shape[0] * image.shape[1] > _MOST_PIXELS:
+    if image is None or image.shape[0] * image.shape[1] > MAX_PIXELS:
         return None
     height, width = image.shape[:2]
     if width > _WIDEST_OVERLAY:

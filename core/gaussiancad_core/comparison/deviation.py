@@ -19,7 +19,7 @@ from gaussiancad_core.comparison.mesh_edges import mesh_edges
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
-_LONGEST_EDGE_SHARE = 1.0 / 60.0
+LONGEST_EDGE_SHARE = 1.0 / 60.0
 """Triangles are split until no edge is longer than this share of the model's longest edge."""
 
 _MOST_TRIANGLES = 400_000
@@ -69,7 +69,7 @@ def measure_deviation(result: TriangleMesh, reference: SurfaceQueries, unit: flo
         unit: mm per unit; distances and the mesh come in mm, still centred on the box.
     """
     longest = float(np.ptp(reference.mesh.bounds, axis=0).max())
-    fine = split_long_edges(result, longest * _LONGEST_EDGE_SHARE, _MOST_TRIANGLES)
+    fine = split_long_edges(result, longest * LONGEST_EDGE_SHARE, _MOST_TRIANGLES)
     distances = reference.nearest(fine.vertices).distances
     signed = reference.closed
     if signed:

@@ -12,14 +12,17 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.comparison.deviation import COLOUR_STOPS, Deviation, split_long_edges
+from gaussiancad_core.comparison.deviation import (
+    COLOUR_STOPS,
+    LONGEST_EDGE_SHARE,
+    Deviation,
+    split_long_edges,
+)
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
 MOST_TRIANGLES = 60_000
 _REFERENCE_TRIANGLES = 30_000
 """More of the reference are never carried: it is only laid over the result."""
-
-_EDGE_SHARE = 1.0 / 60.0
 
 _CLUSTERED = 8
 _CELL_SHARE = 1.0 / 150.0
@@ -65,7 +68,7 @@ def page_geometry(deviation: Deviation, reference: TriangleMesh) -> PageGeometry
     # Thinning leaves few triangles on planes, where colours may change all the same.  One round of
     # splitting makes at most four of each.
     thin = _thinned(full, MOST_TRIANGLES // 2)
-    thin = split_long_edges(thin, longest * _EDGE_SHARE, MOST_TRIANGLES // 4)
+    thin = split_long_edges(thin, longest * LONGEST_EDGE_SHARE, MOST_TRIANGLES // 4)
 
     _, nearest = cKDTree(full.vertices).query(thin.vertices)
     values = deviation.distances[nearest]

@@ -10,10 +10,6 @@ from gaussiancad_core.comparison.engineering import NORMAL_ANGLE, EngineeringRes
 from gaussiancad_core.comparison.findings import WorstPoint
 from gaussiancad_core.comparison.model_files import Content
 
-_PLOT = (720, 190)
-_MARGINS = (54, 12, 30)
-"""Left, top and bottom of the histogram's axes, px."""
-
 _DECIMALS = 9
 """Of lengths in mm."""
 
