@@ -6,7 +6,7 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
-from gaussiancad_core.drawing.drawn_view import DrawnView
+from gaussiancad_core.drawing.drawn_view import CURVE_STEP, DrawnView
 from gaussiancad_core.drawing.sheet_style import SheetStyle
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Linetype, Segment
@@ -16,9 +16,6 @@ _GAP = 0.07
 
 _SWING = 0.02
 """Swing of the waves to either side in the same."""
-
-_STEP = 1.0
-"""px between the points of what is cut."""
 
 
 def break_view(view: DrawnView, style: SheetStyle) -> tuple[DrawnView, Annotation]:
@@ -63,7 +60,7 @@ def _without(strokes: tuple[DrawnStroke, ...], strip: shapely.Polygon) -> tuple[
         points = (
             np.array([stroke.start, stroke.end])
             if isinstance(stroke, Segment)
-            else stroke.sample(_STEP)
+            else stroke.sample(CURVE_STEP)
         )
         line = shapely.LineString(points)
         if not line.intersects(strip):

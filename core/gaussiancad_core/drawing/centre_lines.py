@@ -12,7 +12,7 @@ from gaussiancad_core.geometry.intervals import Interval
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 
-_SAME = 0.6
+SAME_PX = 0.6
 """px within which lines of two views are the same feature's."""
 
 _ON = 1.5
@@ -163,7 +163,7 @@ def flanks(view: DrawnView, direction: Direction, at: float, radius: float) -> I
         ends = [
             end
             for stroke in view.strokes
-            if isinstance(stroke, Segment) and runs_at(stroke, direction, side, _SAME)
+            if isinstance(stroke, Segment) and runs_at(stroke, direction, side, SAME_PX)
             for end in (stroke.start[direction.value], stroke.end[direction.value])
         ]
         if not ends:

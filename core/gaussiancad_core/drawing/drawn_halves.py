@@ -6,7 +6,7 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Rhythm
-from gaussiancad_core.drawing.drawn_view import DrawnView
+from gaussiancad_core.drawing.drawn_view import CURVE_STEP, DrawnView
 from gaussiancad_core.drawing.sheet_style import SheetStyle
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline
 from gaussiancad_core.model.views import Linetype, Segment
@@ -19,9 +19,6 @@ _MARKS = (1.2, 1.7)
 
 _MARK = 0.6
 """Half their length, in the same."""
-
-_STEP = 1.0
-"""px between the points of curves that are cut."""
 
 _FAR = 1e5
 
@@ -64,7 +61,7 @@ def _within(stroke: DrawnStroke, kept: shapely.Polygon, middle: float) -> list[D
             return [] if along else [stroke]
         points = np.array([stroke.start, stroke.end])
     else:
-        points = stroke.sample(_STEP)
+        points = stroke.sample(CURVE_STEP)
         if points[:, 0].max() <= middle:
             return [stroke]
     pieces = shapely.get_parts(shapely.intersection(shapely.LineString(points), kept))

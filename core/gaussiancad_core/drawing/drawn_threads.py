@@ -8,6 +8,7 @@ import numpy as np
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
 from gaussiancad_core.drawing.annotation_pen import Direction
 from gaussiancad_core.drawing.centre_lines import (
+    SAME_PX,
     Round,
     flanks,
     from_model,
@@ -30,8 +31,6 @@ _APART_PX = 4.0
 
 _START, _SWEEP = 0.1, 1.5 * np.pi
 """The arc lacks about a quadrant, which neither starts nor ends at a centre line."""
-
-_SAME_PX = 0.6
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,7 @@ def has_room(circle: Round, radius: float, circles: list[Round]) -> bool:
     others = [
         other.radius
         for other in circles
-        if other is not circle and np.hypot(*np.subtract(other.centre, circle.centre)) < _SAME_PX
+        if other is not circle and np.hypot(*np.subtract(other.centre, circle.centre)) < SAME_PX
     ]
     between = any(low - _APART_PX < other < high + _APART_PX for other in others)
     return high - low >= _APART_PX and not between
@@ -108,7 +107,7 @@ def _sides(view: DrawnView, views: tuple[DrawnView, ...], circle: Round) -> Iter
                 for stroke in other.strokes
                 if isinstance(stroke, Segment)
                 for side in (at - circle.radius, at + circle.radius)
-                if runs_at(stroke, direction, side, _SAME_PX)
+                if runs_at(stroke, direction, side, SAME_PX)
             }
             if len(kinds) == 1:
                 yield _Side(other, direction, at, span, kinds.pop())

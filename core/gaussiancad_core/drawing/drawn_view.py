@@ -8,6 +8,9 @@ from gaussiancad_core.geometry.similarities import Similarity, turn_about
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 
+CURVE_STEP = 1.0
+"""px between the points of curves that are cut."""
+
 
 @dataclass(frozen=True)
 class DrawnView:

@@ -8,7 +8,7 @@ import numpy.typing as npt
 import shapely
 
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Box, Point
-from gaussiancad_core.drawing.drawn_view import DrawnView
+from gaussiancad_core.drawing.drawn_view import CURVE_STEP, DrawnView
 from gaussiancad_core.drawing.isometric_picture import CLEARANCE, free_corner
 from gaussiancad_core.drawing.lettering import label
 from gaussiancad_core.drawing.sheet_style import Inset, SheetStyle
@@ -25,9 +25,6 @@ _SLANT = np.radians(30.0)
 
 _SIZE = 0.75
 """Size of an auxiliary view beside the view that it shows the part like."""
-
-_STEP = 1.0
-"""px between the points of what is cut out by a circle."""
 
 
 def draw_inset(
@@ -140,7 +137,7 @@ def cut_by_circle(
         points = _points_of(stroke)
         inside = shapely.intersection(shapely.LineString(points), disc)
         for piece in shapely.get_parts(inside):
-            if piece.geom_type == "LineString" and piece.length > _STEP:
+            if piece.geom_type == "LineString" and piece.length > CURVE_STEP:
                 found.append(Polyline(tuple(piece.coords), Linetype.VISIBLE))
     return tuple(found)
 
@@ -148,7 +145,7 @@ def cut_by_circle(
 def _points_of(stroke: DrawnStroke) -> npt.NDArray[np.float64]:
     if isinstance(stroke, Segment):
         return np.array([stroke.start, stroke.end])
-    return stroke.sample(_STEP)
+    return stroke.sample(CURVE_STEP)
 
 
 def _visible_ends(strokes: Sequence[DrawnStroke]) -> list[Point]:

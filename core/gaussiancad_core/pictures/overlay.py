@@ -63,8 +63,6 @@ _SPECIAL = (90, 60, 160)
 _INK = 0.32
 """How much of the sheet's own contrast remains."""
 
-_LONGEST_SIDE = 4000
-
 
 @dataclass(frozen=True, eq=False)
 class ViewOverlay:
@@ -130,7 +128,7 @@ def draw_overlay(
     import cv2
 
     grey = sheet if sheet.ndim == 2 else cv2.cvtColor(sheet, cv2.COLOR_RGB2GRAY)
-    scale = min(1.0, _LONGEST_SIDE / max(grey.shape))
+    scale = min(1.0, 4000 / max(grey.shape))
     if scale < 1.0:
         grey = cv2.resize(grey, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
     faded = 255.0 - (255.0 - grey.astype(np.float32)) * _INK

@@ -5,8 +5,6 @@ import numpy.typing as npt
 
 Image = npt.NDArray[np.uint8]
 
-_INK = 60
-
 
 def text_image(text: str, letters: int) -> Image:
     """(h, w) dark letters on white, in a size of ``letters`` px."""
@@ -16,7 +14,7 @@ def text_image(text: str, letters: int) -> Image:
     font = ImageFont.load_default(letters)
     left, top, right, bottom = font.getbbox(text)
     image = PillowImage.new("L", (int(right - left) + 2, int(bottom - top) + 2), 255)
-    ImageDraw.Draw(image).text((1 - left, 1 - top), text, fill=_INK, font=font)
+    ImageDraw.Draw(image).text((1 - left, 1 - top), text, fill=60, font=font)
     return np.asarray(image)
 
 
