@@ -17,8 +17,6 @@ from gaussiancad_core.splatting.settings import DensityControl
 _SPLIT_SHRINK = 1.6
 """By how much the halves of a split Gaussian are smaller (3DGS)."""
 
-_HALVES = 2
-
 _RESET_LOGIT = float(np.log(0.01 / 0.99))
 """Logit of the opacity that a reset leaves at most (3DGS)."""
 
@@ -116,7 +114,7 @@ class Density:
         kept = torch.nonzero(~dead).flatten()
         if len(kept) + len(split) == 0:
             return
-        halves = split.repeat(_HALVES)
+        halves = split.repeat(2)
         born = [tensor.detach()[torch.cat([doubled, halves])] for tensor in parameters.tensors]
         if len(split):
             born[0][len(doubled) :] += self._places_within(halves)

@@ -13,8 +13,6 @@ from gaussiancad_core.model.cameras import Camera
 from gaussiancad_core.model.views import View, ViewSet
 from gaussiancad_core.splatting.losses import Targets
 
-_WHITE = 1.0
-
 
 def targets_of(views: ViewSet, cameras: tuple[Camera, ...]) -> Targets:
     """Resample each camera's view to the camera's pixels, averaged over their areas.
@@ -30,7 +28,7 @@ def targets_of(views: ViewSet, cameras: tuple[Camera, ...]) -> Targets:
     return Targets(
         colours=torch.from_numpy(np.stack([colours for colours, _ in pairs])),
         masks=torch.from_numpy(np.stack([mask for _, mask in pairs])),
-        background=(_WHITE, _WHITE, _WHITE),
+        background=(1.0, 1.0, 1.0),
     )
 
 
@@ -53,7 +51,7 @@ def _resampled(
     mask = down @ view.mask.astype(np.float64) @ across.T
     shown = down.sum(axis=1)[:, None] * across.sum(axis=1)[None, :]
     colours = np.ascontiguousarray(np.moveaxis(view.colour, 2, 0)) / 255.0
-    blended = down @ colours @ across.T + (1.0 - shown) * _WHITE
+    blended = down @ colours @ across.T + (1.0 - shown)
     return blended.astype(np.float32), np.clip(mask, 0.0, 1.0).astype(np.float32)
 
 

@@ -11,17 +11,14 @@ from gaussiancad_core.splatting.gaussians import Gaussians
 
 Array = npt.NDArray[np.float64]
 
-_BESIDE = 8
-"""Neighbours by which it is told how strongly the surface bends at a disc."""
+NEIGHBOURS = 8
+"""Neighbours that tell how the surface bends at a place, and how far discs are apart there."""
 
 _ALIKE = 0.97
 """Cosine from which on discs belong to one face."""
 
 _OF_TWO = 0.7
 """Share of the neighbours that belong to one of two faces where these meet in an edge."""
-
-_SPACED = 8
-"""Neighbours by which it is told how far discs are apart."""
 
 _BETWEEN = 0.1
 """By how much the cosine of two faces is less than those of a disc that faces between them."""
@@ -168,9 +165,9 @@ def _without_lone(discs: Discs, sampling: DiscSampling) -> Discs:
     Hulls are bevelled along their edges by a cell of their grid: a disc that started there belongs
     to neither face, and its plane would make edges where there are none.
     """
-    if len(discs) <= _BESIDE:
+    if len(discs) <= NEIGHBOURS:
         return discs
-    _, near = cKDTree(discs.centres).query(discs.centres, k=_BESIDE + 1)
+    _, near = cKDTree(discs.centres).query(discs.centres, k=NEIGHBOURS + 1)
     cosines = np.einsum("nj,nkj->nk", discs.normals, discs.normals[near[:, 1:]])
     kept = (cosines > np.cos(np.radians(sampling.crease))).any(axis=1)
     return discs.chosen(kept)
@@ -193,7 +190,7 @@ def _without_bevels(discs: Discs, sampling: DiscSampling) -> Discs:
     facing = np.einsum("nj,nkj->nk", discs.normals, normals)
     through = np.abs(above) < sampling.bevel * cell
     through &= facing < np.cos(np.radians(sampling.crease))
-    through &= (_bends(discs, near[:, :_BESIDE], sampling) < sampling.face)[near]
+    through &= (_bends(discs, near[:, :NEIGHBOURS], sampling) < sampling.face)[near]
     apart = np.einsum("nkj,nmj->nkm", normals, normals)
     between = apart < np.minimum(facing[:, :, None], facing[:, None, :]) - _BETWEEN
     kept = ~(between & through[:, :, None] & through[:, None, :]).any(axis=(1, 2))
@@ -202,11 +199,11 @@ def _without_bevels(discs: Discs, sampling: DiscSampling) -> Discs:
 
 def _shared_out(discs: Discs, sampling: DiscSampling) -> Discs:
     """The discs, none larger than its share of the surface."""
-    if len(discs) <= _SPACED:
+    if len(discs) <= NEIGHBOURS:
         return discs
-    distances, _ = cKDTree(discs.centres).query(discs.centres, k=_SPACED + 1)
+    distances, _ = cKDTree(discs.centres).query(discs.centres, k=NEIGHBOURS + 1)
     # So many neighbours lie in the circle through the farthest of them.
-    spacing = distances[:, -1] * np.sqrt(np.pi / _SPACED)
+    spacing = distances[:, -1] * np.sqrt(np.pi / NEIGHBOURS)
     sigmas = np.linalg.norm(discs.axes, axis=1)
     scales = np.minimum(1.0, sampling.share * spacing[:, None] / sigmas)
     return Discs(discs.centres, discs.normals, discs.axes * scales[:, None, :])
@@ -239,7 +236,7 @@ def creases_of(discs: Discs, sampling: DiscSampling) -> Creases:
         return Creases(none, none, none, np.zeros(0, bool), np.zeros(0))
     reach = sampling.edge_reach * discs.sigmas
     _, near = cKDTree(discs.centres).query(discs.centres, k=sampling.neighbours)
-    neighbour = near[:, 1 : _BESIDE + 1]
+    neighbour = near[:, 1 : NEIGHBOURS + 1]
     bends = _bends(discs, neighbour, sampling)
     columns = []
     for other in near.T[1:]:
@@ -282,7 +279,7 @@ def bends_of(discs: Discs, sampling: DiscSampling) -> Array:
 
     Those beyond an edge do not count.
     """
-    _, near = cKDTree(discs.centres).query(discs.centres, k=_BESIDE + 1)
+    _, near = cKDTree(discs.centres).query(discs.centres, k=NEIGHBOURS + 1)
     return _bends(discs, near[:, 1:], sampling)
 
 

@@ -11,11 +11,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.model.meshes import TriangleMesh
-from gaussiancad_core.surface.discs import Discs, DiscSampling, bends_of
+from gaussiancad_core.surface.discs import NEIGHBOURS, Discs, DiscSampling, bends_of
 from gaussiancad_core.surface.moving import vertex_normals, without_folds
-
-_NEAR = 8
-"""Discs whose planes a vertex may be laid onto."""
 
 _ALIKE = 0.9995
 """Cosine from which on discs may belong to one plane face."""
@@ -60,7 +57,7 @@ def flattened(
     """
     if len(discs) <= sampling.neighbours:
         return mesh
-    distances, near = cKDTree(discs.centres).query(mesh.vertices, k=_NEAR)
+    distances, near = cKDTree(discs.centres).query(mesh.vertices, k=NEIGHBOURS)
     normals = discs.normals[near]
     above = ((mesh.vertices[:, None] - discs.centres[near]) * normals).sum(axis=2)
     fits = np.einsum("nj,nkj->nk", vertex_normals(mesh), normals) > settings.facing

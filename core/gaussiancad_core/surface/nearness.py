@@ -14,11 +14,7 @@ import numpy as np
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.surface.mesh_shadows import silhouette_difference
-from gaussiancad_core.surface.repair import simplified
-
-_HULL_TOLERANCE = 1e-4
-"""By how much the hull may be simplified, as a share of the longest edge: what the eye and the
-masks do not see, and a fiftieth of the triangles."""
+from gaussiancad_core.surface.repair import UNSEEN, simplified
 
 
 class Nearer(Enum):
@@ -65,7 +61,7 @@ def weighed(surface: TriangleMesh | None, hull: TriangleMesh, views: ViewSet) ->
     """
     longest = float(np.ptp(hull.bounds, axis=0).max())
     # A hull that is not closed cannot be simplified.
-    few = simplified(hull, _HULL_TOLERANCE * longest) or hull
+    few = simplified(hull, UNSEEN * longest) or hull
     differences = {Nearer.HULL: silhouette_difference(few, views)}
     if surface is not None:
         differences[Nearer.GAUSSIANS] = silhouette_difference(surface, views)

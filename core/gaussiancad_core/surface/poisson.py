@@ -10,16 +10,12 @@ from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
 from gaussiancad_core.surface.flatten import Flattening, flattened
 from gaussiancad_core.surface.points import OrientedPoints, disc_points
-from gaussiancad_core.surface.repair import made_manifold, simplified
+from gaussiancad_core.surface.repair import UNSEEN, made_manifold, simplified
 from gaussiancad_core.surface.sharpen import Sharpening, sharpened
 from gaussiancad_protocol.codes import Code
 
 _SCALE = 1.1
 """Edge of the octree, in longest edges of the points' box."""
-
-_TOLERANCE = 1e-4
-"""By how much the surface may be simplified, as a share of the longest edge: what the eye does not
-see, and a third or more of the triangles."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +68,7 @@ def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> Triangl
         reach = settings.sampling.edge_reach * float(discs.sigmas.mean())
         surface = sharpened(surface, creases, cell, reach, settings.sharpening)
     longest = float(np.ptp(surface.bounds, axis=0).max())
-    return simplified(surface, _TOLERANCE * longest) or surface
+    return simplified(surface, UNSEEN * longest) or surface
 
 
 def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> TriangleMesh:

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 _PULL = 0.1
 """How far a point that stands where another stands moves towards its neighbours' middle."""
 
+UNSEEN = 1e-4
+"""Share of the longest edge by which simplifying moves a surface: neither eye nor masks see it."""
+
 
 def made_manifold(mesh: TriangleMesh) -> TriangleMesh | None:
     """The same surface as a 2-manifold, or nothing where that cannot be had.

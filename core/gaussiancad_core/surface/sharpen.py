@@ -14,11 +14,8 @@ import numpy.typing as npt
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.model.meshes import TriangleMesh
-from gaussiancad_core.surface.discs import Array, Creases
+from gaussiancad_core.surface.discs import NEIGHBOURS, Array, Creases
 from gaussiancad_core.surface.moving import vertex_normals, without_folds
-
-_NEAR = 8
-"""Points of creases that a vertex may belong to."""
 
 _ALIKE = 0.9
 """Cosine from which on two points belong to one crease."""
@@ -89,14 +86,14 @@ def sharpened(
         The same triangles; none is turned over by more than a right angle.
     """
     flat = creases.between_planes(settings.bend)
-    if len(flat) < _NEAR:
+    if len(flat) < NEIGHBOURS:
         return mesh
     tree = cKDTree(flat.points)
     normals = vertex_normals(mesh)
     moved = mesh.vertices.copy()
     for _ in range(settings.rounds):
         distances, near = tree.query(
-            moved, k=_NEAR, distance_upper_bound=reach + settings.zone * cell
+            moved, k=NEIGHBOURS, distance_upper_bound=reach + settings.zone * cell
         )
         rows = np.flatnonzero(np.isfinite(distances[:, 0]))
         near = np.minimum(near[rows], len(flat) - 1)
