@@ -32,9 +32,18 @@ def sheet(tmp_path: Path) -> Path:
     return Path(shutil.copy(SAMPLES / "l-bracket.png", tmp_path / "bracket.png"))
 
 
+@pytest.fixture(scope="module")
+def read_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What ``read`` leaves of the sheet."""
+    folder = tmp_path_factory.mktemp("once")
+    sheet = shutil.copy(SAMPLES / "l-bracket.png", folder / "bracket.png")
+    assert main(["read", str(sheet), "--output", str(folder / "read"), *_OPTIONS]) == 0
+    return folder / "read"
+
+
 @pytest.fixture
-def read(sheet: Path, tmp_path: Path) -> Path:
-    assert main(["read", str(sheet), "--output", str(tmp_path / "read"), *_OPTIONS]) == 0
+def read(read_once: Path, tmp_path: Path) -> Path:
+    shutil.copytree(read_once, tmp_path / "read")
     return tmp_path / "read" / "reading.json"
 
 

@@ -32,7 +32,7 @@ def _line(
         (_line(Linetype.HIDDEN, True, Linetype.VISIBLE), "(40.0, 12.3) mm should be visible"),
         (
             _line(Linetype.HIDDEN),
-            "has this line beside what is blank around it: hidden",
+            "has this line next to what is blank around it: hidden",
         ),
     ],
 )
