@@ -9,7 +9,7 @@ from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces, joined
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
 from gaussiancad_core.surface.flatten import Flattening, flattened
-from gaussiancad_core.surface.points import OrientedPoints, disc_points
+from gaussiancad_core.surface.oriented_points import OrientedPoints, disc_points
 from gaussiancad_core.surface.repair import UNSEEN, made_manifold, simplified
 from gaussiancad_core.surface.sharpen import Sharpening, sharpened
 from gaussiancad_protocol.codes import Code

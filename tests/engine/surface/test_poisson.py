@@ -9,7 +9,7 @@ import trimesh
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.model.meshes import TriangleMesh, connected_pieces
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
-from gaussiancad_core.surface.points import OrientedPoints
+from gaussiancad_core.surface.oriented_points import OrientedPoints
 from gaussiancad_core.surface.poisson import (
     DENSE,
     PoissonSettings,

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.discs import Creases, DiscSampling, creases_of, discs_of
-from gaussiancad_core.surface.points import disc_points
+from gaussiancad_core.surface.oriented_points import disc_points
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface, poisson_surface
 from gaussiancad_core.surface.sharpen import Sharpening, sharpened
 

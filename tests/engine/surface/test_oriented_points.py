@@ -9,7 +9,7 @@ import trimesh
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
 from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
-from gaussiancad_core.surface.points import OrientedPoints, disc_points
+from gaussiancad_core.surface.oriented_points import OrientedPoints, disc_points
 
 
 def distances(mesh: TriangleMesh, points: np.ndarray) -> np.ndarray:
