@@ -20,12 +20,11 @@ from gaussiancad_core.sheet.tracing.ink_runs import runs_of_ink
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to
 from gaussiancad_core.sheet.tracing.pen_profile import Pen, fit_pen, visible_pen
-from gaussiancad_core.sheet.votes import MOST
 
 Floats = npt.NDArray[np.float64]
 
-_WITHIN = 1.2
-"""Line widths beside a way in which ink counts."""
+_WITHIN, _MOSTLY = 1.2, 0.6
+"""Line widths beside a way in which ink counts, and the share of it, squared, on the way."""
 
 _LONGER = 5.0
 """px by which dashes are made longer, since nothing within 8 px of a stroke's end tells its pen."""
@@ -59,7 +58,7 @@ class Leftover:
         ink = part[rows, columns] ** 2
         neighbour = (along > -width) & (along < length + width) & (across <= _WITHIN * width)
         item = (along > -width / 2.0) & (along < length + width / 2.0) & (across <= width / 2.0)
-        return float(ink[item].sum()) >= MOST * float(ink[neighbour].sum())
+        return float(ink[item].sum()) >= _MOSTLY * float(ink[neighbour].sum())
 
 
 def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
