@@ -11,7 +11,7 @@ import numpy as np
 from gaussiancad_core.comparison.closed_bodies import untangled
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
-from gaussiancad_core.storage.plain_files import plain_bytes
+from gaussiancad_core.storage.plain_files import model_bytes
 from gaussiancad_protocol.codes import Code
 
 _LARGEST_FILE = 2**30
@@ -191,7 +191,7 @@ def _check_mesh(path: Path, mesh: TriangleMesh) -> None:
 def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
     import trimesh
 
-    content = _read(path)
+    content = model_bytes(path)
     try:
         # From memory there is no folder beside it, so that materials and textures stay unread.
         # What is no number is told afterwards, in one line.
@@ -240,26 +240,6 @@ def _check_size(path: Path) -> None:
             "{path} is larger than 1 GiB: export it with fewer triangles",
             path=path,
         )
-
-
-def _read(path: Path) -> bytes:
-    try:
-        content = plain_bytes(path)
-    except FileNotFoundError as error:
-        raise UnreadableError(
-            Code.FILE_MISSING, "{path} does not exist: check the path", path=path
-        ) from error
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise UnreadableError(
-            Code.FILE_NOT_READABLE,
-            "cannot read {path} ({reason}): check what and whose it is",
-            path=path,
-            reason=reason,
-        ) from error
-    if not content.strip():
-        raise UnreadableError(Code.EMPTY_FILE, "{path} is empty: export the model again", path=path)
-    return content
 
 
 def _not_a_model(path: Path, model_format: ModelFormat) -> UnreadableError:

@@ -30,7 +30,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.errors import EngineError, UnreadableError
 from gaussiancad_core.kernel.brep import bounding_box, compound_of, subshapes
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.storage.plain_files import plain_bytes
+from gaussiancad_core.storage.plain_files import model_bytes
 from gaussiancad_core.storage.single_file import write_whole
 from gaussiancad_protocol.codes import Code
 
@@ -81,7 +81,7 @@ def read_shape(path: Path) -> TopoDS_Shape:
         UnreadableError: ``file-missing``, ``file-not-readable``, ``empty-file``, ``not-a-solid``
             (another format), ``file-damaged``.
     """
-    content = _read_bytes(path)
+    content = model_bytes(path)
     # Editors put a byte order mark before the text, which the STEP reader takes for damage.
     text = content.lstrip(b"\xef\xbb\xbf \t\r\n")
     if text.startswith(_STEP_MAGIC):
@@ -91,26 +91,6 @@ def read_shape(path: Path) -> TopoDS_Shape:
     raise UnreadableError(
         Code.NOT_A_SOLID, "{path} is neither STEP nor BREP: export the solid as STEP", path=path
     )
-
-
-def _read_bytes(path: Path) -> bytes:
-    try:
-        content = plain_bytes(path)
-    except FileNotFoundError as error:
-        raise UnreadableError(
-            Code.FILE_MISSING, "{path} does not exist: check the path", path=path
-        ) from error
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise UnreadableError(
-            Code.FILE_NOT_READABLE,
-            "cannot read {path} ({reason}): check what and whose it is",
-            path=path,
-            reason=reason,
-        ) from error
-    if not content.strip():
-        raise UnreadableError(Code.EMPTY_FILE, "{path} is empty: export the solid again", path=path)
-    return content
 
 
 @contextmanager

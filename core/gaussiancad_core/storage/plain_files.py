@@ -5,6 +5,9 @@ import errno
 import os
 from pathlib import Path
 
+from gaussiancad_core.errors import UnreadableError
+from gaussiancad_protocol.codes import Code
+
 
 def check_plain(path: Path) -> None:
     """Refuse what is there and no plain file, a folder among it.
@@ -26,3 +29,28 @@ def plain_bytes(path: Path) -> bytes:
     """
     check_plain(path)
     return path.read_bytes()
+
+
+def model_bytes(path: Path) -> bytes:
+    """What a file of a model holds, whatever its format.
+
+    Raises:
+        UnreadableError: ``file-missing``, ``file-not-readable``, ``empty-file``.
+    """
+    try:
+        content = plain_bytes(path)
+    except FileNotFoundError as error:
+        raise UnreadableError(
+            Code.FILE_MISSING, "{path} does not exist: check the path", path=path
+        ) from error
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise UnreadableError(
+            Code.FILE_NOT_READABLE,
+            "cannot read {path} ({reason}): check what and whose it is",
+            path=path,
+            reason=reason,
+        ) from error
+    if not content.strip():
+        raise UnreadableError(Code.EMPTY_FILE, "{path} is empty: export the model again", path=path)
+    return content

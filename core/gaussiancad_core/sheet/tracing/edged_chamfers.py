@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.picture_noise import FEWEST_PIXELS, FINEST_STEP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.corners import Corner, End, from_joins
 from gaussiancad_core.sheet.tracing.outline_jogs import distances_to, visible_leg
@@ -37,9 +38,6 @@ _SQUARE = 0.1
 _FLATTEST, _STEEPEST = 0.4, 2.5
 """Times the length along the one line that a chamfer has along the other."""
 
-_FINE = 0.125
-"""px between the lengths that are tried."""
-
 _EVEN = 0.35
 """Share of the squared error of a sharp corner up to which an even chamfer is one."""
 
@@ -49,9 +47,6 @@ pixels, that it explains at least."""
 
 _AROUND = 2.0
 """px beside the ink of the corner that are compared."""
-
-_FEWEST = 20
-"""Pixels that are compared, at least."""
 
 Floats = npt.NDArray[np.float64]
 
@@ -154,7 +149,7 @@ def _length(
     turning = edged.neighbour.index, edged.across.index
     others = [piece for k, piece in enumerate(pieces) if k not in turning]
     pixels = _pixels(weight.shape, edged, others, pen)
-    if len(pixels) < _FEWEST:
+    if len(pixels) < FEWEST_PIXELS:
         return None
     columns, rows = pixels.astype(int).T
     ink = weight[rows, columns].astype(np.float64)
@@ -178,7 +173,7 @@ def _length(
     joined = from_joins(edged.corner, pixels - edged.corner.place)
     sharp = min(error(distance) for distance in (as_it_is, *joined))
     room = min(_STEEPEST * edged.away, edged.neighbour.length - pen.width)
-    tried = np.arange(_FLATTEST * edged.away, room, _FINE)
+    tried = np.arange(_FLATTEST * edged.away, room, FINEST_STEP)
     if sharp < _LEAST_GAIN or not len(tried):
         return None
     left = [cut(float(length)) for length in tried]

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.picture_noise import LEVEL
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import refit_line, sample
@@ -34,9 +35,6 @@ Floats = npt.NDArray[np.float64]
 
 _LONG = 20.0
 """px of a line that may end so."""
-
-_LEVEL = 0.02
-"""Sine of the angle to the sheet's axes of a line that steps within its own ink, at most."""
 
 _FAR, _MOST_STEP, _BLANK = 60.0, 3.0, 0.15
 """px before the corner in which its lower level is; px between the two levels at most; ink up to
@@ -91,7 +89,7 @@ def with_steps_parted(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Place
     found, todo = list(pieces), list(pieces)
     while todo:
         current = _current(todo.pop(), found)
-        if current is None or min(abs(value) for value in current[0].direction) > _LEVEL:
+        if current is None or min(abs(value) for value in current[0].direction) > LEVEL:
             continue
         parted = _parted(current, sheet, found)
         if parted is not None:
