@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help install demo test test-engine test-workbench test-gui test-freecad-latest lint bench \
-	benchmark tutorial lock licences sbom vulnerabilities clean
+	tutorial lock licences sbom vulnerabilities clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-20s %s\n", $$1, $$2 }' Makefile
@@ -32,12 +32,8 @@ test-gui: install ## the workbench in a real window, on a virtual screen
 test-freecad-latest: install ## workbench and window in Debian's next FreeCAD (root, 3 GB in /var/tmp)
 	@sh tests/freecad_latest.sh
 
-bench: install ## the figures of the documentation: seconds and memory, and distance from the truth
-	@.venv/bin/python -m benchmarks stages
-	@.venv/bin/python -m benchmarks surface
-
-benchmark: install ## five methods on many sheets, ablations, one page; ARGS='--data DIR', see its --help
-	@.venv/bin/python -m benchmarks benchmark $(ARGS)
+bench: install ## the figures that need no other people's drawings; two hours on two quiet cores
+	@sh scripts/bench.sh
 
 tutorial: install ## the pictures of the tutorial and the README anew, from FreeCAD's window
 	@.venv/bin/python scripts/tutorial_pictures.py
