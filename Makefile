@@ -1,7 +1,7 @@
 # What a checkout can do; `make help` lists it.  The work is done by scripts/.
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help install demo test test-engine test-workbench test-gui test-freecad-latest lint bench \
+.PHONY: help install demo quick test durations test-engine test-workbench test-gui test-freecad-latest lint bench \
 	tutorial lock licences sbom vulnerabilities clean
 
 help: ## this list
@@ -14,13 +14,17 @@ install: ## the system packages (Debian) and the engine's environment in .venv
 demo: install ## a sample sheet through FreeCAD: a document, a STEP file, a picture, a report in demo/
 	@sh scripts/demo.sh
 
-test: install ## all of the tests below but the last
-	@sh scripts/test.sh lint engine workbench gui
+quick: install ## what to run after each change: the style, and all tests that are quick; two minutes
+	@sh scripts/test.sh quick
+
+test: install ## everything below but the last; thirteen minutes on two cores
+	@sh scripts/install_system.sh scripts/test-packages.txt
+	@sh scripts/test.sh lint all
 
 lint: install ## the style of all Python files
 	@sh scripts/test.sh lint
 
-test-engine: install ## the engine
+test-engine: install ## the engine, and how its network is trained
 	@sh scripts/test.sh engine
 
 test-workbench: install ## the workbench without a window
@@ -37,6 +41,9 @@ bench: install ## the figures that need no other people's drawings; two hours on
 
 tutorial: install ## the pictures of the tutorial and the README anew, from FreeCAD's window
 	@.venv/bin/python scripts/tutorial_pictures.py
+
+durations: install ## record the seconds of all tests: which are quick, and which begin first
+	@.venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --record-durations -m "not freecad"
 
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)
