@@ -15,7 +15,7 @@ from doc_names import Tree
 from doc_texts import CHECKOUT, listed
 
 _OPTION = re.compile(r"(?<![\w-])--[a-z][\w-]*")
-_PLACEHOLDER = re.compile(r"[A-Z]|[<{$]")
+_PLACEHOLDER = re.compile(r"[A-Z]|[<{$…]|\.\.\.")
 
 _END = re.compile(r"\s#\s|[|;&>]|\s\\?$")
 """Where a command ends on its line."""

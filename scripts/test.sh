@@ -14,7 +14,7 @@ lint() {
 run() {
     case $1 in
     lint) lint ;;
-    engine) .venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --max-worker-restart 0 tests/engine tests/learning ;;
+    engine) .venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --max-worker-restart 0 tests/engine tests/docs tests/learning ;;
     workbench | gui) python3 tests/run_freecad_suites.py "$1" ;;
     *) fail "there is no suite '$1'" ;;
     esac

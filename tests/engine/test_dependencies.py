@@ -114,6 +114,7 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
         ("benchmarks", ENGINE),
         ("learning", ENGINE + TESTS),
         ("tests/engine", ENGINE + TESTS),
+        ("tests/docs", ENGINE + TESTS),
         ("tests/learning", ENGINE + TESTS),
     ],
 )
