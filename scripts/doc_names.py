@@ -29,6 +29,7 @@ _MOST_STEPS = 20
 
 _ASSIGNING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.For | ast.With
 _DEFINED = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
+_FILE = re.compile(r"[\w-]+(?:\.[\w-]+)*\.[a-z]\w*")
 _WORD = re.compile(r"[A-Za-z_]\w*(?:-\w+)*")
 
 
@@ -283,6 +284,7 @@ def is_test(path: Path) -> bool:
 def _words(text: str) -> set[str]:
     """Words, and the parts of those with hyphens."""
     whole = set(_WORD.findall(text))
+    whole |= set(_FILE.findall(text))
     return whole | {part for word in whole if "-" in word for part in word.split("-")}
 
 

@@ -33,10 +33,11 @@ _SUFFIXES = re.compile(
 )
 """Ends of what is a file and no name."""
 
-_WORD = re.compile(
-    r"[A-Za-z]+(?:_[A-Za-z0-9]+)+|_[a-z]\w+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+|[a-z]+(?:-[a-z]+)+"
-)
-"""What only a program is likely to call something: parts with underscores, hyphens or capitals."""
+_WORD = re.compile(r"[A-Za-z_]+|[a-z]+(?:-[a-z]+)+")
+"""What a program may call something, without numbers: those are of examples."""
+
+_WRITTEN = re.compile(r"[\w-]+(?:\.[\w-]+)*\.(?:json|csv|html|sqlite|ply|stl|onnx)")
+"""A file that some program writes or reads; pictures, sheets and solids have any name."""
 
 FOREIGN = frozenset(
     (
@@ -47,6 +48,7 @@ FOREIGN = frozenset(
         "f_rest",
         "lambda_dssim",
         "lambda_silhouette",
+        "removeSplitter",
     )
 )
 """What other programs call so, and no program of the tree."""
@@ -164,25 +166,31 @@ class Reader:
                 yield passage.line_at(match.start()), f"there is no `{dotted}`"
         if passage.kind not in (Kind.PAGE, Kind.DOCSTRING, Kind.COMMENT):
             return
-        words = tree.words(passage.path)
         for line, span in passage.spans():
-            called = _CALL.fullmatch(span)
-            name = called[1] if called else span
-            if _SUFFIXES.search(name) or name.startswith(PACKAGES):
-                continue
-            inner = _INNER.fullmatch(name)
-            if inner and inner[1] in self._inner_packages:
-                reported = name.rpartition(".")[2] in self._reported
-                if not reported and not tree.leads_somewhere(f"gaussiancad_core.{name}"):
-                    yield line, f"there is no `{name}` in the engine"
-            elif member := _MEMBER.fullmatch(name):
-                near = tree.knows(passage.path, member[1])
-                if near and not tree.found_in("", f".{name}"):
-                    yield line, f"`{member[1]}` has no `{member[2]}`"
-            elif "." in name or name in FOREIGN:
-                continue
-            elif (called or _WORD.fullmatch(name)) and name not in words:
-                yield line, f"nothing is called `{name}`"
+            if text := self._wrong_name(span, passage.path):
+                yield line, text
+
+    def _wrong_name(self, span: str, path: Path) -> str:
+        """What is wrong with a name between backticks; nothing where it is none, or is there."""
+        tree, words = self.tree, self.tree.words(path)
+        called = _CALL.fullmatch(span)
+        name = called[1] if called else span
+        if _WRITTEN.fullmatch(name):
+            tails = [name.split(".", count)[-1] for count in range(name.count("."))]
+            return "" if words.intersection(tails) else f"nothing has to do with a file `{name}`"
+        if _SUFFIXES.search(name) or name.startswith(PACKAGES) or name in FOREIGN:
+            return ""
+        inner = _INNER.fullmatch(name)
+        if inner and inner[1] in self._inner_packages:
+            known = name.rpartition(".")[2] in self._reported
+            known = known or tree.leads_somewhere(f"gaussiancad_core.{name}")
+            return "" if known else f"there is no `{name}` in the engine"
+        if (member := _MEMBER.fullmatch(name)) and tree.knows(path, member[1]):
+            known = tree.found_in("", f".{name}")
+            return "" if known else f"`{member[1]}` has no `{member[2]}`"
+        if "." not in name and (called or _WORD.fullmatch(name)) and name not in words:
+            return f"nothing is called `{name}`"
+        return ""
 
     def _references(self, name: str) -> Iterator[Finding]:
         """What docstrings refer to by roles."""

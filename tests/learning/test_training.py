@@ -419,6 +419,16 @@ def test_wrong_numbers_are_one_line(wrong: list[str], capsys: pytest.CaptureFixt
     assert "\n" not in stated
 
 
+def test_packages_that_are_missing_are_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("learning.learning_command.find_spec", lambda _: None)
+    assert main(["--out", str(tmp_path / "out")]) == 6
+    stated = capsys.readouterr().err
+    assert "torch, onnx" in stated and stated.strip().endswith("[engine-incomplete]")
+    assert not (tmp_path / "out").exists()
+
+
 def test_an_output_that_is_a_file_is_told(tmp_path: Path) -> None:
     taken = tmp_path / "file"
     taken.touch()

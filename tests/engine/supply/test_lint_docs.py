@@ -93,6 +93,8 @@ def reader() -> Reader:
         "gaussiancad.reconstruct()",
         "solid.step",
         "no-exact-solid",
+        "sheet.png.corrections.json",
+        "kind",
         "page_passages",
     ],
 )
@@ -124,6 +126,8 @@ def test_what_is_there_is_taken(reader: Reader, span: str) -> None:
         ("`absent-code`", "name"),
         ("`SheetImage.absent`", "name"),
         ("`absent_call()`", "name"),
+        ("`absentword`", "name"),
+        ("`absent.json`", "name"),
     ],
 )
 def test_what_is_planted_in_a_page_is_found(reader: Reader, text: str, kind: str) -> None:
