@@ -8,9 +8,10 @@ cd "$(dirname "$0")/.." || exit 1
 skipped=build/skipped
 rm -rf "$skipped"
 
-# Style, names, the order of packages, types.
+# Style, names, what the documentation names, the order of packages, types.
 lint() {
     .venv/bin/ruff check . && .venv/bin/ruff format --check . && python3 scripts/lint_names.py &&
+        .venv/bin/python scripts/lint_docs.py &&
         (cd core && ../.venv/bin/lint-imports --config ../.importlinter) && .venv/bin/mypy
 }
 

@@ -73,7 +73,7 @@ class _Shadow:
     """Where the part covers a projection plane, by the masks of all of its views and the box.
 
     Args:
-        own: the views that look along the plane's normal.
+        views: those that look along the plane's normal.
         size: (3,) of the box in mm.
         scale: units per mm.
     """
