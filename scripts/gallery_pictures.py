@@ -1,13 +1,14 @@
 """Make the pictures at the head of the README: four sheets, and the solids that come of them.
 
-    .venv/bin/python scripts/gallery_pictures.py
+    .venv/bin/python scripts/gallery_pictures.py [FOLDER]
 
 ``gallery-photograph.png`` has a sheet that was photographed at a slant, ``gallery.png`` a scan, a
 sheet with a section, and a clean one.  Solids are drawn by the run itself; what is printed says
-whether each has the faces of the part.
+whether each has the faces of the part.  Where no folder is named they go to ``docs/images``.
 """
 
 import json
+import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -100,8 +101,8 @@ def _framed(picture: Picture) -> Picture:
     return frame
 
 
-def main() -> None:
-    """Write both pictures, and print the verdicts."""
+def main(folder: Path) -> None:
+    """Write both pictures into a folder, and print the verdicts."""
     rows = []
     with tempfile.TemporaryDirectory() as temporary:
         for exhibit in EXHIBITS:
@@ -110,9 +111,9 @@ def main() -> None:
             true_faces = len(faces_of(exhibit.part()))
             print(f"{exhibit.name}: {status}, {faces} faces of {true_faces}", flush=True)
             rows.append(side_by_side(sheet, solid))
-    cv2.imwrite(str(IMAGES / "gallery-photograph.png"), rows[0])
-    cv2.imwrite(str(IMAGES / "gallery.png"), np.vstack(rows[1:]))
+    cv2.imwrite(str(folder / "gallery-photograph.png"), rows[0])
+    cv2.imwrite(str(folder / "gallery.png"), np.vstack(rows[1:]))
 
 
 if __name__ == "__main__":
-    main()
+    main(Path(*sys.argv[1:2]) if sys.argv[1:] else IMAGES)

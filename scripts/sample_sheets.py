@@ -1,11 +1,12 @@
 """Make the sample sheets that ship with the product.
 
-    .venv/bin/python scripts/sample_sheets.py
+    .venv/bin/python scripts/sample_sheets.py [FOLDER]
 
-Writes ``resources/samples/<name>.png`` (front, top, right in third angle, 1920 x 1080) and
-``<name>.step`` for three of the parts of :mod:`gaussiancad_core.samples`.
+Writes ``<name>.png`` (front, top, right in third angle, 1920 x 1080) and
+``<name>.step`` for three of the parts of :mod:`gaussiancad_core.samples`, into ``resources/samples`` where no folder is named.
 """
 
+import sys
 from pathlib import Path
 
 from gaussiancad_core.drawing.draw_command import write_image
@@ -20,7 +21,7 @@ SHIPPED = ("l-bracket", "boss-plate", "wedge-block")
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 
 
-def write_samples(folder: Path = SAMPLES) -> None:
+def write_samples(folder: Path) -> None:
     """Write the sheets and solids into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in SHIPPED:
@@ -31,4 +32,4 @@ def write_samples(folder: Path = SAMPLES) -> None:
 
 
 if __name__ == "__main__":
-    write_samples()
+    write_samples(Path(*sys.argv[1:2]) if sys.argv[1:] else SAMPLES)

@@ -1,4 +1,4 @@
-"""The suite in tests/workbench as one test beside the engine's; ``make test-workbench`` shows all of it."""
+"""The suite of ``make test-workbench``, as one test beside the engine's."""
 
 import pytest
 from run_freecad_suites import report_of

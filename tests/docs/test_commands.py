@@ -36,6 +36,9 @@ LONG = {
 }
 """What is added to commands that take long otherwise."""
 
+PICTURES = {"gallery_pictures.py", "sample_sheets.py"}
+"""Scripts that would write into the documentation, or among the samples, if no folder were named."""
+
 HELP = {"correct", "serve"}
 """Of the engine, what opens a window or stays."""
 
@@ -126,6 +129,8 @@ def of_a_file(words: Command, folder: Path) -> None:
     if path.name == "gaussiancad_batch.py":
         if shutil.which("freecadcmd"):
             helped([sys.executable, str(path), *words[1:]], folder)
+    elif path.name in PICTURES:
+        done([sys.executable, str(path), str(folder)], folder)
     elif path.name == "run_freecad_suites.py":
         assert (CHECKOUT / "tests" / words[1]).is_dir()
     else:
