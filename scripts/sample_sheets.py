@@ -3,7 +3,7 @@
     .venv/bin/python scripts/sample_sheets.py [FOLDER]
 
 Writes ``<name>.png`` (front, top, right in third angle, 1920 x 1080) and ``<name>.step`` for three
-of the parts of :mod:`gaussiancad_core.samples`, into ``resources/samples`` where no folder is named.
+of the parts of :mod:`gaussiancad_core.samples`; into ``resources/samples`` if no folder is named.
 """
 
 import sys
