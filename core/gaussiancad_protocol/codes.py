@@ -54,7 +54,6 @@ class Code(str, Enum):
     PROJECTION_ASSUMED = "projection-assumed"
     RESOLUTION_LOWERED = "resolution-lowered"
     LABELS_MISSING = "labels-missing"
-    DIMENSIONS_NOT_READ = "dimensions-not-read"
     SURFACE_LEFT_OUT = "surface-left-out"
     FULL_SCALE_ASSUMED = "full-scale-assumed"
     SIZE_CONTRADICTS_UNIT = "size-contradicts-unit"

@@ -2195,10 +2195,6 @@
         <translation>Linien, die Kanten des Teils oder Beschriftung sein können: {count}. Sehen Sie sie {canvas} an.</translation>
     </message>
     <message>
-        <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
-        <translation>Die Maße auf dem Blatt wurden nicht gelesen, da der Engine die Texterkennung fehlt. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
-    </message>
-    <message>
         <source>The engine was installed for exact solids only: no surface was made. GaussianCAD &gt; Install Engine has one that makes both.</source>
         <translation>Die Engine wurde nur für exakte Festkörper installiert: Eine Oberfläche wurde nicht gemacht. Unter GaussianCAD &gt; Engine installieren gibt es eine, die beides macht.</translation>
     </message>

@@ -1223,10 +1223,6 @@
         <translation>有 {count} 条线可能是零件的边，也可能是标注。请{canvas}查看。</translation>
     </message>
     <message>
-        <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
-        <translation>引擎没有文字识别功能，未读取图纸上的尺寸。请在“比例”中设置一个长度。</translation>
-    </message>
-    <message>
         <source>The engine was installed for exact solids only: no surface was made. GaussianCAD &gt; Install Engine has one that makes both.</source>
         <translation>引擎仅为精确实体而安装：没有生成表面。GaussianCAD &gt; 安装引擎 中有两者都能生成的引擎。</translation>
     </message>

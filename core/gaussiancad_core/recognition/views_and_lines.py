@@ -266,7 +266,7 @@ def _sheet_scale(
     if _is_given(job.reading, drawn) and job.result is ResultKind.SURFACE:
         return None
     unit = _number_unit(job.reading.unit)
-    scale = find_scale(sheet, found.separated.marks, drawn, found.written, stated_unit=unit)
+    scale = find_scale(sheet, found.separated.marks, drawn, found.texts, stated_unit=unit)
     notes.tell(dimensions=scale.dimensions)
     for note in scale.contradictions:
         notes.doubt(note.code, note.message)

@@ -22,7 +22,6 @@ class Extra(Enum):
     SURFACE = "surface"
     COMPARE = "compare"
     WINDOW = "window"
-    OCR = "ocr"
     CUDA = "cuda"
     CLUSTER = "cluster"
     MCP = "mcp"
@@ -44,7 +43,6 @@ MODULES: Mapping[Extra, Mapping[str, tuple[str, ...]]] = {
     Extra.SURFACE: {"torch": ("torch",), **_MESHES},
     Extra.COMPARE: _MESHES,
     Extra.WINDOW: {"PySide6": ("PySide6-Essentials", "PySide6")},
-    Extra.OCR: {"rapidocr": ("rapidocr",)},
     Extra.CUDA: {"torch": ("torch",), **_MESHES, "gsplat": ("gsplat",)},
     Extra.CLUSTER: {"distributed": ("distributed",)},
     Extra.MCP: {"mcp": ("mcp",), "anyio": ("anyio",)},
