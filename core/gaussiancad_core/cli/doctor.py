@@ -19,7 +19,6 @@ _NEEDED = {
     "scipy": "scipy",
     "cv2": "opencv-python-headless",
     "PIL": "pillow",
-    "skimage": "scikit-image",
     "pypdfium2": "pypdfium2",
     "ezdxf": "ezdxf",
     "svgelements": "svgelements",

@@ -22,7 +22,7 @@ SHEET = ROOT / "resources" / "samples" / "wedge-block.png"
 
 BLOCKED = (
     *("torch", "open3d", "trimesh", "manifold3d", "ot", "distributed", "mcp", "onnx"),
-    *("PySide6", "gsplat"),
+    *("PySide6", "gsplat", "skimage"),
 )
 """Top-level modules of the extras' packages."""
 
