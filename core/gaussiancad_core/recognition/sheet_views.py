@@ -11,7 +11,7 @@ from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.graph.graph_views import GraphViews, graph_views
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
-from gaussiancad_core.sheet.reading_options import Box, Finder
+from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.drawing_names import inside
 from gaussiancad_core.sheet.special_views.projection_note import noted_projection
 from gaussiancad_core.sheet.special_views.projection_symbol import find_symbol
@@ -48,7 +48,6 @@ def sheet_views(
     sheet: OpenedSheet,
     given: Mapping[Role, Box] | None = None,
     projection: Projection | None = None,
-    finder: Finder = Finder.RIDGES,
 ) -> SheetViews:
     """Find the views of a sheet.
 
@@ -59,14 +58,13 @@ def sheet_views(
         sheet: as stored and upright.
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then the sheet is asked.
-        finder: only ridges take the lines of a file.
 
     Raises:
         NoModelError: there are fewer than two views that belong together, and not one alone.
         UsageError: a given box holds no ink.
     """
     boxes = dict(given or {})
-    drawing = sheet.image.vectors if finder is Finder.RIDGES else None
+    drawing = sheet.image.vectors
     symbol = None if projection is not None else find_symbol(sheet) or noted_projection(sheet)
     stated = projection, symbol
     try:
