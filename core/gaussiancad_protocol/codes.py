@@ -120,7 +120,6 @@ class Code(str, Enum):
     FILE_DAMAGED = "file-damaged"
     FILE_TOO_LARGE = "file-too-large"
     SIZE_OUT_OF_RANGE = "size-out-of-range"
-    GAUSSIANS_UNREADABLE = "gaussians-unreadable"
     # Errors: no model follows from the sheet
     BLANK_SHEET = "blank-sheet"
     NOT_A_LINE_DRAWING = "not-a-line-drawing"

@@ -2339,10 +2339,6 @@
         <translation>{format}-Dateien werden nicht gelesen. Speichern Sie die Zeichnung als PDF, SVG, DXF oder PNG.</translation>
     </message>
     <message>
-        <source>The file holds no Gaussians that can be read. Choose another one.</source>
-        <translation>Die Datei enthält keine lesbaren Gaußfunktionen. Wählen Sie eine andere.</translation>
-    </message>
-    <message>
         <source>This is no report of a batch. Choose the one in the folder that it wrote.</source>
         <translation>Das ist kein Bericht eines Stapels. Wählen Sie den in dem Ordner, den er geschrieben hat.</translation>
     </message>

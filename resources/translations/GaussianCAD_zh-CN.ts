@@ -1367,10 +1367,6 @@
         <translation>不读取 {format} 文件。请将图纸保存为 PDF、SVG、DXF 或 PNG。</translation>
     </message>
     <message>
-        <source>The file holds no Gaussians that can be read. Choose another one.</source>
-        <translation>文件中没有可读取的高斯体。请选择其他文件。</translation>
-    </message>
-    <message>
         <source>This is no report of a batch. Choose the one in the folder that it wrote.</source>
         <translation>这不是批处理报告。请选择批处理所写文件夹中的报告。</translation>
     </message>

@@ -206,7 +206,7 @@ def _from_segment(points: Points, start: Points, end: Points) -> Points:
     # the operations is kept.
     level = start[1] * normal[1] + start[0] * normal[0]
     from_start, from_end = points - start, points - end
-    beside = (from_start[:, 0] * along[0] + from_start[:, 1] * along[1] > 0.0) & (
+    is_opposite = (from_start[:, 0] * along[0] + from_start[:, 1] * along[1] > 0.0) & (
         -from_end[:, 0] * along[0] - from_end[:, 1] * along[1] > 0.0
     )
     across = np.abs(points[:, 0] * normal[0] + points[:, 1] * normal[1] - level)
@@ -214,4 +214,4 @@ def _from_segment(points: Points, start: Points, end: Points) -> Points:
         np.sqrt(from_start[:, 1] ** 2 + from_start[:, 0] ** 2),
         np.sqrt(from_end[:, 1] ** 2 + from_end[:, 0] ** 2),
     )
-    return np.where(beside, across, outside)
+    return np.where(is_opposite, across, outside)

@@ -61,8 +61,10 @@ def test_a_line_is_fitted_to_the_middle_of_its_stroke(
     ends = middle - 70 * direction, middle + 70 * direction
     sheet = _sheet(_segment(*ends[0], *ends[1]), width=width)
     # Positions are px from the centre of the first pixel.
-    beside = middle - 0.5 + (0.6 if left else -0.6) * normal
-    start = Line((float(beside[0]), float(beside[1])), (float(direction[0]), float(direction[1])))
+    start_point = middle - 0.5 + (0.6 if left else -0.6) * normal
+    start = Line(
+        (float(start_point[0]), float(start_point[1])), (float(direction[0]), float(direction[1]))
+    )
     refitted = refit_line(sheet, start, [(-60.0, 60.0)])
     _, across = refitted.coordinates(
         np.array([middle - 60 * direction, middle + 60 * direction]) - 0.5
