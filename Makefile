@@ -1,8 +1,8 @@
 # What a checkout can do; `make help` lists it.  The work is done by scripts/.
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help install demo test test-engine test-workbench test-gui test-freecad-latest lint bench \
-	benchmark tutorial lock licences sbom vulnerabilities clean
+.PHONY: help install demo quick test durations test-engine test-workbench test-gui test-freecad-latest lint bench \
+	tutorial lock licences sbom vulnerabilities clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-20s %s\n", $$1, $$2 }' Makefile
@@ -14,13 +14,17 @@ install: ## the system packages (Debian) and the engine's environment in .venv
 demo: install ## a sample sheet through FreeCAD: a document, a STEP file, a picture, a report in demo/
 	@sh scripts/demo.sh
 
-test: install ## all of the tests below but the last
-	@sh scripts/test.sh lint engine workbench gui
+quick: install ## what to run after each change: the style, and all tests that are quick; two minutes
+	@sh scripts/test.sh quick
+
+test: install ## everything below but the last; thirteen minutes on two cores
+	@sh scripts/install_system.sh scripts/test-packages.txt
+	@sh scripts/test.sh lint all
 
 lint: install ## the style of all Python files
 	@sh scripts/test.sh lint
 
-test-engine: install ## the engine
+test-engine: install ## the engine, and how its network is trained
 	@sh scripts/test.sh engine
 
 test-workbench: install ## the workbench without a window
@@ -32,15 +36,14 @@ test-gui: install ## the workbench in a real window, on a virtual screen
 test-freecad-latest: install ## workbench and window in Debian's next FreeCAD (root, 3 GB in /var/tmp)
 	@sh tests/freecad_latest.sh
 
-bench: install ## the figures of the documentation: seconds and memory, and distance from the truth
-	@.venv/bin/python -m benchmarks stages
-	@.venv/bin/python -m benchmarks surface
-
-benchmark: install ## five methods on many sheets, ablations, one page; ARGS='--data DIR', see its --help
-	@.venv/bin/python -m benchmarks benchmark $(ARGS)
+bench: install ## the figures that need no other people's drawings; two hours on two quiet cores
+	@sh scripts/bench.sh
 
 tutorial: install ## the pictures of the tutorial and the README anew, from FreeCAD's window
 	@.venv/bin/python scripts/tutorial_pictures.py
+
+durations: install ## record the seconds of all tests: which are quick, and which begin first
+	@.venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --record-durations -m "not freecad"
 
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)

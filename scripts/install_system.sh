@@ -1,15 +1,17 @@
 #!/bin/sh
-# Installs the Debian packages of system-packages.txt that are missing; needs root or sudo for that.
+# Installs the Debian packages of a list, system-packages.txt where none is named, that are missing;
+# needs root or sudo for that.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/steps.sh
 
-packages=$(sed '/^#/d; s/ .*//' scripts/system-packages.txt)
+list=${1:-scripts/system-packages.txt}
+packages=$(sed '/^#/d; s/ .*//' "$list")
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     for command in freecadcmd freecad xvfb-run python3; do
         command -v "$command" >/dev/null ||
-            fail "this is no Debian: install what scripts/system-packages.txt lists; $command is missing"
+            fail "this is no Debian: install what $list lists; $command is missing"
     done
     say "System packages: not a Debian, taken as they are."
     exit 0

@@ -1,19 +1,32 @@
 #!/bin/sh
-# Runs the suites that the arguments name, all of them whatever the others say, and sums up.
+# Runs the suites that the arguments name, all of them whatever the others say, and sums up: which
+# failed, and what was skipped and why.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . scripts/steps.sh
 
-# Style, names, the order of packages, types.
+skipped=build/skipped
+rm -rf "$skipped"
+
+# Style, names, what the documentation names, the order of packages, types.
 lint() {
     .venv/bin/ruff check . && .venv/bin/ruff format --check . && python3 scripts/lint_names.py &&
+        .venv/bin/python scripts/lint_docs.py &&
         (cd core && ../.venv/bin/lint-imports --config ../.importlinter) && .venv/bin/mypy
+}
+
+# pytest_of MARKERS: one process more than cores, as FreeCAD's suites wait for windows.
+pytest_of() {
+    .venv/bin/python -m pytest --quiet --numprocesses $(($(nproc) + 1)) --dist loadfile \
+        --no-loadscope-reorder --max-worker-restart 0 --skipped-to "$skipped/engine.txt" -m "$1"
 }
 
 run() {
     case $1 in
     lint) lint ;;
-    engine) .venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --max-worker-restart 0 tests/engine ;;
+    quick) .venv/bin/ruff check . && pytest_of "not slow and not window and not freecad" ;;
+    engine) pytest_of "not freecad" ;;
+    all) pytest_of "" ;;
     workbench | gui) python3 tests/run_freecad_suites.py "$1" ;;
     *) fail "there is no suite '$1'" ;;
     esac
@@ -33,6 +46,10 @@ for suite in "$@"; do
     fi
     say "== $suite $outcome in $(($(date +%s) - started)) s"
 done
+if [ -d "$skipped" ] && [ -n "$(cat "$skipped"/*.txt)" ]; then
+    say "== skipped"
+    cat "$skipped"/*.txt
+fi
 if [ -n "$failed" ]; then
     fail "failed:$failed"
 fi

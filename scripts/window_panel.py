@@ -1,6 +1,6 @@
 """Reconstructs sheets in the panel of FreeCAD's window and notes the seconds.
 
-``python -m benchmarks window_seconds`` starts it: FreeCAD imports this file. GAUSSIANCAD_SHEETS are
+``python -m benchmarks seconds`` starts it: FreeCAD imports this file. GAUSSIANCAD_SHEETS are
 the paths, one a line; GAUSSIANCAD_SECONDS is the file that receives, a line of JSON for each sheet,
 ``sheet`` and the seconds from the press of *Start* to what was ``read`` and to the ``solid`` in the
 document; null for what did not come. The rest of the run, mesh and Gaussians, is cancelled.

@@ -2,7 +2,8 @@
 
 Without a window the tests in ``tests/workbench`` run, with a window (``freecad
 tests/run_freecad.py`` under xvfb) those in ``tests/gui``.  The exit status is 0 if all passed.
-GAUSSIANCAD_TESTS names a pattern of test files, such as ``test_job*``.
+GAUSSIANCAD_TESTS names a pattern of test files, such as ``test_job*``; GAUSSIANCAD_SKIPPED a folder
+for what was skipped.
 
 FreeCAD imports this file instead of running it, and would run it a second time after an error.
 """
@@ -41,7 +42,17 @@ def run(folder: str) -> int:
         version = ".".join(FreeCAD.Version()[:3])
         stream.write(f"FreeCAD {version}, tests/{folder}\n")
         result = unittest.TextTestRunner(stream, verbosity=2).run(suite)
+    tell_skipped(folder, result)
     return 0 if result.wasSuccessful() and result.testsRun > 0 else 1
+
+
+def tell_skipped(suite: str, result: unittest.TestResult) -> None:
+    """Leave what was skipped, and why, in a file of the folder GAUSSIANCAD_SKIPPED."""
+    if folder := os.environ.get("GAUSSIANCAD_SKIPPED"):
+        path = Path(folder) / f"{suite}.txt"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        lines = (f"{test.id()}: {why}\n" for test, why in result.skipped)
+        path.write_text("".join(lines), encoding="utf-8")
 
 
 def finish(code: int) -> None:

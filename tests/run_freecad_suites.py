@@ -16,6 +16,12 @@ ADDON = Path(__file__).resolve().parent.parent
 SCRIPT = str(ADDON / "tests" / "run_freecad.py")
 TIME_LIMIT_SECONDS = 1200
 
+REPORTED = 8000
+"""Characters at the end of a suite's report that a failure shows."""
+
+SKIPPED = ADDON / "build" / "skipped"
+"""Folder of files that tell what was skipped, and why."""
+
 CONSOLES = ("freecadcmd", "FreeCADCmd", "freecad-cmd")
 WINDOWS = ("freecad", "FreeCAD")
 SCREEN = ("xvfb-run", "-a", "-s", "-screen 0 1600x1000x24")
@@ -43,10 +49,23 @@ def environment(profile: Path) -> dict[str, str]:
         **os.environ,
         "FREECAD_USER_HOME": str(profile),
         "GAUSSIANCAD_ARTIFACTS": artifacts,
+        "GAUSSIANCAD_SKIPPED": str(SKIPPED),
         "LC_ALL": "C.UTF-8",
         "PYTHONDONTWRITEBYTECODE": "1",
         "QTWEBENGINE_DISABLE_SANDBOX": "1",
     }
+
+
+def report_of(suite: str) -> tuple[bool, str]:
+    """Whether a suite passes, and the end of what it prints."""
+    done = subprocess.run(
+        [sys.executable, str(Path(__file__).resolve()), suite],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
+    return done.returncode == 0, done.stdout.decode("utf-8", "replace")[-REPORTED:]
 
 
 def run_suite(suite: str) -> int:

@@ -15,8 +15,7 @@ sketches have left, ``red.`` their redundant constraints, both by the rank of eq
 written down here anew.  ``same`` counts the parts whose features, built in mm, are the solid.
 ``changed`` is the share of driving numbers (those of sketches, solved anew, too) that leave one
 valid solid when one alone is made larger by ``--change``: at most ``--numbers`` of a part, spread
-evenly.  Below are the reasons for parts that are not whole, most frequent first, and which numbers
-cannot be changed.
+evenly.  Below are the numbers that cannot be changed, by kind.
 """
 
 import argparse
@@ -26,12 +25,12 @@ from statistics import median
 
 import numpy as np
 
-from benchmarks.features.feature_work import SAMPLES, Task, worked
 from benchmarks.parts.exact_cases import Case, classed_cases
 from benchmarks.run.arguments import add_running, existing_folder
-from benchmarks.run.outcome import Outcome, as_table, share
+from benchmarks.run.outcome import Outcome, as_cells, as_table, share
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import Row
+from benchmarks.tasks.feature_work import SAMPLES, Task, worked
 from gaussiancad_core.samples import SAMPLES as PARTS
 from gaussiancad_core.samples.classed import PartClass
 
@@ -61,9 +60,14 @@ def run(options: argparse.Namespace) -> Outcome:
         if not options.only or any(text in case.name for text in options.only)
     ]
     rows = rows_of(tasks, worked, Running.of(options, one_thread=False), in_words)
-    print(table(rows))
+    cells = as_cells(list(by_group(rows)))
+    print(as_table(("", *_HEAD), cells))
+    failed: Counter[str] = Counter()
+    for row in rows:
+        failed.update(row.get("failed", {}))
+    print("\n".join(["", "not to be changed:", *_tallied(failed)]))
     whole = sum(bool(row.get("whole")) for row in rows)
-    return Outcome((share("parts that are whole", whole, len(rows)),))
+    return Outcome((share("parts that are whole", whole, len(rows)),), False, ("", *_HEAD), cells)
 
 
 def _cases(options: argparse.Namespace) -> Iterator[Case]:
@@ -78,25 +82,16 @@ def _cases(options: argparse.Namespace) -> Iterator[Case]:
         for part in PARTS:
             yield Case(part.name, SAMPLES)
     classes = [PartClass(name) for name in options.groups if name != SAMPLES]
-    yield from classed_cases(classes, options.parts, options.seed, large=0)
+    yield from classed_cases(classes, options.parts, options.seed)
 
 
-def table(rows: Sequence[Row]) -> str:
-    """A line a group, then the reasons."""
+def by_group(rows: Sequence[Row]) -> Iterator[tuple[object, ...]]:
+    """The cells of :data:`_HEAD` for each group, and for all."""
     names = list(dict.fromkeys(row["group"] for row in rows))
-    groups = [(name, [row for row in rows if row["group"] == name]) for name in names]
-    groups += [("all", rows)] if len(groups) > 1 else []
-    lines = [as_table(("", *_HEAD), [_counted(*group) for group in groups]), "", "not whole:"]
-    lines += _tallied(Counter(cause(row) for row in rows if not row.get("whole")))
-    failed: Counter[str] = Counter()
-    for row in rows:
-        failed.update(row.get("failed", {}))
-    return "\n".join([*lines, "", "not to be changed:", *_tallied(failed)])
-
-
-def cause(row: Row) -> str:
-    """Why a part is not made of features."""
-    return row.get("cause") or row.get("failure", "?")
+    for name in names:
+        yield _counted(name, [row for row in rows if row["group"] == name])
+    if len(names) > 1:
+        yield _counted("all", rows)
 
 
 def _tallied(counts: Counter[str]) -> list[str]:
@@ -132,5 +127,4 @@ def in_words(row: Row) -> str:
     if row.get("whole"):
         kinds = ", ".join(f"{count} {kind}" for kind, count in row.get("features", {}).items())
         return f"{row['group']}/{row['name']}: {row['faces']} faces, {kinds}"
-    details = ", ".join(f"{count} {name}" for name, count in row.get("details", {}).items())
-    return f"{row['group']}/{row['name']}: {row.get('by_features')}, {cause(row)} ({details})"
+    return f"{row['group']}/{row['name']}: {row.get('by_features')} {row.get('failure', '')}"

@@ -1,9 +1,8 @@
 """How well are the measures of solids known, and is that what is said of them?
 
-Small parts whose measures are hundredths of a millimetre, textbook parts with such measures, and
-parts of the classes with round ones are drawn as pictures, with and without dimensions, and as
-scans; each face of the solid that comes out is put beside the part, and each of the part's faces
-beside the solid.
+Small parts whose measures are hundredths of a millimetre, and parts of the classes with round ones
+are drawn as pictures, with and without dimensions, and as scans; each face of the solid that comes
+out is put beside the part, and each of the part's faces beside the solid.
 
 Counted are solids of the right shape: as many faces as the part, none of them farther than two
 pixels from where it belongs.  ``within`` is the share of their faces, of all together, that lie
@@ -14,20 +13,17 @@ needlessly wide.  Exit code 1 if less than 95 % of the faces of a row lie within
 """
 
 import argparse
-import csv
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 
 import numpy as np
 
 from benchmarks.parts.twin_parts import FAMILIES as TWINS
 from benchmarks.run.arguments import add_running
-from benchmarks.run.outcome import Figure, Outcome, as_table, share
+from benchmarks.run.outcome import Figure, Outcome, as_cells, as_table, share
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import Row
 from benchmarks.sheets.exact_inputs import InputKind
 from benchmarks.tasks.measures_work import Group, Task, worked
-from benchmarks.tasks.textbook_work import FAMILIES as TEXTBOOK
 from gaussiancad_core.samples.classed import PartClass
 
 MINUTES = 60
@@ -59,28 +55,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--parts", type=int, default=2, help="of each family or class")
     parser.add_argument("--seed", type=int, default=0, help="of the first part of each")
     add_running(parser, limit_s=60.0)
-    parser.add_argument("--csv", type=Path, help="file for a row a sheet, lengths in px")
 
 
 def run(options: argparse.Namespace) -> Outcome:
     """Run what is asked for; print the table."""
     rows = rows_of(list(_tasks(options)), worked, Running.of(options), in_words)
-    if options.csv is not None:
-        write_csv(rows, options.csv)
-    print(table(rows))
+    cells = as_cells(list(by_group(rows)))
+    print(as_table(_HEAD, cells))
     shares = _within(rows)
     within = 100.0 * float((shares <= 1.0).mean()) if len(shares) else 0.0
     figures = (
         Figure("faces within the stated bound", round(within, 1), "%"),
         share("solids of the right shape", sum(map(is_right, rows)), len(rows)),
     )
-    return Outcome(figures, wrong=any(_is_wrong(some) for _, some in _grouped(rows)))
+    is_wrong = any(_is_wrong(some) for _, some in _grouped(rows))
+    return Outcome(figures, is_wrong, _HEAD, cells)
 
 
 def _tasks(options: argparse.Namespace) -> Iterator[Task]:
     families = {
         Group.TWINS: tuple(TWINS),
-        Group.TEXTBOOK: tuple(TEXTBOOK),
         Group.CLASSED: tuple(item.value for item in PartClass),
     }
     for seed in range(options.seed, options.seed + options.parts):
@@ -97,13 +91,15 @@ def is_right(row: Row) -> bool:
     return bool(row["valid"]) and row["farthest"] <= _RIGHT_PX * row["px_mm"]
 
 
-def table(rows: Iterable[Row]) -> str:
-    """A line for each group of parts and kind of sheet, then for each kind of sheet, then for all;
-    and by where the measures are from."""
-    return as_table(_HEAD, [_line(*group) for group in _grouped(list(rows))])
+def by_group(rows: list[Row]) -> Iterator[tuple[object, ...]]:
+    """The cells of :data:`_HEAD` for each group of rows."""
+    for name, some in _grouped(rows):
+        yield _line(name, some)
 
 
 def _grouped(rows: list[Row]) -> Iterator[tuple[tuple[str, str], list[Row]]]:
+    """Rows by group of parts and kind of sheet, then by kind of sheet, by where the measures are
+    from, and all."""
     found: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
         found.setdefault((row["group"], row["input"]), []).append(row)
@@ -147,39 +143,6 @@ def _line(name: tuple[str, str], rows: list[Row]) -> tuple[object, ...]:
         f"{100.0 * min(each):.0f} %" if stated_rows else "",
         f"{np.quantile(shares, _ASKED):.2f}" if stated_rows else "",
     )
-
-
-_PLAIN = (
-    *("group", "family", "seed", "input", "px_mm", "noise", "rounding", "rounding_step"),
-    *("spread", "misfit", "apart", "status", "reasons", "explains", "neat"),
-    *("numbers", "digit", "places", "beside", "nominal", "step_mm", "step_moved", "step_reach"),
-    *("odd", "unread", "likely_step_mm", "likely_moved", "likely_odd"),
-    *("residual_x", "residual_y", "residual_z", "iou", "faces", "true_faces"),
-    *("uncertainty_mm", "measures_source", "failure"),
-)
-
-
-def write_csv(rows: Iterable[Row], path: Path) -> None:
-    """A row a sheet; lengths in px but where the name says mm."""
-    with path.open("w", encoding="utf-8", newline="") as stream:
-        writer = csv.writer(stream)
-        writer.writerow([*_PLAIN, "right", "d50", "d90", "d95", "d100"])
-        for row in rows:
-            plain = [_text(row.get(name, "")) for name in _PLAIN]
-            faces = np.array(row.get("displaced") or ()) / row.get("px_mm", 1.0)
-            shares = [f"{np.quantile(faces, q):.4f}" if len(faces) else "" for q in _SHARES]
-            writer.writerow([*plain, is_right(row), *shares])
-
-
-_SHARES = (0.5, 0.9, 0.95, 1.0)
-
-
-def _text(value: object) -> str:
-    if isinstance(value, float):
-        return f"{value:.5g}"
-    if isinstance(value, list | tuple):
-        return " ".join(_text(item) for item in value)
-    return str(value)
 
 
 def in_words(row: Row) -> str:

@@ -27,10 +27,9 @@ from benchmarks.judge.exact_measures import (
     mirrored_alike,
     size_of,
 )
-from benchmarks.parts.practice_parts import CLASSES
-from benchmarks.parts.textbook_modelling import Lot
+from benchmarks.parts.practice_parts import CLASSES, Lot
 from benchmarks.run.arguments import add_running
-from benchmarks.run.outcome import Outcome, as_table
+from benchmarks.run.outcome import Outcome, as_cells, as_table
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import FIRST, SOLVE, Row
 from benchmarks.sheets.practice_sheets import Practice, write_sheet
@@ -43,6 +42,11 @@ from gaussiancad_core.processes.library_behaviour import silence_opencascade
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 
 MINUTES = 10
+
+_HEAD = (
+    "", "sheets", "exact", "verified", "false", "assumed right", "wrong", "failed", "median s",
+    "95 % s",
+)  # fmt: skip
 
 _DRAWING_S = _MEASURING_S = 120.0
 _INCH = 72.0
@@ -136,8 +140,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Outcome:
     """Draw and reconstruct what is asked for; print the table."""
     rows = rows_of(list(_tasks(options)), worked, Running.of(options), in_words)
-    print(_table(rows))
-    return Outcome(counted(rows), wrong=any(map(falsely_verified, rows)))
+    cells = as_cells(list(_by_kind(rows)))
+    print(as_table(_HEAD, cells))
+    codes = Counter(code for row in rows if not solved(row) for code in _causes(row))
+    print("not exact: " + ", ".join(f"{code} {count}" for code, count in codes.most_common()))
+    return Outcome(counted(rows), any(map(falsely_verified, rows)), _HEAD, cells)
 
 
 def _tasks(options: argparse.Namespace) -> Iterator[Task]:
@@ -148,17 +155,12 @@ def _tasks(options: argparse.Namespace) -> Iterator[Task]:
             yield Task(model, seed, how, options.dpi, options.limit, options.keep)
 
 
-def _table(rows: Sequence[Row]) -> str:
-    names = ("sheets", "exact", "verified", "false", "right", "wrong", "failed", "med. s", "95% s")
-    cells = []
-    kinds = [kind.value for kind in Practice]
-    for kind in (*kinds, "all"):
-        this_rows = [row for row in rows if kind in (row["input"], "all")]
-        if this_rows:
-            cells.append(_figures(kind, this_rows))
-    codes = Counter(code for row in rows if not solved(row) for code in _causes(row))
-    failed = ", ".join(f"{code} {count}" for code, count in codes.most_common())
-    return f"{as_table(('', *names), cells)}\nnot exact: {failed}"
+def _by_kind(rows: Sequence[Row]) -> Iterator[tuple[object, ...]]:
+    """The cells of :data:`_HEAD` for each kind of sheet and in all."""
+    for kind in (*(kind.value for kind in Practice), "all"):
+        these = [row for row in rows if kind in (row["input"], "all")]
+        if these:
+            yield _figures(kind, these)
 
 
 def _figures(kind: str, rows: Sequence[Row]) -> tuple[object, ...]:

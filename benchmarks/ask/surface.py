@@ -4,26 +4,25 @@ The hull, the hull carved by the exact solid's depths, and the Poisson surface o
 and after splatting are measured side by side.
 
 Each part is drawn, read and reconstructed as ``gaussiancad reconstruct`` does it, and measured
-against its own solid in place, without registration.  Lengths are in units of a box whose longest
-edge is 5.  ``p2s`` is the mean distance between points of either surface and the other surface, the
-mean of both ways.  ``CD`` is the Chamfer distance as ``gaussiancad compare`` measures it, but
-without registration: each in a box of its own, so that one ridge that stands out shifts and shrinks
-all; ``floor`` is that of two samples of the truth.  ``carved`` is the status of the solid whose
-depths carved the hull.
+against its own solid in place, without registration: the volumes' intersection over union (IoU),
+and ``p2s``, the mean distance between points of either surface and the other surface, the mean of
+both ways, where the part's longest edge is 5.
 """
 
 import argparse
 import tempfile
-from dataclasses import astuple, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from benchmarks.judge.surface_distance import BOX, POINTS, Measure, chamfer_floor, measure_mesh
-from benchmarks.methods.trained import started_on, trained_from
+from benchmarks.judge.surface_distance import Measure, measure_mesh
 from benchmarks.parts.named_parts import Part, named_classed, named_samples
-from benchmarks.run.outcome import Figure, Outcome
+from benchmarks.run.arguments import tell
+from benchmarks.run.outcome import Figure, Outcome, as_table
 from benchmarks.sheets.clean_sheets import draw_clean
+from benchmarks.tasks.trained import started_on, trained_from
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.hull.space_carving import carved_hull
@@ -66,46 +65,37 @@ def run(options: argparse.Namespace) -> Outcome:
         raise UsageError("unknown-sample", f"there is no sample {' '.join(options.samples)}")
     preset = None if options.hulls else options.preset
     names = COLUMNS[:2] if options.hulls else COLUMNS
-    print(f"preset {options.preset.value}, {POINTS} points, longest edge = {BOX:g}")
-    print(f"{'':20}" + "".join(f"{name:>17}" for name in names))
-    print(f"{'part':20}" + f"{'IoU':>9}{'p2s':>8}{'CD':>8}" * len(names) + "   floor  carved")
-    rows = []
+    found = []
     for part in parts:
-        measured, floor, source = measures(part, preset)
-        rows.append([value for measure in measured for value in astuple(measure)] + [floor])
-        _print_row(part.name, rows[-1], source)
-    table = np.array(rows)
-    middle = np.median(table, axis=0)
-    _print_row("median", middle.tolist())
-    worst = table.max(axis=0)
-    worst[:-1:3] = table[:, :-1:3].min(axis=0)
-    _print_row("worst", worst.tolist())
-    figures = []
-    for column, name in enumerate(names):
-        losses = table[:, 3 * column + 1] - table[:, 1]
-        above = table[:, 3 * column + 2] - table[:, -1]
-        print(
-            f"{name}: p2s at most {losses.max():+.4f} against the hull's; "
-            f"CD above the floor {np.median(above):+.4f}, at most {above.max():+.4f}"
-        )
-        figures.append(Figure(f"{name}, median IoU", round(middle[3 * column], 4)))
-        figures.append(Figure(f"{name}, median p2s", round(middle[3 * column + 1], 4)))
-    return Outcome(tuple(figures))
+        measured, source = measures(part, preset)
+        found.append([(item.iou, item.p2s) for item in measured])
+        tell(f"{part.name}: {_in_words(found[-1])}, carved by {source}")
+    table = np.array(found)
+    worst = np.stack([table[..., 0].min(axis=0), table[..., 1].max(axis=0)], axis=1)
+    lines = (("median", np.median(table, axis=0)), ("worst", worst))
+    head = (f"IoU, p2s of {len(parts)} parts", *names)
+    cells = tuple((name, *map(_cell, line)) for name, line in lines)
+    print(as_table(head, cells))
+    figures = [
+        Figure(f"{name}, median IoU", round(float(iou), 4))
+        for name, (iou, _) in zip(names, lines[0][1], strict=True)
+    ]
+    return Outcome(tuple(figures), False, head, cells)
 
 
-def _print_row(name: str, row: list[float], source: str = "") -> None:
-    cells = "".join(
-        f"{iou:9.4f}{p2s:8.4f}{chamfer:8.4f}"
-        for iou, p2s, chamfer in zip(row[:-1:3], row[1:-1:3], row[2:-1:3], strict=True)
-    )
-    print(f"{name:20}{cells}{row[-1]:8.4f}  {source}", flush=True)
+def _cell(measure: Sequence[float]) -> str:
+    iou, p2s = measure
+    return f"{iou:.4f}, {p2s:.4f}"
 
 
-def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], float, str]:
+def _in_words(measured: Sequence[Sequence[float]]) -> str:
+    return "; ".join(map(_cell, measured))
+
+
+def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], str]:
     """The hull, the carved one, and the surface of the Gaussians before and after training.
 
-    Without a preset the hulls alone; beside them the floor of the Chamfer distance, and what carved
-    the hull.
+    Without a preset the hulls alone; beside them what carved the hull.
     """
     registered = registered_of(part)
     views = registered.views
@@ -122,8 +112,7 @@ def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], float, s
         ]
     truth = truth_of(part, views.size)
     source = carved.source.value if carved.source else carved.refused or "-"
-    found = [measure_mesh(surface, truth, views.size) for surface in surfaces]
-    return found, chamfer_floor(truth), source
+    return [measure_mesh(surface, truth, views.size) for surface in surfaces], source
 
 
 def registered_of(part: Part) -> RegisteredSheet:

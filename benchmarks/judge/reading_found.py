@@ -1,20 +1,17 @@
 """What was read of a sheet, in px of the sheet as it is stored, and a picture of it."""
 
 import tempfile
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import cv2
-import numpy as np
-import numpy.typing as npt
 
-from benchmarks.judge.stroke_matching import Box, Floats, Marks, ends_of
+from benchmarks.judge.stroke_matching import Box
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.evidence.projection_choice import both_readings
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.processes.events import Progress, Silence
 from gaussiancad_core.recognition.views_and_lines import SheetLines, read_lines
 from gaussiancad_core.report.job import Job
@@ -26,7 +23,7 @@ from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage, read_sheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
-from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
+from gaussiancad_core.sheet.sheet_stages import register_views
 from gaussiancad_core.sketch.projection_by_sketch import weigh
 from gaussiancad_protocol.modes import ResultKind
 
@@ -39,8 +36,6 @@ class Found:
         boxes, strokes: of each view, as its own ink tells, in px of the sheet as stored.
         projection, alternatives: first or third angle.
         direct_views: how many views have the strokes of the file.
-        vertices: (n, 2) px of the sheet as stored, ends of the strokes on the axes that the views
-            share: what all later stages start from.
     """
 
     boxes: dict[Role, Box]
@@ -48,22 +43,19 @@ class Found:
     projection: Projection
     alternatives: tuple[Projection, ...]
     direct_views: int = 0
-    vertices: Floats = field(default_factory=lambda: np.empty((0, 2)), repr=False, compare=False)
 
 
-def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
+def read(path: Path, reading: ReadingOptions) -> Found:
     """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told of it.
 
     Args:
         path: of the sheet.
         reading: finder and filter.
-        direct: use the exact lines of vector files; else their picture alone.
 
     Raises:
         GaussianCadError: it cannot be read.
     """
-    image = read_sheet(path) if direct else picture_of(path)
-    sheet, lines = lines_of(image, reading)
+    sheet, lines = lines_of(read_sheet(path), reading)
     return found_of(lines, sheet.turn, reading)
 
 
@@ -123,35 +115,4 @@ def found_of(lines: SheetLines, turn: Turn, reading: ReadingOptions) -> Found:
     }
     boxes = {view.role: view.stored_box(turn) for view in drawn}
     direct_views = sum(view.source is not StrokesSource.RASTER for view in drawn)
-    vertices = _shared_vertices(registered, turn)
-    return Found(boxes, strokes, projection, alternatives, direct_views, vertices)
-
-
-def _shared_vertices(registered: RegisteredSheet, turn: Turn) -> Floats:
-    """(n, 2) ends of the registered strokes in px of the sheet as stored."""
-    placed = [
-        registered.placements[view.role].to_sheet(ends_of(view.strokes))
-        for view in registered.views.views
-    ]
-    upright = np.concatenate([np.empty((0, 2)), *placed])
-    return turn.to_stored(upright)
-
-
-def drawn_over(image: npt.NDArray[np.uint8], found: Found | None, marks: Marks) -> npt.NDArray:
-    """The sheet, twice as large and pale; visible strokes green, hidden ones blue; missed points
-    red, wrong ones magenta."""
-    pale = (255 - (255 - image.astype(np.int32)) // 3).astype(np.uint8)
-    picture = cv2.resize(pale, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST)
-    colours = {Linetype.VISIBLE: (0, 140, 0), Linetype.HIDDEN: (0, 60, 255)}
-    for role, strokes in found.strokes.items() if found else ():
-        for stroke in strokes:
-            chain_px = np.rint(stroke.sample(1.0) * 2.0 * 16.0).astype(np.int32)
-            cv2.polylines(picture, [chain_px], False, colours[stroke.linetype], 1, cv2.LINE_AA, 4)
-        x0, y0, x1, y1 = (round(2 * value) for value in found.boxes[role])
-        cv2.rectangle(picture, (x0 - 12, y0 - 12), (x1 + 12, y1 + 12), (200, 160, 0), 1)
-        place = (x0 - 12, y0 - 18)
-        cv2.putText(picture, role.value, place, cv2.FONT_HERSHEY_SIMPLEX, 0.8, (160, 120, 0), 1)
-    for points, colour in ((marks.missed, (230, 0, 0)), (marks.wrong, (220, 0, 220))):
-        for x, y in np.rint(2.0 * np.concatenate([np.empty((0, 2)), *points])).astype(int):
-            cv2.circle(picture, (int(x), int(y)), 3, colour, -1)
-    return picture
+    return Found(boxes, strokes, projection, alternatives, direct_views)

@@ -1,7 +1,7 @@
 """How much of some strokes runs along others, by length."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -21,16 +21,6 @@ STEP = 0.5
 
 PARALLEL = float(np.cos(np.radians(20.0)))
 """Cosine of the largest angle between strokes that are the same."""
-
-
-CORNER = float(np.cos(np.radians(12.0)))
-"""Cosine of the least angle at which strokes meet in a place that the drawing shows."""
-
-CROWDED = 4.0
-"""px up to which two ends or two parallel strokes melt into each other."""
-
-SAME = 0.1
-"""px up to which two ends are one vertex."""
 
 
 @dataclass(frozen=True)
@@ -101,18 +91,10 @@ class Points:
         return error
 
 
-@dataclass
-class Marks:
-    """Points of a sheet that were missed, and points that were read and are not there."""
-
-    missed: list[Floats] = field(default_factory=list)
-    wrong: list[Floats] = field(default_factory=list)
-
-
 def match(
     drawn: list[DrawnStroke], seen: list[DrawnStroke], covered: float
-) -> tuple[dict[Linetype, Matched], Floats, Marks]:
-    """Lengths of each linetype, the errors of matched points in px, and what to mark.
+) -> tuple[dict[Linetype, Matched], Floats]:
+    """Lengths of each linetype, and the errors of matched points in px.
 
     Args:
         drawn: the true strokes.
@@ -122,7 +104,7 @@ def match(
     """
     truth = {kind: Points.along(of_kind(drawn, kind)) for kind in Linetype}
     reading = {kind: Points.along(of_kind(seen, kind)) for kind in Linetype}
-    lengths, errors, marks = {}, [], Marks()
+    lengths, errors = {}, []
     for kind in Linetype:
         missed, error = truth[kind].across(reading[kind]), reading[kind].across(truth[kind])
         found, right = np.isfinite(missed), np.isfinite(error)
@@ -137,9 +119,7 @@ def match(
             float(reading[kind].weight[given & right].sum()),
         )
         errors.append(error[right])
-        marks.missed.append(truth[kind].at[asked & ~found])
-        marks.wrong.append(reading[kind].at[given & ~right])
-    return lengths, np.concatenate(errors), marks
+    return lengths, np.concatenate(errors)
 
 
 def total(parts: Sequence[Matched]) -> Matched:
@@ -148,82 +128,9 @@ def total(parts: Sequence[Matched]) -> Matched:
     return Matched(*(float(np.sum([getattr(part, name) for part in parts])) for name in names))
 
 
-def nearness(corners: Floats, others: Floats) -> npt.NDArray[np.bool_]:
-    """(n,) whether another point lies within :data:`REACH` of each corner."""
-    if not len(others) or not len(corners):
-        return np.zeros(len(corners), bool)
-    return cKDTree(others).query(corners)[0] <= REACH
-
-
 def of_kind(strokes: Iterable[DrawnStroke], kind: Linetype) -> list[DrawnStroke]:
     """The strokes of a linetype."""
     return [stroke for stroke in strokes if stroke.linetype is kind]
-
-
-def ends_of(strokes: Sequence[DrawnStroke], covered: float = 0.0) -> Floats:
-    """(n, 2) ends of the open strokes, those that meet once.
-
-    Args:
-        strokes: visible and hidden.
-        covered: px beside a visible stroke within which the end of a hidden one along it cannot be
-            seen, and is left out.
-    """
-    visible = Points.along(of_kind(strokes, Linetype.VISIBLE))
-    found = [np.empty((0, 2))]
-    for stroke in strokes:
-        if stroke.is_closed:
-            continue
-        points = stroke.sample(STEP)
-        ends = points[[0, -1]]
-        if covered and stroke.linetype is Linetype.HIDDEN:
-            steps = np.array([points[1] - points[0], points[-1] - points[-2]])
-            length = np.hypot(*steps.T)
-            ways = steps / np.maximum(length, 1e-12)[:, None]
-            ends = ends[np.isinf(Points(ends, ways, length).across(visible, covered))]
-        found.append(ends)
-    return np.unique(np.round(np.concatenate(found), 3), axis=0)
-
-
-def corners_of(strokes: Sequence[DrawnStroke], covered: float = 0.0) -> Floats:
-    """(n, 2) ends whose place the drawing shows.
-
-    Strokes meet there at :data:`CORNER` at least: along a tangent, and where dashes begin or cease
-    along a line, ink tells no place.  Nothing else ends or runs parallel within :data:`CROWDED`.
-
-    Args:
-        strokes: visible and hidden.
-        covered: see :func:`ends_of`.
-    """
-    ends = ends_of(strokes, covered)
-    if not len(ends):
-        return ends
-    hidden = Points.along(of_kind(strokes, Linetype.HIDDEN))
-    seen = np.isinf(hidden.across(Points.along(of_kind(strokes, Linetype.VISIBLE)), covered))
-    visible = Points.along(of_kind(strokes, Linetype.VISIBLE))
-    at = np.concatenate([visible.at, hidden.at[seen]])
-    way = np.concatenate([visible.way, hidden.way[seen]])
-    near = cKDTree(at).query_ball_point(ends, CROWDED)
-    others = cKDTree(ends).query_ball_point(ends, CROWDED)
-    shown = [
-        _is_shown(end, at[index], way[index]) and not _is_crowded(end, ends[neighbour])
-        for end, index, neighbour in zip(ends, near, others, strict=True)
-    ]
-    return ends[np.array(shown, dtype=bool)]
-
-
-def _is_shown(end: Floats, at: Floats, way: Floats) -> bool:
-    """Whether strokes meet at an end at an angle, and no other is parallel to one of them."""
-    offset = at - end
-    item = way[np.hypot(*offset.T) <= 1.5 * STEP]
-    if not len(item) or np.abs(item @ item.T).min() > CORNER:
-        return False
-    across = np.abs(way[:, 0] * offset[:, 1] - way[:, 1] * offset[:, 0])
-    parallel = np.abs(way @ item.T).max(axis=1) >= CORNER
-    return not bool((parallel & (across > 1.5 * STEP)).any())
-
-
-def _is_crowded(end: Floats, others: Floats) -> bool:
-    return bool((np.hypot(*(others - end).T) > SAME).any())
 
 
 def overlap(one: Box, other: Box) -> float:

@@ -4,17 +4,59 @@ All lengths are millimetres; boxes begin at the origin.  Front views look along 
 place of the front is a plane at a y.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from itertools import product
+from math import cos, pi, sin
+from random import Random
 
 from OCP.TopoDS import TopoDS_Shape
 
-from benchmarks.parts.textbook_modelling import Lot, corners, ring_of_points
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.samples.modelling import Point2, box, cut, cylinder, fuse, revolved
 
 _OVER = 1.0
 """mm by which tools reach beyond a part."""
+
+
+@dataclass
+class Lot:
+    """The measures and variants of one part, drawn by lot.
+
+    Attributes:
+        name: of the class.
+        seed: parts of one class and seed are alike.
+    """
+
+    name: str
+    seed: int
+    _random: Random = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self._random = Random(f"{self.name} {self.seed}")
+
+    def size(self, low: float, high: float, step: float = 1.0) -> float:
+        """A measure in mm between two others, which differ by whole steps."""
+        return low + step * self._random.randint(0, int((high - low) / step + 1e-9))
+
+    def chance(self) -> bool:
+        """Whether a part has something that half of its kind have."""
+        return self._random.random() < 0.5
+
+    def one_of(self, *choices: float) -> float:
+        """Any of some values."""
+        return self._random.choice(choices)
+
+
+def ring_of_points(count: int, radius: float, centre: Point2) -> Iterator[Point2]:
+    """Points on a circle, evenly spaced, the first one to its right."""
+    for angle in (2.0 * pi * number / count for number in range(count)):
+        yield centre[0] + radius * cos(angle), centre[1] + radius * sin(angle)
+
+
+def corners(length: float, width: float, inset: float) -> Iterator[Point2]:
+    """The four points inside a rectangle from the origin that are ``inset`` from two sides."""
+    yield from product((inset, length - inset), (inset, width - inset))
 
 
 @dataclass(frozen=True)

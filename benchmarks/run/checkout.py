@@ -8,9 +8,6 @@ ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ROOT / "resources" / "samples"
 """Folder of the sheets and solids that ship with the product."""
 
-IMAGES = ROOT / "docs" / "images"
-"""Folder of the pictures of the documentation."""
-
 
 def commit() -> str:
     """What the checkout is at, with ``+`` where it was changed since; empty without git."""

@@ -10,6 +10,7 @@ import argparse
 import sys
 import textwrap
 from collections.abc import Sequence
+from pathlib import Path
 
 from benchmarks.run.arguments import USAGE, OneLineParser, tell
 from benchmarks.run.catalogue import Entry, entries, load
@@ -20,6 +21,10 @@ INTERRUPTED = 130
 """Exit code of a command that was stopped by Ctrl-C, as shells have it."""
 
 _PROGRAM = "python -m benchmarks"
+
+_PLAIN = ("--record", "--resume")
+_VALUED = ("--workers", "--json", "--keep", "--cache")
+"""Options that tell how something is measured, the latter with a value."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -53,6 +58,17 @@ def _listed(entry: Entry) -> str:
     return "\n".join([entry.name, *(f"    {line}" for line in lines)])
 
 
+def asked(arguments: Sequence[str]) -> str:
+    """What of a command line tells what was measured: not how it was run, nor where folders are."""
+    told, left = [], iter(arguments)
+    for argument in left:
+        if argument in _VALUED:
+            next(left, None)
+        elif argument not in _PLAIN:
+            told.append("DIR" if Path(argument).is_dir() else argument)
+    return " ".join(told)
+
+
 def _run(entry: Entry, arguments: Sequence[str]) -> int:
     benchmark = load(entry.name)
     parser = OneLineParser(
@@ -76,7 +92,6 @@ def _run(entry: Entry, arguments: Sequence[str]) -> int:
     if outcome.figures:
         print("; ".join(map(str, outcome.figures)))
     if options.record:
-        asked = " ".join(argument for argument in arguments if argument != "--record")
-        path = record(entry.name, result_now(outcome.figures, asked, entry.question))
+        path = record(entry.name, result_now(outcome, asked(arguments), entry.question))
         print(f"recorded in {path}", file=sys.stderr)
     return int(outcome.wrong)

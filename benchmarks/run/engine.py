@@ -1,4 +1,4 @@
-"""The engine in a process of its own, with a limit of seconds: from Python, and as a command."""
+"""The engine's command in a process of its own, with a limit of seconds."""
 
 import json
 import subprocess
@@ -6,12 +6,8 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import gaussiancad
 from benchmarks.run.workers import Row
-from gaussiancad_protocol.codes import Code
-from gaussiancad_protocol.exit_codes import ExitCode
 
 JUST_ENDED_S = 30.0
 """Seconds beyond a command's limit that the child which waits for it may take."""
@@ -60,36 +56,13 @@ def command(*arguments: object, limit_s: float | None = None) -> Ended:
     return Ended(done.returncode, error, seconds)
 
 
-def part_of(sheet: Path, output: Path, *, limit_s: float | None = None, **given: Any) -> Ended:  # noqa: ANN401
-    """Reconstruct the solid of a sheet, as a user of Python does, into a folder.
-
-    Args:
-        sheet: its file.
-        output: where the files of the run are saved, unless it ended with an error.
-        limit_s: seconds.
-        given: what is known of the sheet; see :func:`gaussiancad.reconstruct`.
-    """
-    began = time.monotonic()
-    try:
-        result = gaussiancad.reconstruct(sheet, result="solid", limit_s=limit_s, **given)
-    except gaussiancad.LimitError as error:
-        if error.code == Code.TAKES_TOO_LONG and limit_s is not None:
-            return Ended(None, "", limit_s)
-        return Ended(error.exit_code, error.code, time.monotonic() - began)
-    except gaussiancad.Error as error:
-        return Ended(error.exit_code, error.code, time.monotonic() - began)
-    result.save(output)
-    seconds = time.monotonic() - began
-    if result.status != "failed":
-        return Ended(ExitCode.DONE, "", seconds)
-    return Ended(ExitCode.NO_MODEL, next((reason.code for reason in result.reasons), ""), seconds)
-
-
-def command_for_solid(sheet: Path, output: Path, limit_s: float | None = None) -> Ended:
+def command_for_solid(
+    sheet: Path, output: Path, *options: str, limit_s: float | None = None
+) -> Ended:
     """Reconstruct the solid of a sheet by the command, which leaves in the folder what it had made
     when its time was up."""
-    options = ("--output", output, "--result", "solid")
-    return command("reconstruct", sheet, *options, limit_s=limit_s)
+    given = ("--output", output, "--result", "solid", *options)
+    return command("reconstruct", sheet, *given, limit_s=limit_s)
 
 
 def read_json(path: Path) -> Row:

@@ -12,19 +12,10 @@ from benchmarks.run.results import RESULTS, Result, results_of
 PAGE = ROOT / "docs" / "figures.md"
 
 CHAPTERS: Mapping[str, tuple[str, ...]] = {
-    "Drawings of other people": (
-        "real_sheets",
-        "foreign",
-        "labels",
-        "real_pictures",
-        "photographs",
-        "corrected",
-        "practice",
-        "textbook_parts",
-    ),
-    "Generated drawings": ("sheet_reading", "exact_solid", "verified", "features"),
-    "Surfaces": ("surface", "benchmark"),
-    "Seconds and memory": ("waiting", "sheet_sizes", "read_seconds", "window_seconds"),
+    "Drawings of other people": ("published", "foreign", "pictures"),
+    "Generated drawings": ("exact_solid", "practice", "verified", "measures", "features"),
+    "Surfaces": ("surface",),
+    "Seconds and memory": ("seconds",),
 }
 """The benchmarks in the page's order; those that are in none come last."""
 
@@ -35,15 +26,11 @@ _WIDTH = 130
 """Characters of a line, as in the other pages."""
 
 _HEAD = (
-    "Every figure here comes from a command of this repository, at the commit that it names: "
-    "`git checkout` it, and run the command; at commits without `benchmarks/__main__.py` it is "
-    "`python benchmarks/NAME.py`. Where the commit of a run was not kept, it is the one that first "
-    "stated the figure. Absolute times are those of two cores that drift; compare figures of one "
-    "run only.",
-    "`python -m benchmarks --list` has all questions. Figures of single methods are told where "
-    "those are explained: measures and contradictions in "
-    "[solids](solid.md#whether-verified-is-true), Gaussians in [splatting](splatting.md), and "
-    "distances in [comparison](comparison.md#measured).",
+    "Every figure here was recorded by a command of this repository, with the options and at the "
+    "commit that stand beside it. `DIR` is a folder of other people's drawings, which the "
+    "repository does not have. Absolute times are those of two cores that drift; compare figures "
+    "of one run only.",
+    "`python -m benchmarks --list` has the questions.",
 )
 
 _WRITTEN = "<!-- `python -m benchmarks --write-figures` writes this from benchmarks/results. -->"
@@ -75,8 +62,7 @@ def _result(result: Result) -> Iterator[str]:
     """What was measured, by which options and when; the figures; what qualifies them."""
     options = f"`{result.options}`" if result.options else ""
     run = "; ".join(filter(None, (options, f"{result.commit}, {result.date}", result.machine)))
-    # The headline of a table is in it.
-    figures = "; ".join(map(str, result.figures[1:] if result.head else result.figures))
+    figures = "; ".join(map(str, result.figures))
     parts = [f"**{result.about}** ({run}){f': {figures}' if figures else ''}."]
     table = map(_row, (result.head, ["---"] * len(result.head), *result.rows))
     if result.head:

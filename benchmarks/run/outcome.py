@@ -30,15 +30,24 @@ class Outcome:
     Attributes:
         figures: the headline first.
         wrong: whether something is that must not be: the command ends with 1.
+        head: columns of the table that is recorded; empty without one.
+        rows: of that table.
     """
 
     figures: tuple[Figure, ...] = ()
     wrong: bool = False
+    head: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
 
 
 def share(name: str, found: int, total: int) -> Figure:
     """A count of a count."""
     return Figure(name, f"{found} of {total}")
+
+
+def as_cells(rows: Sequence[Sequence[object]]) -> tuple[tuple[str, ...], ...]:
+    """Rows of a table as they are recorded."""
+    return tuple(tuple(map(str, row)) for row in rows)
 
 
 def as_table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> str:

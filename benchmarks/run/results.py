@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from benchmarks.run.checkout import ROOT, commit
-from benchmarks.run.outcome import Figure
+from benchmarks.run.outcome import Figure, Outcome
 
 RESULTS = ROOT / "benchmarks" / "results"
 
@@ -56,9 +56,10 @@ def results_of(name: str, folder: Path = RESULTS) -> tuple[Result, ...]:
 
 
 def record(name: str, result: Result, folder: Path = RESULTS) -> Path:
-    """Add a result to a benchmark's file, in place of an earlier one of the same options."""
-    kept = [old for old in results_of(name, folder) if _asked(old) != _asked(result)]
-    same = [old for old in results_of(name, folder) if _asked(old) == _asked(result)]
+    """Add a result to a benchmark's file, in place of an earlier one of the same options, whose
+    words about it stay."""
+    kept = [old for old in results_of(name, folder) if old.options != result.options]
+    same = [old for old in results_of(name, folder) if old.options == result.options]
     if same and not result.limits:
         result = replace(result, about=same[-1].about, limits=same[-1].limits)
     path = folder / f"{name}.json"
@@ -76,16 +77,12 @@ def as_text(results: Sequence[Result]) -> str:
     return json.dumps(filled, indent=1, ensure_ascii=False) + "\n"
 
 
-def result_now(figures: Sequence[Figure], options: str, about: str) -> Result:
+def result_now(outcome: Outcome, options: str, about: str) -> Result:
     """The result of a run that ends now, on this machine."""
     machine = f"{os.cpu_count()} cores, {platform.system()} {platform.machine()}"
     day = datetime.now(UTC).date().isoformat()
-    return Result(about, commit(), day, options, machine, tuple(figures))
-
-
-def _asked(result: Result) -> tuple[str, str]:
-    """What a later run replaces: the same options, without a table that a person wrote."""
-    return result.options, " ".join(result.head)
+    measured = outcome.figures, outcome.head, outcome.rows
+    return Result(about, commit(), day, options, machine, *measured)
 
 
 def _result(entry: dict) -> Result:

@@ -1,10 +1,10 @@
-"""The drawings of ``exact_solid``: exact, noisy, or read from a sheet."""
+"""The drawing of a part: its exact lines, or what is read of a sheet of them."""
 
 import hashlib
 import pickle
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 from pathlib import Path
@@ -16,7 +16,6 @@ import gaussiancad_core
 from benchmarks.judge.reading_found import lines_of, picture_of
 from benchmarks.parts.exact_cases import Case
 from benchmarks.sheets.clean_sheets import ROLES
-from benchmarks.sheets.exact_perturbations import jittered, missing_and_spurious, of_wrong_length
 from benchmarks.sheets.foreign_sheets import Conventions, foreign_sheet
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import PartLines, compose_sheet, part_lines
@@ -25,11 +24,9 @@ from gaussiancad_core.evidence.dimension_evidence import trusted
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.evidence.projected_reading import ProjectedReading, drawn_views
 from gaussiancad_core.model.axes import Axis, Projection
-from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.run.ink_stage import compared_with_ink
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
-from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
 from gaussiancad_core.solid.exact import ExactResult
@@ -41,29 +38,15 @@ class InputKind(Enum):
     """How the solver gets a drawing."""
 
     VECTORS = "vectors"
-    MISSING = "missing"
-    JITTER = "jitter"
-    LENGTHS = "lengths"
     CLEAN = "clean"
     SCAN = "scan"
     DIMENSIONED = "dimensioned"
     FOREIGN = "foreign"
     FOREIGN_DIMENSIONED = "foreign-dimensioned"
-    DXF_RASTER = "dxf-raster"
-    DXF_VECTORS = "dxf-vectors"
 
-
-DRAWN_KINDS = tuple(kind for kind in InputKind if not kind.value.startswith("dxf"))
-FILE_KINDS = (InputKind.DXF_RASTER, InputKind.DXF_VECTORS)
 
 _FINEST = 2000.0
 """Pixels of the longest extent on a sheet, at most."""
-
-_NOISE = {
-    InputKind.MISSING: missing_and_spurious,
-    InputKind.JITTER: jittered,
-    InputKind.LENGTHS: of_wrong_length,
-}
 
 
 @dataclass(frozen=True)
@@ -94,8 +77,6 @@ class Input:
 
     Attributes:
         views: the strokes.
-        outlines: the views with their filled outlines as masks, where they come from a sheet.
-        masks: the same with the through holes that the hidden lines prove.
         source: whether the strokes were fitted to pixels or are those of a file.
         registered: the views on shared axes, where they come from a sheet.
         sheet: that, as stored and upright.
@@ -103,12 +84,15 @@ class Input:
     """
 
     views: DrawnViews
-    outlines: ViewSet | None = None
-    masks: ViewSet | None = None
     source: str = ""
     registered: RegisteredSheet | None = None
     sheet: OpenedSheet | None = None
     measures: tuple[Measure, ...] = ()
+
+    @property
+    def px_mm(self) -> float:
+        """mm of a px of the sheet; of exact lines the distance up to which they are known."""
+        return self.views.tolerance if self.registered is None else self.registered.mm_per_pixel
 
     def solved(self) -> ExactResult:
         """The solid: as of a sheet, compared with the ink, where there is one."""
@@ -120,7 +104,7 @@ class Input:
 
 
 def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -> Input:
-    """The drawing of a case, as exact lines, with noise, or read from a sheet.
+    """The drawing of a case, as exact lines or read from a sheet.
 
     Args:
         case: the part.
@@ -131,14 +115,9 @@ def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -
     Raises:
         GaussianCadError: the sheet cannot be read.
     """
-    if kind in FILE_KINDS:
-        if case.dxf is None:
-            raise FileNotFoundError(f"{case.name} has no DXF file")
-        return read_input(case.dxf, None, vectors=kind is InputKind.DXF_VECTORS)
     lines = kept_lines(case, truth, folder)
-    if kind in _NOISE or kind is InputKind.VECTORS:
-        views = exact_views(lines.views, _size(lines))
-        return Input(_NOISE[kind](views, case.seed) if kind in _NOISE else views)
+    if kind is InputKind.VECTORS:
+        return Input(exact_views(lines.views, _size(lines)))
     return _drawn_and_read(case, lines, kind)
 
 
@@ -196,34 +175,25 @@ def _drawn_and_read(case: Case, lines: PartLines, kind: InputKind) -> Input:
         return read_input(path, length)
 
 
-def read_input(
-    path: Path,
-    length: tuple[Axis, float] | None,
-    vectors: bool = False,
-    projection: Projection = Projection.THIRD,
-) -> Input:
-    """What a sheet's file has.
+def read_input(path: Path, length: tuple[Axis, float] | None) -> Input:
+    """What the picture of a third-angle sheet has.
 
     Args:
         path: of the sheet.
         length: the part's extent in mm along an axis, or nothing.
-        vectors: take the lines of a vector file, not those of its picture.
-        projection: first or third angle.
 
     Raises:
         GaussianCadError: the sheet cannot be read.
     """
-    options = ReadingOptions(projection=projection, lengths=() if length is None else (length,))
-    image = read_sheet(path) if vectors else picture_of(path)
-    sheet, lines = lines_of(image, options)
+    options = ReadingOptions(
+        projection=Projection.THIRD, lengths=() if length is None else (length,)
+    )
+    sheet, lines = lines_of(picture_of(path), options)
     drawn = lines.drawn
     registered = register_views(drawn, options)
-    plain = register_views(drawn, replace(options, open_holes=False))
     measures = trusted(registered, find_scale(sheet, lines.marks, drawn))
     return Input(
         drawn_views(registered, measures),
-        plain.views,
-        registered.views,
         source=registered.source.value,
         registered=registered,
         sheet=sheet,

@@ -10,22 +10,15 @@ from OCP.TopoDS import TopoDS_Shape
 
 from benchmarks.judge.exact_measures import (
     EXACT_IOU,
-    Size,
     closeness,
-    fine_mesh,
-    mesh_iou,
     mirrored_alike,
-    registered,
     solid_iou,
 )
-from benchmarks.judge.exact_surfaces import unsupported
-from benchmarks.methods.exact_peers import Peer, peer_mesh
 from benchmarks.parts.exact_cases import Case
 from benchmarks.run.outcome import Figure, share
 from benchmarks.run.workers import FIRST, SOLVE, Row
-from benchmarks.sheets.exact_inputs import FILE_KINDS, InputKind, make_input
+from benchmarks.sheets.exact_inputs import InputKind, make_input
 from gaussiancad_core.kernel.brep import faces_of
-from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_protocol.modes import Status
 
@@ -38,9 +31,6 @@ _PREPARING_S = 400.0
 _MEASURING_S = 120.0
 """s for Booleans with the truth."""
 
-_PEERS_S = 900.0
-"""s for the models to compare with: some are trained."""
-
 
 @dataclass(frozen=True)
 class Task:
@@ -51,14 +41,12 @@ class Task:
         kind: of its drawing.
         cache: folder of lines that were drawn.
         limit: s of wall clock for the solver.
-        peers: what else to make of the drawing.
     """
 
     case: Case
     kind: InputKind
     cache: Path
     limit: float
-    peers: tuple[Peer, ...] = ()
 
     @property
     def name(self) -> tuple[str, str, str]:
@@ -73,26 +61,16 @@ class Task:
     @property
     def allowed(self) -> dict[str, float]:
         """s for each stage."""
-        return {FIRST: _PREPARING_S, SOLVE: self.limit, "measure": _MEASURING_S, "peers": _PEERS_S}
+        return {FIRST: _PREPARING_S, SOLVE: self.limit, "measure": _MEASURING_S}
 
 
 def worked(task: Task) -> Iterator[Row]:
     """What becomes known of a task, bit by bit; each bit tells the stage that comes next."""
     truth = task.case.truth()
-    yield {"true_faces": len(faces_of(truth)), "unsupported": unsupported(truth)}
+    yield {"true_faces": len(faces_of(truth))}
     drawing = make_input(task.case, truth, task.kind, task.cache)
     strokes = sum(len(drawn) for drawn in drawing.views.strokes.values())
     yield {"strokes": strokes, "source": drawing.source}
-    # First, so that those of parts that are not solved in time are known as well.
-    if task.peers and drawing.outlines is not None and drawing.masks is not None:
-        yield {"stage": "peers"}
-        for peer in task.peers:
-            mesh = peer_mesh(peer, drawing.outlines, drawing.masks)
-            if mesh is None:
-                yield {peer.value: None}
-                continue
-            fitted, _ = _fitted(task, mesh, truth, drawing.views.size)
-            yield {peer.value: mesh_iou(mesh, fine_mesh(fitted))}
     yield {"stage": SOLVE}
     started, processor = time.perf_counter(), time.process_time()
     result = drawing.solved()
@@ -101,14 +79,7 @@ def worked(task: Task) -> Iterator[Row]:
         "processor": time.process_time() - processor,
     }
     yield {**_told(result), **spent, "stage": "measure"}
-    yield from _measured(task, result, truth, drawing.views.size)
-
-
-def _fitted(
-    task: Task, mesh: TriangleMesh, truth: TopoDS_Shape, size: Size
-) -> tuple[TopoDS_Shape, str]:
-    """The truth as the drawing has it: another program's files differ in scale and axes."""
-    return registered(mesh, truth, size) if task.kind in FILE_KINDS else (truth, "")
+    yield from _measured(result, truth)
 
 
 def _told(result: ExactResult) -> Row:
@@ -121,11 +92,10 @@ def _told(result: ExactResult) -> Row:
     }
 
 
-def _measured(task: Task, result: ExactResult, truth: TopoDS_Shape, size: Size) -> Iterator[Row]:
+def _measured(result: ExactResult, truth: TopoDS_Shape) -> Iterator[Row]:
     if result.shape is None:
         return
-    truth, placing = _fitted(task, fine_mesh(result.shape), truth, size)
-    close = closeness(result.shape, truth, placing)
+    close = closeness(result.shape, truth)
     yield {**asdict(close), "exact": close.exact}
     if close.exact:
         return

@@ -109,9 +109,12 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 @pytest.mark.parametrize(
     ("folder", "declared"),
     [
-        ("core", ENGINE + TESTS + EXTRAS["learning"]),
+        ("core", ENGINE + TESTS),
         ("benchmarks", ENGINE),
+        ("learning", ENGINE + TESTS),
         ("tests/engine", ENGINE + TESTS),
+        ("tests/docs", ENGINE + TESTS),
+        ("tests/learning", ENGINE + TESTS),
     ],
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
@@ -130,6 +133,7 @@ def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     # Scripts of a folder import each other; those of make are tested and measured, too, as is the
     # package of benchmarks, beside what helps their tests.
     known.add("benchmarks")
+    known |= {"learning"} if "learning" in folder else set()
     for scripts in (folder, "scripts", *HELPED):
         known |= {path.stem for path in (CHECKOUT / scripts).glob("*.py")}
     undeclared = {
@@ -138,6 +142,14 @@ def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
         for name in imported(path) - known
     }
     assert undeclared == set()
+
+
+@pytest.mark.parametrize("folder", ["core/gaussiancad", "core/gaussiancad_core", "freecad"])
+def test_the_product_needs_nothing_that_is_for_a_checkout(folder: str) -> None:
+    paths = list((CHECKOUT / folder).rglob("*.py"))
+    assert len(paths) > 10
+    apart = {"learning", "benchmarks", "tests", "scripts"}
+    assert {path.name for path in paths if imported(path) & apart} == set()
 
 
 def provided(distribution: str) -> set[str]:

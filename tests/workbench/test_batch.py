@@ -34,7 +34,7 @@ from freecad.gaussiancad.whole_files import is_whole_document, is_whole_step, is
 
 SCRIPT = ADDON_ROOT / "resources" / "scripts" / "gaussiancad_batch.py"
 
-STOPS_S = 10.0
+STOPS_S = 60.0
 SUFFIXES = (".FCStd", ".step", ".stl")  # beside them lie FreeCAD's backups
 
 

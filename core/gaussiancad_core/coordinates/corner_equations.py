@@ -47,7 +47,7 @@ class OnSlant:
     slant: Slant
 
     def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        """See :class:`.relations.Relation`."""
+        """See :class:`.linear_constraints.Relation`."""
         (dx, dy), length = direction_of(self.slant)
         x, y = numbers[self.a] - self.slant.start[0], numbers[self.b] - self.slant.start[1]
         share = (x * dx + y * dy) / length
@@ -71,7 +71,7 @@ class OnCircle:
     circle: int
 
     def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        """See :class:`.relations.Relation`."""
+        """See :class:`.linear_constraints.Relation`."""
         x, y = numbers[self.a] - numbers[self.circle], numbers[self.b] - numbers[self.circle + 1]
         away = hypot(x, y) or 1.0
         return away - numbers[self.circle + 2], [
@@ -93,7 +93,7 @@ class Touches:
     side: float
 
     def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        """See :class:`.relations.Relation`."""
+        """See :class:`.linear_constraints.Relation`."""
         value, terms = OnSlant(self.circle, self.circle + 1, self.first, self.slant).at(numbers)
         _, length = direction_of(self.slant)
         tilt = (numbers[self.first + 1] - numbers[self.first]) / length
@@ -117,7 +117,7 @@ class TouchesCircle:
     inside: bool
 
     def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        """See :class:`.relations.Relation`."""
+        """See :class:`.linear_constraints.Relation`."""
         x = numbers[self.other] - numbers[self.one]
         y = numbers[self.other + 1] - numbers[self.one + 1]
         away = hypot(x, y) or 1.0
@@ -149,7 +149,7 @@ class OnFacet:
     origin: npt.NDArray[np.float64]
 
     def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        """See :class:`.relations.Relation`."""
+        """See :class:`.linear_constraints.Relation`."""
         corner = np.array([numbers[at] for at in self.at_axes])
         along, across, out = self.frame @ (corner - self.origin)
         one, other, shift = numbers[self.first : self.first + 3]

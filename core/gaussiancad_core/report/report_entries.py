@@ -25,7 +25,7 @@ class Unused:
     """Something on the sheet that was not used.
 
     Attributes:
-        kind: what it is: one of :class:`SpecialKind`, ``lines`` or ``frame``.
+        kind: what it is: one of :class:`.SpecialKind`, ``lines`` or ``frame``.
         box: around it, px of the sheet.
         why: and what that means.
     """

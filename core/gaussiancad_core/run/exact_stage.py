@@ -143,7 +143,7 @@ class _Readings:
     """The readings of a sheet.
 
     Attributes:
-        own: that was told, inferred or assumed.
+        assumed: the one that was told, inferred or assumed.
         other: the other one, if it is possible.
         by_symbol: whether a projection symbol tells the first.
     """

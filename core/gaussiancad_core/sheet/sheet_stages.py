@@ -87,7 +87,7 @@ class ReadView:
 
     @property
     def closed(self) -> Outline:
-        """The outline of a view that has one, as :func:`register` demands."""
+        """The outline of a view that has one, as :func:`register_views` demands."""
         if self.outline is None:
             raise ValueError("the outline is open")
         return self.outline

@@ -116,7 +116,7 @@ class Verification:
             sheet may miss where they belong, or a stroke runs in a direction that no line near has:
             then there may be a small step, rounding or chamfer.
         thin: how many faces are slivers: no view can show them.
-        retold: whether strokes whose linetype nothing tells are of the other one.
+        relaxed_linetypes: whether strokes whose linetype nothing tells are of the other one.
         lines: of the solid in each view, mm.
         areas: of each section that is hatched, cut and hatched area: what is common by all.
     """

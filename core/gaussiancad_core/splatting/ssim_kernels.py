@@ -7,8 +7,8 @@ images and three of the gradient, are made there without going through memory.  
 that it looks at are as the targets, the similarity is one, which is its maximum, so that the
 gradient is zero: nothing is worked out.  Most of a page is such.
 
-As in :mod:`tile_kernels` all that a tile needs lies in one flat array that is indexed with unsigned
-integers, and the result does not depend on the number of threads.
+As in :mod:`.tile_kernels` all that a tile needs lies in one flat array that is indexed with
+unsigned integers, and the result does not depend on the number of threads.
 """
 
 import math

@@ -25,7 +25,6 @@ class Extra(Enum):
     CUDA = "cuda"
     CLUSTER = "cluster"
     MCP = "mcp"
-    LEARNING = "learning"
 
     @property
     def command(self) -> str:
@@ -48,7 +47,6 @@ MODULES: Mapping[Extra, Mapping[str, tuple[str, ...]]] = {
     Extra.CUDA: {**_TRAINING, **_MESHES, "gsplat": ("gsplat",)},
     Extra.CLUSTER: {"distributed": ("distributed",)},
     Extra.MCP: {"mcp": ("mcp",), "anyio": ("anyio",)},
-    Extra.LEARNING: {"torch": ("torch",), "onnx": ("onnx",)},
 }
 """Extra -> the modules that it is there for -> the distributions that bring each, any one of them.
 """

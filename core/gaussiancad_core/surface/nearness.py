@@ -32,7 +32,7 @@ class WeighedSurface:
         mesh: of the Gaussians, watertight, mm; None where they bound no body.
         hull: with as few triangles as its form needs, mm.
         differences: of the shadows of either from the masks, see
-            :func:`.silhouettes.silhouette_difference`.
+            :func:`.mesh_shadows.silhouette_difference`.
     """
 
     mesh: TriangleMesh | None

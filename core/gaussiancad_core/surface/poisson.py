@@ -40,8 +40,7 @@ class PoissonSettings:
 
 
 DENSE = PoissonSettings(sampling=DiscSampling(per_disc=12))
-"""A fifth nearer to the discs' surface, in twice the time (``python -m benchmarks
-poisson_settings``)."""
+"""A fifth nearer to the discs' surface, in twice the time."""
 
 
 def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> TriangleMesh:

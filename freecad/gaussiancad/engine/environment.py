@@ -28,8 +28,8 @@ _SAVED_SUFFIX = "_ORIG"
 def clean_environment(system: Mapping[str, str]) -> dict[str, str]:
     """The variables that the engine gets.
 
-    A bundle that saved the user's own value under ``NAME_ORIG`` gets it restored.  Entries of
-    ``PATH`` below ``APPDIR`` (a mounted AppImage) are left out.
+    What a bundle saved under a variable's name with ``_ORIG`` behind it, the user's own value, is
+    restored.  Entries of ``PATH`` below ``APPDIR`` (a mounted AppImage) are left out.
 
     Args:
         system: the variables of this process.

@@ -19,7 +19,7 @@ _USUAL = {Preset.DRAFT: 1, Preset.STANDARD: 6, Preset.FINE: 4}
 
 _FIXED_S, _FULL_SIZE_S = 0.015, 0.44
 """Seconds an iteration takes however small the images are, and those in proportion to the pixels;
-two processor cores (``python -m benchmarks splatting recipes`` in the sources)."""
+two processor cores."""
 
 
 @dataclass(frozen=True)

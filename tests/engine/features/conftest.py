@@ -15,7 +15,7 @@ Found = tuple[FeatureList, list[str]]
 @pytest.fixture(scope="session")
 def found() -> Callable[[TopoDS_Shape], Found]:
     """The features of a solid, and their kinds, after they were built again."""
-    from benchmarks.features.feature_changes import rebuilt
+    from benchmarks.tasks.feature_changes import rebuilt
     from gaussiancad_core.features.difference import difference
 
     def find(solid: TopoDS_Shape) -> Found:

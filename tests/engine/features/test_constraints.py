@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from benchmarks.features.feature_sketches import Freedom, freedom, solved
+from benchmarks.tasks.feature_sketches import Freedom, freedom, solved
 from gaussiancad_core.features.constraints import (
     Constraint,
     Kind,

@@ -73,7 +73,7 @@ def test_a_solid_of_free_form_faces_is_a_base(tmp_path: Path) -> None:
 
 
 def test_holes_and_edge_breaks_stand_over_a_base(tmp_path: Path) -> None:
-    from benchmarks.features.feature_changes import rebuilt
+    from benchmarks.tasks.feature_changes import rebuilt
 
     twisted = _twisted()
     bored = cut(

@@ -165,7 +165,7 @@ def test_features_go_with_what_they_stand_on() -> None:
 def _longer(found: FeatureList, factor: float) -> tuple[TopoDS_Shape, TopoDS_Shape, float]:
     """A part with its first pad as many times as long, and how much less than that pad it is: then
     and before, mm3."""
-    from benchmarks.features.feature_changes import Number, changed, rebuilt
+    from benchmarks.tasks.feature_changes import Number, changed, rebuilt
 
     def alone(features: Sequence[Feature]) -> float:
         pad = rebuilt([features[0]], None)

@@ -2,7 +2,6 @@
 
 import json
 import shutil
-import time
 from pathlib import Path
 
 import pytest
@@ -109,8 +108,6 @@ def test_progress_is_told_while_a_run_says_nothing(
         if len(heard) == 2:
             raise Enough
 
-    began = time.monotonic()
     with pytest.raises(Enough):
         run_command(["compare", "a", "b"], Watch(progress))
     assert heard == [("compare", 0.0)] * 2
-    assert time.monotonic() - began < 20.0

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 from PIL import Image
+from sample_sheets import ROLES, SAMPLES, SHIPPED
 
-from benchmarks.ask.make_samples import ROLES, SHIPPED
-from benchmarks.run.checkout import SAMPLES
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.kernel.brep import soundness

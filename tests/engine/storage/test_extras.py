@@ -72,10 +72,10 @@ def test_what_an_extra_is_there_for_is_what_it_declares() -> None:
         for one_of in modules.values():
             assert names(extra.value) & set(map(canonicalize_name, one_of)), (extra, one_of)
     everything = names("all")
-    others = set(Extra) - {Extra.CUDA, Extra.LEARNING}
+    others = set(Extra) - {Extra.CUDA}
     assert everything == set().union(*(names(extra.value) for extra in others))
     plain_names = {canonicalize_name(Requirement(line).name) for line in metadata_lines()}
-    assert not plain_names & (everything | names("cuda") | names("learning"))
+    assert not plain_names & (everything | names("cuda"))
 
 
 def test_the_names_of_extras_stay() -> None:

@@ -17,8 +17,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[3]
 
-LEFT_OUT = ("gaussiancad_core/samples/", "gaussiancad_core/learning/")
-"""What is for a checkout: sample parts, and the training that draws them."""
+LEFT_OUT = "gaussiancad_core/samples/"
+"""What is for a checkout: sample parts, which tests, benchmarks and training draw."""
 
 BUILD = """
 from setuptools import build_meta
@@ -122,7 +122,7 @@ def test_what_is_for_a_checkout_is_not_inside(wheel: ZipFile) -> None:
 
 
 def test_nothing_that_is_inside_needs_that(wheel: ZipFile) -> None:
-    needs = re.compile(rb"(?:from|import) gaussiancad_core\.(?:samples|learning)\b")
+    needs = re.compile(rb"(?:from|import) gaussiancad_core\.samples\b")
     modules = [name for name in wheel.namelist() if name.endswith(".py")]
     assert [name for name in modules if needs.search(wheel.read(name))] == []
 

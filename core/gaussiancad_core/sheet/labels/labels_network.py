@@ -1,8 +1,8 @@
 """The labels network: for each pixel of a picture what its ink stands for.
 
 A U-Net of five levels and 2.3 million parameters (Ronneberger 2015), trained on generated sheets
-and a few published ones by ``gaussiancad_core.learning``; the card beside the weights tells on
-what.  It wants lines of three px (:mod:`gaussiancad_core.sheet.image.working_scale`).
+and a few published ones by the package ``learning`` of the checkout; the card beside the weights
+tells on what.  It wants lines of three px (:mod:`gaussiancad_core.sheet.image.working_scale`).
 """
 
 import hashlib

@@ -50,7 +50,7 @@ def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
 
     Args:
         strokes: of a view.
-        tolerance: px, :data:`EXACT` or :data:`PLOTTED`.
+        tolerance: px, :data:`EXACT` or :data:`.file_noise.PLOTTED`.
     """
     lines = [(stroke, stroke.curve) for stroke in strokes if isinstance(stroke.curve, LineSegment)]
     rounds = [

@@ -1,1 +1,0 @@
-"""How features, their sketches and their numbers are judged."""

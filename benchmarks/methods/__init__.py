@@ -1,1 +1,0 @@
-"""Models by several methods on many sheets, and their tables."""

@@ -1,1 +1,0 @@
-"""Whether what is called verified is the part: sources of drawings, and changes of them."""

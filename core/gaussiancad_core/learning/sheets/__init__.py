@@ -1,7 +1,0 @@
-"""Random engineering sheets, of which it is known what each pixel of ink stands for."""
-
-from gaussiancad_core.learning.sheets.composing import clean_sheet
-from gaussiancad_core.learning.sheets.cropping import samples
-from gaussiancad_core.learning.sheets.letter_fonts import font_names
-
-__all__ = ["clean_sheet", "font_names", "samples"]

@@ -1,0 +1,190 @@
+"""The checker of the documentation finds what is planted, and takes what is true."""
+
+import pytest
+from doc_names import Tree
+from doc_sections import entries
+from doc_texts import CHECKOUT, Kind, Module, Passage, page_passages
+from lint_docs import Reader
+
+PAGE = CHECKOUT / "docs" / "planted.md"
+MODULE = '''
+"""Stands for a module."""
+
+from dataclasses import dataclass
+from gaussiancad_core.errors import UsageError
+
+
+@dataclass
+class Plain:
+    """Has fields.
+
+    Attributes:
+        first, second: as given.
+        third: is not there.
+    """
+
+    first: int
+    second: int
+
+
+class Wider(Plain):
+    """Has more, and those that it inherits.
+
+    Args:
+        fourth: as given.
+        fifth: is not there.
+
+    Attributes:
+        first: inherited.
+        fourth: set by its maker.
+    """
+
+    def __init__(self, fourth: int) -> None:
+        self.fourth = fourth
+
+
+def asked(name: str, *rest: int, by: int = 0, **more: int) -> int:
+    """See :class:`Plain`, :class:`.Reader`, :meth:`.Reader.in_text`, :func:`absent`.
+
+    Args:
+        name: as given.
+        rest: all others,
+            on two lines.
+        by (int): as given.
+        more: as given.
+        other: is not there.
+
+    Raises:
+        UsageError: ``wrong-usage``, ``no-such-code``.
+        ValueError: where ``so-it-says``.
+        AbsentError: is not there.
+    """
+    # ``scripts/absent.py`` begins with "# no comment"
+    return len("# no comment, ``scripts``") + by
+
+
+'''
+
+
+@pytest.fixture(scope="module")
+def reader() -> Reader:
+    """Of this checkout."""
+    return Reader()
+
+
+@pytest.mark.parametrize(
+    "span",
+    [
+        "docs/solid.md",
+        "readings.md",
+        "engine/locate.py",
+        "gaussiancad_core/storage/extras.py",
+        "benchmarks/*/__init__.py",
+        "core/locks/NAME.txt",
+        "make lint",
+        "make lock UPGRADE=1",
+        ".venv/bin/gaussiancad reconstruct SHEET --output DIR --length x=80",
+        "gaussiancad COMMAND --help",
+        ".venv/bin/python -m benchmarks --list",
+        "python -m learning --out build/labels --steps 3",
+        "python3 resources/scripts/gaussiancad_batch.py sheets --output models",
+        "--numprocesses",
+        "sheet.tracing",
+        "gaussiancad.reconstruct()",
+        "solid.step",
+        "no-exact-solid",
+        "sheet.png.corrections.json",
+        "kind",
+        "page_passages",
+    ],
+)
+def test_what_is_there_is_taken(reader: Reader, span: str) -> None:
+    assert list(reader.in_text(Passage(PAGE, 1, f"See `{span}`.", Kind.PAGE))) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("[page](absent.md)", "link"),
+        ("[place](solid.md#no-such-heading)", "link"),
+        ("`docs/absent.md`", "path"),
+        ("plain core/absent.py", "path"),
+        ("`engine/absent.py`", "path"),
+        ("`absent_module.py`", "path"),
+        ("`make absent`", "command"),
+        ("`gaussiancad absent SHEET`", "command"),
+        ("`gaussiancad read SHEET --absent 3`", "command"),
+        ("`python -m benchmarks absent`", "command"),
+        ("`python -m learning\n--absent`", "command"),
+        ("`--absent-everywhere`", "command"),
+        ("    .venv/bin/gaussiancad explain model --absent  # why", "command"),
+        ("`gaussiancad_core.run.absent`", "name"),
+        ("gaussiancad.absent", "name"),
+        ("`sheet.absent`", "name"),
+        ("`absent_name`", "name"),
+        ("`AbsentName`", "name"),
+        ("`absent-code`", "name"),
+        ("`SheetImage.absent`", "name"),
+        ("`absent_call()`", "name"),
+        ("`absentword`", "name"),
+        ("`absent.json`", "name"),
+    ],
+)
+def test_what_is_planted_in_a_page_is_found(reader: Reader, text: str, kind: str) -> None:
+    found = [
+        finding
+        for passage in page_passages(PAGE, f"# Head\n\nFirst.\n\n{text}\n")
+        for finding in reader.in_text(passage)
+    ]
+    assert {finding.kind for finding in found} == {kind}
+    assert {finding.line for finding in found} == {5}
+    assert str(found[0]).startswith(f"docs/planted.md:5: {kind}: ")
+
+
+def test_what_is_planted_in_a_module_is_found(reader: Reader) -> None:
+    reader.tree.add("planted", Module(CHECKOUT / "scripts" / "planted.py", MODULE))
+    found = {(finding.line, finding.kind) for finding in reader.in_module("planted")}
+    wrong = {
+        "third: is": "Attributes",
+        "fifth: is": "Args",
+        ":func:`absent`": "reference",
+        "other: is": "Args",
+        "no-such-code": "Raises",
+        "AbsentError": "Raises",
+        "scripts/absent.py": "path",
+    }
+    lines = MODULE.split("\n")
+    places = {
+        (next(number for number, line in enumerate(lines, 1) if text in line), kind)
+        for text, kind in wrong.items()
+    }
+    assert found - places <= {(line, "name") for line, _ in places}
+    assert places <= found
+
+
+def test_only_the_newest_section_of_the_changelog_counts() -> None:
+    text = "# Changelog\n\n## 2\n\nnew\n\n## 1\n\nold\n"
+    (passage,) = page_passages(CHECKOUT / "CHANGELOG.md", text)
+    assert "new" in passage.text and "old" not in passage.text
+
+
+def test_comments_are_told_from_texts_with_their_sign() -> None:
+    source = 'a = "# no"  # one\n# two\n# lines\nb = f"{a:#x} # no"\n'
+    comments = [
+        (passage.line, passage.text)
+        for passage in Module(CHECKOUT / "a.py", source).passages()
+        if passage.kind is Kind.COMMENT
+    ]
+    assert comments == [(1, " one"), (2, " two\n lines")]
+
+
+def test_names_of_another_library_are_not_looked_into() -> None:
+    tree = Tree()
+    assert tree.leads_somewhere("pathlib.Path.anything")
+    assert not tree.leads_somewhere("no_library_at_all.name")
+    assert tree.leads_somewhere("gaussiancad.Error.code")
+
+
+def test_an_entry_without_a_name_is_told() -> None:
+    (entry,) = entries("Do.\n\nArgs:\n    whatever is given\n")
+    assert entry.names == ()
