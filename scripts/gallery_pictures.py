@@ -116,4 +116,4 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(*sys.argv[1:2]) if sys.argv[1:] else IMAGES)
+    main(Path(sys.argv[1]) if sys.argv[1:] else IMAGES)

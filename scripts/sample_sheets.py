@@ -2,8 +2,8 @@
 
     .venv/bin/python scripts/sample_sheets.py [FOLDER]
 
-Writes ``<name>.png`` (front, top, right in third angle, 1920 x 1080) and
-``<name>.step`` for three of the parts of :mod:`gaussiancad_core.samples`, into ``resources/samples`` where no folder is named.
+Writes ``<name>.png`` (front, top, right in third angle, 1920 x 1080) and ``<name>.step`` for three
+of the parts of :mod:`gaussiancad_core.samples`; into ``resources/samples`` if no folder is named.
 """
 
 import sys
@@ -32,4 +32,4 @@ def write_samples(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    write_samples(Path(*sys.argv[1:2]) if sys.argv[1:] else SAMPLES)
+    write_samples(Path(sys.argv[1]) if sys.argv[1:] else SAMPLES)

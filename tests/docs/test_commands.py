@@ -37,7 +37,7 @@ LONG = {
 """What is added to commands that take long otherwise."""
 
 PICTURES = {"gallery_pictures.py", "sample_sheets.py"}
-"""Scripts that would write into the documentation, or among the samples, if no folder were named."""
+"""Scripts that write among the documentation or the samples if no folder is named."""
 
 HELP = {"correct", "serve"}
 """Of the engine, what opens a window or stays."""
