@@ -167,9 +167,7 @@ def test_the_order_the_pieces_and_the_direction_of_strokes_say_nothing(
 @pytest.mark.parametrize(("kind", "seed"), [PARTS[1], PARTS[4], PARTS[8], PARTS[11]])
 def test_without_hidden_lines_nothing_is_verified(kind: PartClass, seed: int, drawn: Draw) -> None:
     views = drawn(_part(kind, seed))
-    visible = _changed(
-        views, lambda stroke: (stroke,) if stroke.linetype.value == "visible" else ()
-    )
+    visible = _changed(views, lambda s: (s,) if s.linetype is Linetype.VISIBLE else ())
     found = exact_solid(visible)
     assert found.status is Status.APPROXIMATE and found.shape is not None
     assert {"assumed", "ambiguous", "lines-unexplained"} & set(_codes(found))
