@@ -164,6 +164,30 @@ def viewed() -> "Callable[..., ViewSet]":
     return draw
 
 
+@pytest.fixture(scope="session")
+def plain_sheet(tmp_path_factory: pytest.TempPathFactory) -> "Path":
+    """A drawing, not a picture, of an L of 40 x 20 x 30 mm with a bore: nine faces, verified."""
+    import ezdxf
+
+    document = ezdxf.new(setup=True)
+    document.header["$INSUNITS"] = 4
+    lines = document.modelspace()
+    for corners in (
+        [(0, 0), (40, 0), (40, 10), (15, 10), (15, 30), (0, 30)],
+        [(60, 0), (80, 0), (80, 30), (60, 30)],
+        [(0, 50), (40, 50), (40, 70), (0, 70)],
+    ):
+        lines.add_lwpolyline(corners, close=True)
+    lines.add_line((60, 10), (80, 10))
+    lines.add_line((15, 50), (15, 70))
+    lines.add_circle((28, 60), 5)
+    for x in (23, 33, 65, 75):
+        lines.add_line((x, 0), (x, 10), dxfattribs={"linetype": "DASHED"})
+    path = tmp_path_factory.mktemp("plain") / "block.dxf"
+    document.saveas(path)
+    return path
+
+
 def placed_box(low: Corner, high: Corner) -> trimesh.Trimesh:
     solid = trimesh.creation.box(np.subtract(high, low))
     solid.apply_translation(np.add(low, high) / 2)
