@@ -4,8 +4,8 @@
 
 ``gallery-photograph.png`` has a sheet that was photographed at a slant, ``gallery.png`` a scan, a
 sheet with a section, and a clean one.  Solids are drawn by the run itself; what is printed says
-whether each has the faces of the part.  Where no folder is named they go to ``docs/images``; where sheets are
-named, as ``scan``, the others are left out.
+whether each has the faces of the part.  Where no folder is named they go to ``docs/images``; where
+sheets are named, as ``scan``, the others are left out.
 """
 
 import json

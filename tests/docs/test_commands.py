@@ -116,6 +116,9 @@ def of_a_module(words: Command, folder: Path) -> None:
         assert " passed" in done([*start, name, *asked], folder)
     elif name == "benchmarks" and not rest[0].startswith("--"):
         helped([*start, *words], folder)
+    elif name == "learning" and "--steps" not in rest:
+        # A page names the same with fewer steps.
+        helped([*start, *words], folder)
     elif name == "build":
         assert (CHECKOUT / rest[0] / "pyproject.toml").is_file()
     else:
