@@ -1,7 +1,7 @@
 # What a checkout can do; `make help` lists it.  The work is done by scripts/.
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help install demo quick test durations test-engine test-workbench test-gui test-freecad-latest lint bench \
+.PHONY: help install demo quick test coverage durations test-engine test-workbench test-gui test-freecad-latest lint bench \
 	tutorial lock licences sbom vulnerabilities clean
 
 help: ## this list
@@ -41,6 +41,10 @@ bench: install ## the figures that need no other people's drawings; two hours on
 
 tutorial: install ## the pictures of the tutorial and the README anew, from FreeCAD's window
 	@.venv/bin/python scripts/tutorial_pictures.py
+
+coverage: install ## the share of the engine's lines that its tests run; fails below the floor in .coveragerc
+	@.venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile -m "not freecad" \
+		--cov --cov-report=term:skip-covered
 
 durations: install ## record the seconds of all tests: which are quick, and which begin first
 	@.venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --record-durations -m "not freecad"

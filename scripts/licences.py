@@ -33,7 +33,9 @@ HEADING = """# Licences of the packages
 Written by `make lock`; `make licences` prints the list. What `make install` and *Install Engine…*
 put into the engine's environment is `engine-cpu.txt` of `core/locks`, with PyTorch for CUDA
 `engine-cuda.txt`, or without PyTorch `engine-solid.txt`; `make install` adds `tests.txt`.
-GaussianCAD's own licence is LGPL-2.1-or-later.
+GaussianCAD's own licence is LGPL-2.1-or-later. One file that lies in it is not its own: the network
+that reads texts, under Apache-2.0
+([its card](../core/gaussiancad_core/writing/text_network/README.md)).
 
 A licence is what the package's metadata say, in SPDX's words where they can be translated; `read`
 are those that a person found in the package, since the metadata do not tell. Which are allowed, and

@@ -28,7 +28,7 @@ class Lock(Enum):
         """The extras of the engine whose packages it has."""
         if self is Lock.TESTS:
             return ("test", "window", "cluster", "mcp")
-        return ("ocr",) if self is Lock.SOLID else ("ocr", "surface", "compare")
+        return () if self is Lock.SOLID else ("surface", "compare")
 
     @property
     def path(self) -> Path:

@@ -84,9 +84,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Outcome:
     """Run the sheets; print the table."""
     given = [text.partition("=") for text in options.told]
-    told = tuple(word for name, _, value in given for word in (f"--{name}", value))
+    added = tuple(word for name, _, value in given for word in (f"--{name}", value))
     tasks = [
-        Task(Sheet(sheet, options.limit, told, width), options.keep)
+        Task(Sheet(sheet, options.limit, added, width), options.keep)
         for sheet in sheets_of(options.data)
         if is_chosen(sheet, options.only)
         for width in (options.widths if sheet.suffix in _PICTURES else None) or [None]

@@ -60,13 +60,13 @@ def _listed(entry: Entry) -> str:
 
 def asked(arguments: Sequence[str]) -> str:
     """What of a command line tells what was measured: not how it was run, nor where folders are."""
-    told, left = [], iter(arguments)
+    measured, left = [], iter(arguments)
     for argument in left:
         if argument in _VALUED:
             next(left, None)
         elif argument not in _PLAIN:
-            told.append("DIR" if Path(argument).is_dir() else argument)
-    return " ".join(told)
+            measured.append("DIR" if Path(argument).is_dir() else argument)
+    return " ".join(measured)
 
 
 def _run(entry: Entry, arguments: Sequence[str]) -> int:

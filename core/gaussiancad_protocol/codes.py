@@ -54,7 +54,6 @@ class Code(str, Enum):
     PROJECTION_ASSUMED = "projection-assumed"
     RESOLUTION_LOWERED = "resolution-lowered"
     LABELS_MISSING = "labels-missing"
-    DIMENSIONS_NOT_READ = "dimensions-not-read"
     SURFACE_LEFT_OUT = "surface-left-out"
     FULL_SCALE_ASSUMED = "full-scale-assumed"
     SIZE_CONTRADICTS_UNIT = "size-contradicts-unit"
@@ -121,7 +120,6 @@ class Code(str, Enum):
     FILE_DAMAGED = "file-damaged"
     FILE_TOO_LARGE = "file-too-large"
     SIZE_OUT_OF_RANGE = "size-out-of-range"
-    GAUSSIANS_UNREADABLE = "gaussians-unreadable"
     # Errors: no model follows from the sheet
     BLANK_SHEET = "blank-sheet"
     NOT_A_LINE_DRAWING = "not-a-line-drawing"

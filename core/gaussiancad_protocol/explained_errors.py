@@ -100,11 +100,6 @@ FILES = (
         Code.SIZE_OUT_OF_RANGE,
         exit_code=3,
     ),
-    row(
-        "the PLY file is not in the layout of 3D Gaussian splatting",
-        Code.GAUSSIANS_UNREADABLE,
-        exit_code=3,
-    ),
 )
 
 VIEWS = (

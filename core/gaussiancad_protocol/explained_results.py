@@ -209,10 +209,6 @@ WARNINGS = (
         Code.LABELS_MISSING,
     ),
     row(
-        'texts of pixels are read only with the extra `ocr`: `pip install "gaussiancad-core[ocr]"`',
-        Code.DIMENSIONS_NOT_READ,
-    ),
-    row(
         "the extra `surface` is not installed, and no result was asked for: only the exact "
         'solid was made; `pip install "gaussiancad-core[surface]"`, or `--result solid`',
         Code.SURFACE_LEFT_OUT,

@@ -5,8 +5,7 @@
 * ``engine-solid.txt``: the same without the extra ``surface``: it reads sheets and makes solids.
 * ``tests.txt``: what the tests need on top of one of the first two.
 
-The engine's have the extra ``ocr``: measures of a picture come from its dimensions.  All lack what
-``exclude-dependencies`` names, and what only that needs.
+All lack what ``exclude-dependencies`` names, and what only that needs.
 
 Each names every wheel by its hash, for all supported Pythons and platforms, and no index address:
 where wheels come from is up to whoever installs.  One engine has two files because pip takes the
@@ -52,7 +51,6 @@ def main(upgrade: bool) -> int:
     excluded = project["tool"]["uv"]["exclude-dependencies"]
     solid = [
         *project["project"]["dependencies"],
-        *required(extras, "ocr"),
         *project["build-system"]["requires"],
     ]
     engine = [*solid, *required(extras, "surface", "compare")]

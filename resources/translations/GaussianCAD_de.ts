@@ -2195,10 +2195,6 @@
         <translation>Linien, die Kanten des Teils oder Beschriftung sein können: {count}. Sehen Sie sie {canvas} an.</translation>
     </message>
     <message>
-        <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
-        <translation>Die Maße auf dem Blatt wurden nicht gelesen, da der Engine die Texterkennung fehlt. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
-    </message>
-    <message>
         <source>The engine was installed for exact solids only: no surface was made. GaussianCAD &gt; Install Engine has one that makes both.</source>
         <translation>Die Engine wurde nur für exakte Festkörper installiert: Eine Oberfläche wurde nicht gemacht. Unter GaussianCAD &gt; Engine installieren gibt es eine, die beides macht.</translation>
     </message>
@@ -2341,10 +2337,6 @@
     <message>
         <source>{format} files are not read. Save the drawing as PDF, SVG, DXF or PNG.</source>
         <translation>{format}-Dateien werden nicht gelesen. Speichern Sie die Zeichnung als PDF, SVG, DXF oder PNG.</translation>
-    </message>
-    <message>
-        <source>The file holds no Gaussians that can be read. Choose another one.</source>
-        <translation>Die Datei enthält keine lesbaren Gaußfunktionen. Wählen Sie eine andere.</translation>
     </message>
     <message>
         <source>This is no report of a batch. Choose the one in the folder that it wrote.</source>

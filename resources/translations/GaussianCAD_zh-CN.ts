@@ -1223,10 +1223,6 @@
         <translation>有 {count} 条线可能是零件的边，也可能是标注。请{canvas}查看。</translation>
     </message>
     <message>
-        <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
-        <translation>引擎没有文字识别功能，未读取图纸上的尺寸。请在“比例”中设置一个长度。</translation>
-    </message>
-    <message>
         <source>The engine was installed for exact solids only: no surface was made. GaussianCAD &gt; Install Engine has one that makes both.</source>
         <translation>引擎仅为精确实体而安装：没有生成表面。GaussianCAD &gt; 安装引擎 中有两者都能生成的引擎。</translation>
     </message>
@@ -1369,10 +1365,6 @@
     <message>
         <source>{format} files are not read. Save the drawing as PDF, SVG, DXF or PNG.</source>
         <translation>不读取 {format} 文件。请将图纸保存为 PDF、SVG、DXF 或 PNG。</translation>
-    </message>
-    <message>
-        <source>The file holds no Gaussians that can be read. Choose another one.</source>
-        <translation>文件中没有可读取的高斯体。请选择其他文件。</translation>
     </message>
     <message>
         <source>This is no report of a batch. Choose the one in the folder that it wrote.</source>

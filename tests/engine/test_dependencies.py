@@ -17,7 +17,6 @@ PROJECT = tomllib.loads((CORE / "pyproject.toml").read_text(encoding="utf-8"))
 EXTRAS = PROJECT["project"]["optional-dependencies"]
 SOLID = [
     *PROJECT["project"]["dependencies"],
-    *EXTRAS["ocr"],
     *PROJECT["build-system"]["requires"],
 ]
 """Of an engine that makes exact solids alone."""

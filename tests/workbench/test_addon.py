@@ -27,7 +27,12 @@ class Manifest(unittest.TestCase):
             self.metadata.Maintainer,
             [{"name": "GaussianCAD developers", "email": "developers@example.org"}],
         )
-        self.assertEqual(self.metadata.License, [{"name": "LGPL-2.1-or-later", "file": "LICENSE"}])
+        network = "core/gaussiancad_core/writing/text_network/LICENSE"
+        expected = [("LGPL-2.1-or-later", "LICENSE"), ("Apache-2.0", network)]
+        stated = [(licence["name"], licence["file"]) for licence in self.metadata.License]
+        self.assertEqual(stated, expected)
+        for _, path in expected:
+            self.assertTrue((ADDON_ROOT / path).is_file())
         self.assertEqual(
             sorted(depend["package"] for depend in self.metadata.Depend),
             ["mesh", "part", "points", "sketcher"],

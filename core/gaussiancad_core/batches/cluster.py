@@ -210,7 +210,7 @@ def _ended(future: "Future") -> Ended:
     return Ended(
         int(ExitCode.ENGINE),
         f"the machines that worked on it were lost {_LOSSES} times, or it was: look at their logs "
-        "[worker-lost]",
+        f"[{Code.WORKER_LOST.value}]",
         0.0,
         0,
     )

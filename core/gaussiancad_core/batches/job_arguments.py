@@ -7,7 +7,7 @@ def job_arguments(job: Job) -> list[str]:
     """Options of ``gaussiancad reconstruct`` that give the same job on another sheet."""
     settings = job.settings()
     arguments: list[str] = []
-    for name in ("projection", "page", "recipe", "preset", "seed", "colour", "finder"):
+    for name in ("projection", "page", "recipe", "preset", "seed", "colour"):
         arguments += [f"--{name}", str(settings[name])]
     if not job.surface_left_out:
         # Else nothing was asked for, and each sheet's report warns of what is missing.

@@ -8,6 +8,7 @@ import sys
 from importlib import metadata
 
 from gaussiancad_core import __version__
+from gaussiancad_core.errors import EngineError
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.storage.extras import MODULES, Extra, lacking
 from gaussiancad_core.storage.versions import installed_versions
@@ -18,7 +19,6 @@ _NEEDED = {
     "scipy": "scipy",
     "cv2": "opencv-python-headless",
     "PIL": "pillow",
-    "skimage": "scikit-image",
     "pypdfium2": "pypdfium2",
     "ezdxf": "ezdxf",
     "svgelements": "svgelements",
@@ -37,11 +37,10 @@ _NEEDED = {
 
 _IMPORTED = {
     "open3d": "gaussiancad_core.kernel.bare_open3d",
-    "rapidocr": "gaussiancad_core.writing.ocr",
 }
 """Module of an extra -> the one by which the engine imports it, where that is another."""
 
-_LOOKED_AT = (Extra.SURFACE, Extra.COMPARE, Extra.WINDOW, Extra.OCR, Extra.CLUSTER, Extra.MCP)
+_LOOKED_AT = (Extra.SURFACE, Extra.COMPARE, Extra.WINDOW, Extra.CLUSTER, Extra.MCP)
 """Extras that are told of; a line of its own tells of the GPU."""
 
 _SYSTEM_LIBRARIES = {
@@ -74,6 +73,9 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
         state = f"BROKEN: {problem}" if problem else metadata.version(distribution)
         print(f"  {distribution:24} {state}", flush=True)
     print(f"  {'labels network':24} {_labels_state()}", flush=True)
+    state, works = _texts_state()
+    broken += not works
+    print(f"  {'text network':24} {state}", flush=True)
     for extra in _LOOKED_AT:
         state, works = _extra_state(extra)
         broken += not works
@@ -93,11 +95,6 @@ def _extra_state(extra: Extra) -> tuple[str, bool]:
     there = [module for module in MODULES[extra] if module not in missing]
     for module in there:
         if (problem := _importing(_IMPORTED.get(module, module))) is not None:
-            return f"BROKEN: {problem}", False
-    if extra is Extra.OCR and not missing:
-        from gaussiancad_core.writing.ocr import ocr_problem
-
-        if (problem := ocr_problem()) is not None:
             return f"BROKEN: {problem}", False
     if not there:
         return f"not installed: {extra.command}", True
@@ -119,6 +116,17 @@ def _labels_state() -> str:
 
     problem = labels_problem()
     return "whole" if problem is None else f"not used, pictures are read by rules: {problem}"
+
+
+def _texts_state() -> tuple[str, bool]:
+    """Whether the network that reads texts from pixels is whole, and so can be used."""
+    from gaussiancad_core.writing.ocr import network_weights
+
+    try:
+        network_weights()
+    except EngineError:
+        return "BROKEN: its file is missing or damaged", False
+    return "whole", True
 
 
 def _gpu_state() -> str:

@@ -15,7 +15,7 @@ from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.report.job import Job, corrections_file_of
-from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
+from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL, FileUnit, ReadingOptions
 from gaussiancad_core.storage.extras import Extra, lacking, result_kind
 from gaussiancad_core.storage.outputs import REPORT_FILE, RUN_FILES
 from gaussiancad_protocol.codes import Code
@@ -109,12 +109,6 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--mm-per-pixel", type=values.length, metavar="S")
     parser.add_argument(
-        "--finder",
-        type=partial(values.choice, Finder),
-        default=Finder.RIDGES,
-        metavar="|".join(member.value for member in Finder),
-    )
-    parser.add_argument(
         "--median",
         type=int,
         choices=(0, 3, 5, 7),
@@ -190,7 +184,6 @@ def reading_of(options: argparse.Namespace) -> ReadingOptions:
         mm_per_pixel=options.mm_per_pixel,
         unit=options.unit,
         median_kernel=options.median,
-        finder=options.finder,
     )
 
 

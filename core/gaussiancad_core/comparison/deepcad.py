@@ -10,7 +10,6 @@ and scales a result only where it leaves that cube; CAD-Recode (Rukhovich et al.
 take the unit cube and 8,192 points, which is what is done here.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,24 +47,6 @@ class DeepCadResult:
     invalid: str | None
     points: int
     seed: int
-
-
-@dataclass(frozen=True)
-class DeepCadSummary:
-    """Many pairs under the protocol ``deepcad``.
-
-    Attributes:
-        mean_x1000, median_x1000: over the valid results; None where there is none.
-        mean_iou: over the valid results that have one.
-        invalid_ratio: share of the pairs without a valid result.
-        pairs: their number.
-    """
-
-    mean_x1000: float | None
-    median_x1000: float | None
-    mean_iou: float | None
-    invalid_ratio: float
-    pairs: int
 
 
 def measure_deepcad(result: Model, reference: Model, seed: int) -> DeepCadResult:
@@ -108,20 +89,6 @@ def invalidity(model: Model) -> str | None:
     if not model.closed:
         return "the mesh is not closed"
     return None if encloses_volume(model.mesh) else "it encloses no volume"
-
-
-def summarise_deepcad(results: Sequence[DeepCadResult | None]) -> DeepCadSummary:
-    """Sum up pairs; None stands for a result that could not even be read."""
-    valid = [each for each in results if each is not None and each.invalid is None]
-    chamfers = [each.chamfer_x1000 for each in valid]
-    overlaps = [each.volume_iou.value for each in valid if each.volume_iou.value is not None]
-    return DeepCadSummary(
-        float(np.mean(chamfers)) if chamfers else None,
-        float(np.median(chamfers)) if chamfers else None,
-        float(np.mean(overlaps)) if overlaps else None,
-        1.0 - len(valid) / len(results) if results else 0.0,
-        len(results),
-    )
 
 
 def _unit_queries(model: Model) -> SurfaceQueries:

@@ -39,9 +39,6 @@ _LOOSE = 0.1
 _FAR = 1.0
 """Tolerances by which well-read numbers move at most."""
 
-_MOST = 1000
-"""Incidences that are looked at: parts of 150 faces have some hundred."""
-
 _UNROUNDED = 4
 """Times that numbers are looked for which are no multiples of the step."""
 
@@ -350,11 +347,6 @@ class _Corner:
     b: int
     point: Point
     loose: bool
-
-
-def _circle(numbers: Numbers, at: int) -> Circle:
-    x, y, radius = (float(number) for number in numbers[at : at + 3])
-    return Circle((x, y), radius)
 
 
 def _is_extreme(circle: Circle, point: Point) -> bool:

@@ -1,7 +1,7 @@
 """The cells into which the edges of a solid, seen along a direction, divide the plane; where in
 each of them the material lies."""
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -9,13 +9,16 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.cells.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.geometry.whole_curves import LineOrCircle
-from gaussiancad_core.solid.cell_outlines import pieces_of
+from gaussiancad_core.geometry.points import FULL_TURN
+from gaussiancad_core.geometry.whole_curves import Circle, LineOrCircle
 
 Points = npt.NDArray[np.float64]
 
 _BESIDE = 1e-3
 """Units beside a curve at which the cells on its two sides are found."""
+
+_ON_CURVE = 1e-4
+"""Units within which a corner is on a curve."""
 
 OFF_CENTRE = 0.4382
 """Share of a cell's width and height at which it is looked at: a line through its middle often runs
@@ -103,7 +106,7 @@ class Cells:
         return [piece for piece in self.pieces if (piece.left in inside) != (piece.right in inside)]
 
     def _pieces(self) -> Iterable[Piece]:
-        for support, low, high in pieces_of(self.arrangement):
+        for support, low, high in _pieces_of(self.arrangement):
             curve = self.arrangement.carriers[support].curve
             at = low + 0.438 * (high - low)
             (a, b), (da, db) = curve.at(at), curve.normal(at)
@@ -121,6 +124,30 @@ class Cells:
         if len(starts):
             found[self.cell_of[starts]] = combine.reduceat(values, starts, axis=0)
         return found
+
+
+def _pieces_of(arrangement: Arrangement) -> Iterator[tuple[int, float, float]]:
+    """(carrier, low, high) of what is drawn, cut where anything meets it."""
+    corners = np.array(arrangement.corners).reshape(-1, 2)
+    for index, low, high in arrangement.stretches:
+        curve = arrangement.carriers[index].curve
+        cuts = {low, high}
+        for corner in corners[_on(curve, corners)]:
+            at = curve.parameter((float(corner[0]), float(corner[1])))
+            turns = (0.0, FULL_TURN, -FULL_TURN) if isinstance(curve, Circle) else (0.0,)
+            cuts.update(at + turn for turn in turns if low < at + turn < high)
+        for start, end in pairwise(sorted(cuts)):
+            if (end - start) * curve.speed > _ON_CURVE:
+                yield index, start, end
+
+
+def _on(curve: LineOrCircle, points: Points) -> npt.NDArray[np.bool_]:
+    """(n,) which of (n, 2) points lie on a curve."""
+    if isinstance(curve, Circle):
+        away = np.hypot(*(points - np.array(curve.centre)).T) - curve.radius
+    else:
+        away = (points - np.array(curve.point)) @ np.array(curve.normal(0.0))
+    return np.abs(away) < _ON_CURVE
 
 
 def _places(

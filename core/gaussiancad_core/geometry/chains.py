@@ -172,3 +172,46 @@ def _on_chain(corners: Points, along: Points, at: float) -> Points:
         # Chains may hold a point twice; they are then not prolonged.
         point += (at - inside) * way / max(float(np.hypot(*way)), 1e-300)
     return point
+
+
+def simplified(points: Points, slack: float) -> Points:
+    """The corners that a chain needs (Douglas and Peucker 1973).
+
+    Args:
+        points: (n, 2), the corners that it has.
+        slack: distance, above 0, that none of them is further from the new chain.
+
+    Returns:
+        (k, 2) some of the points, the first and the last among them.
+    """
+    kept = np.zeros(len(points), dtype=bool)
+    kept[[0, -1]] = True
+    stretches = [(0, len(points) - 1)]
+    while stretches:
+        first, last = stretches.pop()
+        distances = _from_segment(points[first + 1 : last], points[first], points[last])
+        if (distances > slack).any():
+            furthest = first + 1 + int(distances.argmax())
+            kept[furthest] = True
+            stretches += [(furthest, last), (first, furthest)]
+    return points[kept]
+
+
+def _from_segment(points: Points, start: Points, end: Points) -> Points:
+    """(n,) distances of (n, 2) points from a straight piece; its ends may be one."""
+    along = end - start
+    angle = -np.arctan2(along[0], along[1])
+    normal = np.array([np.cos(angle), np.sin(angle)])
+    # Points beside an even curve are equally far off: of those rounding decides, so the order of
+    # the operations is kept.
+    level = start[1] * normal[1] + start[0] * normal[0]
+    from_start, from_end = points - start, points - end
+    is_opposite = (from_start[:, 0] * along[0] + from_start[:, 1] * along[1] > 0.0) & (
+        -from_end[:, 0] * along[0] - from_end[:, 1] * along[1] > 0.0
+    )
+    across = np.abs(points[:, 0] * normal[0] + points[:, 1] * normal[1] - level)
+    outside = np.minimum(
+        np.sqrt(from_start[:, 1] ** 2 + from_start[:, 0] ** 2),
+        np.sqrt(from_end[:, 1] ** 2 + from_end[:, 0] ** 2),
+    )
+    return np.where(is_opposite, across, outside)

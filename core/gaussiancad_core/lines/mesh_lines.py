@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.geometry.skeletons import skeleton
 from gaussiancad_core.lines.line_points import LinePoints, Lines
 from gaussiancad_core.lines.mesh_crossings import (
     Layers,
@@ -135,13 +136,11 @@ def _corner_masks(layers: Layers, rule: Rule) -> dict[Difference, Mask]:
 
 def _thin_lines(steps: Mask, bends: Mask, reach: int) -> Mask:
     """Lines one wide; with a reach, bends within it of a step belong to the step."""
-    from skimage.morphology import skeletonize
-
     if not reach:
-        return skeletonize(steps | bends)
-    outlines = skeletonize(_closed(steps))
+        return skeleton(steps | bends)
+    outlines = skeleton(_closed(steps))
     apart = bends & ~_grown(outlines, 3 * reach // 2)
-    return outlines | skeletonize(_closed(apart))
+    return outlines | skeleton(_closed(apart))
 
 
 def _closed(mask: Mask) -> Mask:

@@ -16,8 +16,8 @@ from OCP.gp import gp_Pnt2d
 from OCP.IntTools import IntTools_FClass2d
 from OCP.TopAbs import TopAbs_State
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
-from skimage.measure import find_contours
 
+from gaussiancad_core.geometry.level_lines import zero_lines
 from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.kernel.surface_crossings import normal_at
@@ -190,7 +190,7 @@ def _contours(grid: _Grid, look: Array) -> list[Array]:
             ],
             axis=1,
         )
-        for found in find_contours(values, 0.0)
+        for found in zero_lines(values)
     ]
 
 

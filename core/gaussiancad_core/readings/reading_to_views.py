@@ -57,7 +57,6 @@ _CARRIED = (
     Code.UNIT_CONTRADICTS_NOTE,
     Code.SIZE_CONTRADICTS_UNIT,
     Code.FULL_SCALE_ASSUMED,
-    Code.DIMENSIONS_NOT_READ,
 )
 """Codes of what only reading itself can tell."""
 

@@ -25,7 +25,8 @@ from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_core.sheet.views.view_search import STUB, arranged, lone_view, with_symbol
 from gaussiancad_core.writing.captions import captions_of
-from gaussiancad_core.writing.sheet_scale import WrittenSheet, read_texts
+from gaussiancad_core.writing.sheet_scale import read_texts
+from gaussiancad_core.writing.sheet_texts import SheetText
 from gaussiancad_protocol.codes import Code
 
 _MOST_PIECES = 15_000
@@ -39,13 +40,13 @@ class PictureViews:
     Attributes:
         separated: the part's ink, and the annotations.
         layout: where the views are.
-        written: the texts; they are read before the views, as captions name these.
+        texts: all that is written; they are read before the views, as captions name these.
         problem: why the picture was read without the network; None where it was not.
     """
 
     separated: SeparatedSheet
     layout: Layout
-    written: WrittenSheet
+    texts: tuple[SheetText, ...]
     problem: Message | None = None
 
 
@@ -74,13 +75,13 @@ def picture_views(
     labels = _labels(sheet.image, sheet.turn) if problem is None else plain_labels(clean)
     seen = replace(clean, hidden_odds=labels.hidden_odds()) if problem is None else clean
     separated = separate_by_labels(seen, labels, _upright_tint(sheet.image.tint, sheet.turn))
-    written = read_texts(sheet, separated.marks)
+    texts = read_texts(sheet, separated.marks)
     stated_projection = symbol.projection if symbol else projection
     request = LayoutRequest(
         given,
         stated_projection,
         STUB * separated.part.stroke_width,
-        captions=() if given else captions_of(written.texts),
+        captions=() if given else captions_of(texts),
     )
     try:
         found = arranged(sheet, separated, request)
@@ -91,7 +92,7 @@ def picture_views(
         if alone is None:
             raise as_pictorial(error, separated) from error
         found = alone
-    return PictureViews(*with_symbol(*found, symbol), written, problem)
+    return PictureViews(*with_symbol(*found, symbol), texts, problem)
 
 
 def _check_pieces(ink: npt.NDArray[np.bool_]) -> None:

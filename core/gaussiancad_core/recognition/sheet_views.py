@@ -11,14 +11,14 @@ from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.graph.graph_views import GraphViews, graph_views
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
-from gaussiancad_core.sheet.reading_options import Box, Finder
+from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.drawing_names import inside
 from gaussiancad_core.sheet.special_views.projection_note import noted_projection
 from gaussiancad_core.sheet.special_views.projection_symbol import find_symbol
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.views.sheet_layout import Layout
-from gaussiancad_core.writing.sheet_scale import WrittenSheet
+from gaussiancad_core.writing.sheet_texts import SheetText
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +29,7 @@ class SheetViews:
         separated: the part's ink, and the annotations.
         layout: where the views are.
         vectors: exact lines of the part, where the file has them.
-        written: the texts, where they are read already.
+        texts: all that is written, where it is read already.
         labels_problem: why a picture was read without the labels network; None where it was not.
         other_pens: boxes in px of strokes in other pens than the part's that may be its own.
         frame_guessed: whether the layout's frame may as well be the part's outline.
@@ -38,7 +38,7 @@ class SheetViews:
     separated: SeparatedSheet
     layout: Layout
     vectors: VectorSheet | None = None
-    written: WrittenSheet | None = None
+    texts: tuple[SheetText, ...] | None = None
     labels_problem: Message | None = None
     other_pens: tuple[Box, ...] = ()
     frame_guessed: bool = False
@@ -48,7 +48,6 @@ def sheet_views(
     sheet: OpenedSheet,
     given: Mapping[Role, Box] | None = None,
     projection: Projection | None = None,
-    finder: Finder = Finder.RIDGES,
 ) -> SheetViews:
     """Find the views of a sheet.
 
@@ -59,14 +58,13 @@ def sheet_views(
         sheet: as stored and upright.
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then the sheet is asked.
-        finder: only ridges take the lines of a file.
 
     Raises:
         NoModelError: there are fewer than two views that belong together, and not one alone.
         UsageError: a given box holds no ink.
     """
     boxes = dict(given or {})
-    drawing = sheet.image.vectors if finder is Finder.RIDGES else None
+    drawing = sheet.image.vectors
     symbol = None if projection is not None else find_symbol(sheet) or noted_projection(sheet)
     stated = projection, symbol
     try:
@@ -135,7 +133,7 @@ def _found(
     if by_pens is not None and _is_one(by_pens.layout, seen.layout):
         return _of_pens(by_pens)
     vectors = VectorSheet(drawing, sheet.clean) if drawing is not None else None
-    return SheetViews(seen.separated, seen.layout, vectors, seen.written, seen.problem)
+    return SheetViews(seen.separated, seen.layout, vectors, seen.texts, seen.problem)
 
 
 def _is_one(alone: Layout, seen: Layout) -> bool:

@@ -118,9 +118,7 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         )
 
         def read(this_layout: Layout) -> tuple[ReadView, ...]:
-            more = read_views(
-                separated.part, this_layout, finder=reading.finder, vectors=found.vectors
-            )
+            more = read_views(separated.part, this_layout, vectors=found.vectors)
             return weighed_views(more, separated.labels)
 
         looks = [(section.box, section.looks) for section in sections]
@@ -165,7 +163,7 @@ def _strokes_in(
 ) -> tuple[SheetViews, tuple[ReadView, ...], Mask | None]:
     """What was found, with the strokes of its views, and what is hatched in them."""
     separated, layout = found.separated, found.layout
-    drawn = read_views(separated.part, layout, notes.progress, reading.finder, found.vectors)
+    drawn = read_views(separated.part, layout, notes.progress, found.vectors)
     if found.vectors is not None:
         arcs = _arcs(sheet.image, sheet.turn)
     else:
@@ -266,7 +264,7 @@ def _sheet_scale(
     if _is_given(job.reading, drawn) and job.result is ResultKind.SURFACE:
         return None
     unit = _number_unit(job.reading.unit)
-    scale = find_scale(sheet, found.separated.marks, drawn, found.written, stated_unit=unit)
+    scale = find_scale(sheet, found.separated.marks, drawn, found.texts, stated_unit=unit)
     notes.tell(dimensions=scale.dimensions)
     for note in scale.contradictions:
         notes.doubt(note.code, note.message)
@@ -321,7 +319,7 @@ def tell_scale(
 def _views(sheet: OpenedSheet, reading: ReadingOptions, notes: RunNotes) -> SheetViews:
     """The part's ink and its views, with what is in doubt about them told."""
     given = {role: sheet.turn.box_to_upright(box) for role, box in reading.views}
-    found = sheet_views(sheet, given, reading.projection, reading.finder)
+    found = sheet_views(sheet, given, reading.projection)
     if found.labels_problem is not None:
         notes.warn(Code.LABELS_MISSING, found.labels_problem)
     tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, sheet.turn)

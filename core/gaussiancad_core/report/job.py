@@ -105,7 +105,6 @@ class Job:
             "mm_per_pixel": reading.mm_per_pixel,
             "colour": "#{:02x}{:02x}{:02x}".format(*reading.colour),
             "median_kernel": reading.median_kernel,
-            "finder": reading.finder.value,
             "page": self.page,
             "result": self.result.value,
             "recipe": self.recipe.value,

@@ -14,13 +14,6 @@ MEDIAN_KERNEL = 3
 """Side in px of the paper's median filter."""
 
 
-class Finder(Enum):
-    """What finds lines and circles: ridges of the ink, or the GaussianCAD paper's transforms."""
-
-    RIDGES = "ridges"
-    HOUGH = "hough"
-
-
 class FileUnit(Enum):
     """What a length of a file, or a number on it, may be in."""
 
@@ -56,7 +49,6 @@ class ReadingOptions:
         open_holes: open the through holes that the hidden lines prove; the paper's masks are only
             filled contours.
         median_kernel: px, 0 for none.
-        finder: of lines and circles.
     """
 
     projection: Projection | None = None
@@ -67,7 +59,6 @@ class ReadingOptions:
     colour: tuple[int, int, int] = (120, 160, 210)
     open_holes: bool = True
     median_kernel: int = MEDIAN_KERNEL
-    finder: Finder = Finder.RIDGES
 
     def length_along(self, axis: Axis) -> float | None:
         """mm that the part is long along an axis, if it was said."""

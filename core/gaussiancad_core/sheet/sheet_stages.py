@@ -15,7 +15,7 @@ from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.picture_noise import ON_LINE
-from gaussiancad_core.sheet.reading_options import Box, Finder, ReadingOptions
+from gaussiancad_core.sheet.reading_options import Box, ReadingOptions
 from gaussiancad_core.sheet.registration.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.registration.shared_axes import share_axes
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource, precision_of
@@ -142,7 +142,6 @@ def read_views(
     sheet: CleanSheet,
     layout: Layout,
     progress: Callable[[float], None] = lambda _: None,
-    finder: Finder = Finder.RIDGES,
     vectors: VectorSheet | None = None,
 ) -> tuple[ReadView, ...]:
     """Strokes and outlines of the views of a layout.
@@ -153,7 +152,6 @@ def read_views(
         sheet: the ink.
         layout: where the views are.
         progress: told the fraction done.
-        finder: of lines and circles.
         vectors: of a file that has exact lines.
 
     Returns:
@@ -163,7 +161,7 @@ def read_views(
     shapes = {}
     for index, (role, box) in enumerate(layout.boxes.items(), start=1):
         if role not in exact:
-            shapes[role] = find_shapes(sheet, box, finder)
+            shapes[role] = find_shapes(sheet, box)
         progress(index / (len(layout.boxes) + 1))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
     shapes = dict(zip(shapes, with_twins(list(shapes.values()), rhythm), strict=True))

@@ -22,7 +22,6 @@ class Extra(Enum):
     SURFACE = "surface"
     COMPARE = "compare"
     WINDOW = "window"
-    OCR = "ocr"
     CUDA = "cuda"
     CLUSTER = "cluster"
     MCP = "mcp"
@@ -33,6 +32,8 @@ class Extra(Enum):
         return f'pip install "{PACKAGE}[{self.value}]"'
 
 
+_TRAINING = {"torch": ("torch",), "skimage": ("scikit-image",)}
+
 _MESHES = {
     "open3d": ("open3d-cpu", "open3d"),
     "trimesh": ("trimesh",),
@@ -40,11 +41,10 @@ _MESHES = {
 }
 
 MODULES: Mapping[Extra, Mapping[str, tuple[str, ...]]] = {
-    Extra.SURFACE: {"torch": ("torch",), **_MESHES},
+    Extra.SURFACE: {**_TRAINING, **_MESHES},
     Extra.COMPARE: _MESHES,
     Extra.WINDOW: {"PySide6": ("PySide6-Essentials", "PySide6")},
-    Extra.OCR: {"rapidocr": ("rapidocr",)},
-    Extra.CUDA: {"torch": ("torch",), **_MESHES, "gsplat": ("gsplat",)},
+    Extra.CUDA: {**_TRAINING, **_MESHES, "gsplat": ("gsplat",)},
     Extra.CLUSTER: {"distributed": ("distributed",)},
     Extra.MCP: {"mcp": ("mcp",), "anyio": ("anyio",)},
 }

@@ -1,21 +1,22 @@
-"""Short lines of text read by a trained network, if the extra ``ocr`` is installed.
+"""Short lines of text read by a trained network.
 
-Only the network of the package ``rapidocr`` is taken (PP-OCRv6, Apache-2.0), and run here: where
-the texts are is known already, a drawing needs few of its 18,000 characters, and that package's own
-code would look for other networks on the Internet.
+It is PP-OCRv6 (Apache-2.0), which lies in ``text_network`` with its card and licence.  It is run
+without the code that it comes with: where the texts are is known already, and a drawing needs few
+of its 18,000 characters.
 """
 
+import hashlib
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.metadata import PackageNotFoundError, distribution
-from pathlib import Path
+from importlib.resources import files
 from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.storage.extras import Extra
+from gaussiancad_core.errors import EngineError
+from gaussiancad_protocol.codes import Code
 
 if TYPE_CHECKING:
     from onnxruntime import InferenceSession
@@ -23,7 +24,9 @@ if TYPE_CHECKING:
 Darkness = npt.NDArray[np.float32]
 """(h, w) 0 for paper to 1 for ink."""
 
-_MODEL = "PP-OCRv6_rec_small.onnx"
+_FOLDER = "text_network"
+_WEIGHTS = "PP-OCRv6_rec_small.onnx"
+_DIGEST = "PP-OCRv6_rec_small.onnx.sha256"
 
 _ALPHABET = (
     "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
@@ -58,23 +61,25 @@ class ReadText:
     confidence: float
 
 
-def ocr_problem() -> str | None:
-    """Why texts cannot be read from pixels, with what to do; nothing if they can."""
-    if _model_path() is None:
-        return f"not installed: {Extra.OCR.command}"
-    try:
-        import onnxruntime  # noqa: F401
-    except ImportError as error:
-        return f"broken ({error}): {Extra.OCR.command}"
-    return None
+def network_weights() -> bytes:
+    """The network's file.
 
-
-def _model_path() -> Path | None:
+    Raises:
+        EngineError: ``engine-incomplete`` where it is missing or not what was published.
+    """
+    folder = files(__package__).joinpath(_FOLDER)
     try:
-        path = Path(str(distribution("rapidocr").locate_file(f"rapidocr/models/{_MODEL}")))
-    except PackageNotFoundError:
-        return None
-    return path if path.is_file() else None
+        weights = folder.joinpath(_WEIGHTS).read_bytes()
+        wanted = folder.joinpath(_DIGEST).read_text(encoding="ascii").strip()
+    except OSError:
+        weights, wanted = b"", ""
+    if hashlib.sha256(weights).hexdigest() != wanted:
+        raise EngineError(
+            Code.ENGINE_INCOMPLETE,
+            "the engine is incomplete ({reason}): run `gaussiancad doctor`",
+            reason="the text network is missing or damaged",
+        )
+    return weights
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +106,7 @@ def _network() -> _Network:
     options.intra_op_num_threads = 1
     options.log_severity_level = 3
     session = onnxruntime.InferenceSession(
-        str(_model_path()), options, providers=["CPUExecutionProvider"]
+        network_weights(), options, providers=["CPUExecutionProvider"]
     )
     known = session.get_modelmeta().custom_metadata_map["character"].split("\n")
     places = {character: place for place, character in enumerate([*known, " "], start=1)}

@@ -39,7 +39,6 @@ from gaussiancad_core.writing.leaders import (
 )
 from gaussiancad_core.writing.number_units import Units, file_unit, noted_unit, other_size
 from gaussiancad_core.writing.numbers import DimensionText, Sign, Unit, parse_dimension, parse_scale
-from gaussiancad_core.writing.ocr import ocr_problem
 from gaussiancad_core.writing.ordinates import is_zero, ordinate_length
 from gaussiancad_core.writing.scale_agreement import (
     Agreement,
@@ -121,19 +120,6 @@ class SheetScale:
 
 
 @dataclass(frozen=True)
-class WrittenSheet:
-    """What was read on a sheet.
-
-    Attributes:
-        texts: px of the upright sheet.
-        notes: why there are none, where that is so.
-    """
-
-    texts: tuple[SheetText, ...] = ()
-    notes: tuple[Note, ...] = ()
-
-
-@dataclass(frozen=True)
 class _Lines:
     """What dimensions may measure."""
 
@@ -149,7 +135,7 @@ def find_scale(
     sheet: OpenedSheet,
     marks: Sequence[Mark],
     drawn: Sequence[ReadView],
-    written: WrittenSheet | None = None,
+    texts: tuple[SheetText, ...] | None = None,
     *,
     stated_unit: Unit | None = None,
 ) -> SheetScale:
@@ -159,12 +145,12 @@ def find_scale(
         sheet: as stored and upright.
         marks: annotations found on it.
         drawn: its views.
-        written: what was read on it; None where nobody read it yet.
+        texts: what was read on it; None where nobody read it yet.
         stated_unit: unit of numbers that do not name theirs, as the user says.
     """
     image = sheet.image
-    written = written or read_texts(sheet, marks)
-    texts, notes = written.texts, written.notes
+    if texts is None:
+        texts = read_texts(sheet, marks)
     paper_scale, assumed = _paper_scale(image, texts)
     in_file = file_unit(image.vectors)
     lines = _lines(sheet, texts, (marks, drawn))
@@ -183,8 +169,7 @@ def find_scale(
         None,
         ScaleSource.DEFAULT,
         stored,
-        notes,
-        units.contradictions,
+        contradictions=units.contradictions,
         texts=texts,
         unit=unit,
         unit_noted=unit in (units.given, units.noted),
@@ -192,8 +177,9 @@ def find_scale(
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
         surely = _has_texts(image)
+        notes: tuple[Note, ...] = ()
         if paper_scale is not None:
-            notes += other_size(image.vectors, found.mm_per_pixel, paper_scale)
+            notes = other_size(image.vectors, found.mm_per_pixel, paper_scale)
         return replace(
             plain,
             mm_per_pixel=found.mm_per_pixel,
@@ -204,8 +190,9 @@ def find_scale(
         )
     if paper_scale is None:
         return plain
+    notes = ()
     if assumed:
-        notes += (Note(Code.FULL_SCALE_ASSUMED, _IN_OWN_SIZE if in_file else _ON_PAPER),)
+        notes = (Note(Code.FULL_SCALE_ASSUMED, _IN_OWN_SIZE if in_file else _ON_PAPER),)
     return replace(plain, mm_per_pixel=paper_scale, source=ScaleSource.SHEET, notes=notes)
 
 
@@ -215,7 +202,7 @@ def _as_stored(dimension: ReadDimension, turn: Turn) -> ReadDimension:
     return replace(dimension, box=turn.box_to_stored(dimension.box), mm_per_pixel=scale)
 
 
-def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
+def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> tuple[SheetText, ...]:
     """The texts of a sheet: its file's, and those that its marks show in its pixels where the file
     has no texts, and these are more than the numbers among the file's."""
     texts: tuple[SheetText, ...] = ()
@@ -233,14 +220,8 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
     ]
     shown = sum(mark.kind is AnnotationKind.TEXT for mark in marks)
     if shown <= sum(parse_dimension(text.text) is not None for text in texts):
-        return WrittenSheet(texts)
-    problem = ocr_problem()
-    if problem is not None:
-        message = Message(
-            "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
-        )
-        return WrittenSheet(texts, (Note(Code.DIMENSIONS_NOT_READ, message),))
-    return WrittenSheet((*texts, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape)))
+        return texts
+    return (*texts, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape))
 
 
 def _has_texts(image: SheetImage) -> bool:

@@ -21,7 +21,6 @@ _USUAL = {
     "scale-assumed": "scale",
     "full-scale-assumed": "scale",
     "paper-size-unknown": "scale",
-    "dimensions-not-read": "scale",
     "projection-assumed": "projection",
     "told-lengths-disagree": "scale",
     "one-view:scale": "scale",

@@ -10,7 +10,7 @@ from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import job_of
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.report.job import Job
-from gaussiancad_core.sheet.reading_options import Finder, ReadingOptions
+from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_protocol.modes import Preset, Recipe, ResultKind
 
 
@@ -21,7 +21,6 @@ def test_options_give_the_same_job_again() -> None:
         lengths=((Axis.Y, 42.5),),
         colour=(1, 200, 30),
         median_kernel=5,
-        finder=Finder.HOUGH,
     )
     job = Job(
         Path("sheet.png"),

@@ -17,11 +17,9 @@ from gaussiancad_core.comparison.comparison_options import (
 )
 from gaussiancad_core.comparison.comparison_report import PROTOCOL, Comparison, comparison_dict
 from gaussiancad_core.comparison.deepcad import (
-    DeepCadResult,
     squared_chamfer,
-    summarise_deepcad,
 )
-from gaussiancad_core.comparison.distances import IouMethod, VolumeIou
+from gaussiancad_core.comparison.distances import IouMethod
 from gaussiancad_core.comparison.engineering import (
     EngineeringResult,
     area_of,
@@ -137,17 +135,6 @@ def test_deepcad_is_the_same_whatever_the_other_options(bracket: TriangleMesh) -
         CompareOptions(500, protocols=ALL, alignment=Alignment.AXES, scale=ScaleRule.FIXED),
     )[0].deepcad
     assert one == other
-
-
-def test_sets_of_pairs_are_summed_up() -> None:
-    def pair(chamfer: float, invalid: str | None = None) -> DeepCadResult:
-        return DeepCadResult(chamfer, 0.1, VolumeIou(0.5, IouMethod.BOOLEAN), invalid, 8192, 0)
-
-    found = summarise_deepcad([pair(1.0), pair(2.0), pair(6.0), pair(99.0, "open"), None])
-    assert (found.mean_x1000, found.median_x1000) == (3.0, 2.0)
-    assert found.invalid_ratio == pytest.approx(0.4)
-    assert (found.mean_iou, found.pairs) == (0.5, 5)
-    assert summarise_deepcad([None]).mean_x1000 is None
 
 
 def test_exact_solids_are_measured_exactly(tmp_path: Path) -> None:

@@ -6,23 +6,10 @@ from gaussiancad_core.drawing.sheet_style import (
     PRESETS,
     Cap,
     SheetStyle,
-    TextPlace,
     checked_style,
     parse_style,
 )
 from gaussiancad_core.errors import UsageError
-
-
-@pytest.mark.parametrize("name", PRESETS)
-def test_a_preset_is_found_by_its_name(name: str) -> None:
-    assert parse_style(name) == PRESETS[name]
-
-
-def test_the_defaults_are_a_full_hd_sheet_with_lines_of_three_and_two_pixels() -> None:
-    style = parse_style("clean")
-    assert (style.width, style.height) == (1920, 1080)
-    assert (style.visible_width, style.hidden_width) == (3.0, 2.0)
-    assert style == SheetStyle()
 
 
 def test_values_override_a_preset() -> None:
@@ -45,32 +32,10 @@ def test_annotations_and_defects_are_off_unless_asked_for() -> None:
     assert style.contrast == 1.0
 
 
-def test_annotations_and_defects_are_overridden_by_name() -> None:
-    style = parse_style(
-        "dimensioned,frame=off,centre-lines=off,annotation-width=2,text-height=24,bleed=0.3,"
-        "fade=0.2,specks=12,contrast=2,light=0.1,shadow=9,salt=0.001"
-    )
-    assert (style.annotations, style.frame, style.centre_lines) == (True, False, False)
-    assert (style.annotation_width, style.text_height, style.bleed, style.fade) == (2, 24, 0.3, 0.2)
-    assert (style.specks, style.contrast, style.light, style.shadow) == (12, 2, 0.1, 9)
-    assert style.salt == 0.001
-    assert parse_style("text-place=inline").text_place is TextPlace.INLINE
-
-
 def test_ansi_hidden_lines_are_as_thin_as_centre_lines() -> None:
     style = PRESETS["ansi"]
     assert style.hidden_width == style.annotation_width == style.visible_width / 2.0
     assert style.centre_lines
-
-
-def test_every_style_makes_sense() -> None:
-    for style in PRESETS.values():
-        assert checked_style(style) == style
-
-
-def test_values_alone_change_the_clean_style() -> None:
-    assert parse_style("noise=2") == SheetStyle(noise=2.0)
-    assert parse_style("mm-per-pixel=0.5,mm-per-pixel=fit") == SheetStyle()
 
 
 @pytest.mark.parametrize(

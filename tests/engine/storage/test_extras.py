@@ -20,8 +20,8 @@ from gaussiancad_protocol.modes import ResultKind
 ROOT = Path(__file__).resolve().parents[3]
 
 BLOCKED = (
-    *("torch", "open3d", "trimesh", "manifold3d", "ot", "rapidocr", "distributed", "mcp", "onnx"),
-    *("PySide6", "gsplat"),
+    *("torch", "open3d", "trimesh", "manifold3d", "ot", "distributed", "mcp", "onnx"),
+    *("PySide6", "gsplat", "skimage"),
 )
 """Top-level modules of the extras' packages."""
 
@@ -75,6 +75,15 @@ def test_what_an_extra_is_there_for_is_what_it_declares() -> None:
     assert everything == set().union(*(names(extra.value) for extra in others))
     plain_names = {canonicalize_name(Requirement(line).name) for line in metadata_lines()}
     assert not plain_names & (everything | names("cuda"))
+
+
+def test_the_names_of_extras_stay() -> None:
+    text = (ROOT / "core" / "pyproject.toml").read_text(encoding="utf-8")
+    extras = tomllib.loads(text)["project"]["optional-dependencies"]
+    names = {"surface", "compare", "window", "ocr", "cuda", "cluster", "mcp", "all"}
+    assert names <= set(extras)
+    # What it brought is part of the plain installation.
+    assert extras["ocr"] == []
 
 
 def metadata_lines() -> list[str]:
@@ -135,7 +144,7 @@ def test_what_needs_an_extra_names_it(
 def test_the_doctor_tells_which_extras_are_there(tmp_path: Path) -> None:
     done = plain("doctor", folder=tmp_path)
     assert done.returncode == 0, done.stdout
-    for name in ("surface", "compare", "window", "ocr", "cluster", "mcp", "cuda"):
+    for name in ("surface", "compare", "window", "cluster", "mcp", "cuda"):
         assert f'pip install "gaussiancad-core[{name}]"' in done.stdout
     assert "complete, without surface, compare" in done.stdout
     assert "BROKEN" not in done.stdout

@@ -89,10 +89,14 @@ def test_the_links_lead_to_what_they_stand_for() -> None:
 
 
 def test_the_licence_is_inside(wheel: ZipFile, facts: Message) -> None:
-    (name,) = [entry for entry in wheel.namelist() if entry.endswith("/LICENSE")]
-    assert wheel.read(name) == (ROOT / "LICENSE").read_bytes()
-    assert facts["License-Expression"] == "LGPL-2.1-or-later"
-    assert facts.get_all("License-File") == ["LICENSE"]
+    network = "gaussiancad_core/writing/text_network/LICENSE"
+    assert facts["License-Expression"] == "LGPL-2.1-or-later AND Apache-2.0"
+    assert facts.get_all("License-File") == ["LICENSE", network]
+    for text, path in (("LICENSE", ROOT / "LICENSE"), (network, ROOT / "core" / network)):
+        (name,) = [
+            entry for entry in wheel.namelist() if entry.endswith(f".dist-info/licenses/{text}")
+        ]
+        assert wheel.read(name) == path.read_bytes()
 
 
 def test_it_describes_itself(facts: Message) -> None:
@@ -130,8 +134,10 @@ def test_each_module_of_the_engine_is_inside(wheel: ZipFile) -> None:
         for path in (core / package).rglob("*.py"):
             name = path.relative_to(core).as_posix()
             assert name in inside or name.startswith(LEFT_OUT), name
-    labels = "gaussiancad_core/sheet/labels/labels.onnx"
-    assert labels in inside
+    assert "gaussiancad_core/sheet/labels/labels.onnx" in inside
+    network = "gaussiancad_core/writing/text_network/"
+    there = {path.name for path in (core / network).iterdir()}
+    assert {name.removeprefix(network) for name in inside if name.startswith(network)} == there
 
 
 def test_the_window_opens_from_the_wheel_alone(wheel: ZipFile, tmp_path: Path) -> None:

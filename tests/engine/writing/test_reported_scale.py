@@ -16,9 +16,6 @@ from gaussiancad_core.report.job import Job
 from gaussiancad_core.run import pipeline
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.reading_options import ReadingOptions
-from gaussiancad_core.writing.ocr import ocr_problem
-
-needs_ocr = pytest.mark.skipif(ocr_problem() is not None, reason=f"OCR is {ocr_problem()}")
 
 
 @pytest.fixture
@@ -50,7 +47,6 @@ def drawn(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, float]:
     return path, sheet.mm_per_pixel
 
 
-@needs_ocr
 def test_the_report_names_the_dimensions(report, drawn) -> None:  # noqa: ANN001
     path, true = drawn
     found = report(path, ReadingOptions())
@@ -69,7 +65,6 @@ def test_the_report_names_the_dimensions(report, drawn) -> None:  # noqa: ANN001
     }
 
 
-@needs_ocr
 def test_what_the_user_says_counts_more_and_contradicts(report, drawn) -> None:  # noqa: ANN001
     path, true = drawn
     found = report(path, ReadingOptions(lengths=((Axis.X, 160.0),)))

@@ -23,12 +23,9 @@ from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
 from gaussiancad_core.writing import sheet_scale
-from gaussiancad_core.writing.ocr import ocr_problem
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale, find_scale
 
 Grey = npt.NDArray[np.uint8]
-
-needs_ocr = pytest.mark.skipif(ocr_problem() is not None, reason=f"OCR is {ocr_problem()}")
 
 STYLES = {
     "iso": "dimensioned",
@@ -95,7 +92,6 @@ def dimension_texts(sheet: Sheet) -> list[str]:
     return sorted(label.text for label in labels)
 
 
-@needs_ocr
 @pytest.mark.parametrize(
     ("part", "style"),
     [
@@ -122,7 +118,7 @@ def test_dimensions_in_pixels_give_the_scale(part: str, style: str) -> None:
 
 
 def test_texts_of_a_vector_file_are_taken_as_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sheet_scale, "ocr_problem", lambda: "not installed")
+    monkeypatch.delattr(sheet_scale, "pixel_texts")
     this_case = case("l-bracket", "iso")
     found = this_case.scale(
         vectors=VectorDrawing((), this_case.texts), pixels_per_inch=this_case.drawn.dpi
@@ -206,16 +202,6 @@ def test_a_wrong_note_of_the_unit_is_named_though_no_dimensions_give_the_scale()
     found = this_case.scale(vectors=vectors, pixels_per_inch=25.4 / this_case.drawn.mm_per_pixel)
     assert found.source is ScaleSource.SHEET
     assert [note.code for note in found.contradictions] == ["unit-contradicts-note"]
-
-
-def test_without_the_extra_pixels_stay_unread_and_that_is_said(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr(sheet_scale, "ocr_problem", lambda: "not installed: install it")
-    this_case = case("l-bracket", "iso")
-    found = this_case.scale(pixels_per_inch=200.0)
-    assert (found.mm_per_pixel, found.source) == (None, ScaleSource.DEFAULT)
-    assert [note.code for note in found.notes] == ["dimensions-not-read"]
 
 
 def test_a_sheet_without_texts_says_nothing_of_its_scale() -> None:

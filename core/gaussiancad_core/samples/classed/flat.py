@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.classed.outlines import extruded, rectangle, sharp
+from gaussiancad_core.samples.classed.outlines import extruded, rectangle
 from gaussiancad_core.samples.classed.placing import Feature, Work, across, place, spread
 from gaussiancad_core.samples.classed.stock import BEYOND, CELL, Change, Fill, Site, Stock
 from gaussiancad_core.samples.modelling import Point2, Point3, box
@@ -260,8 +260,3 @@ def profile_body(work: Work, axis: Axis, outline: Sequence[tuple[float, float, f
     work.stock.mark(axis, outline, (0.0, length), Fill.FULL)
     rounded = sum(radius > 0.0 for *_, radius in outline)
     return len(outline) + rounded + 2
-
-
-def block_outline(width: float, height: float) -> list[tuple[float, float, float]]:
-    """The whole rectangle."""
-    return sharp([(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)])

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.files.content import MAX_PIXELS, MIN_SIDE, MOST_WORKED_ON, Note
 from gaussiancad_core.files.duplicates import distinct_strokes
-from gaussiancad_core.files.file_kinds import VECTOR_SUFFIXES, detect
+from gaussiancad_core.files.file_kinds import detect
 from gaussiancad_core.files.file_opening import cannot_open, head_of
 from gaussiancad_core.files.isolation import read_isolated
 from gaussiancad_core.files.sizing import UNIT_UNKNOWN
@@ -21,12 +21,7 @@ from gaussiancad_core.sheet.image.photographs import straightened
 from gaussiancad_core.sheet.image.working_scale import resampled, working_factor
 from gaussiancad_protocol.codes import Code
 
-__all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]
-
-SHEET_SUFFIXES = frozenset(
-    {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", *VECTOR_SUFFIXES}
-)
-"""Usual ends of the names of files that are read; the content decides, not the name."""
+__all__ = ["MAX_PIXELS", "MIN_SIDE", "SheetImage", "read_sheet"]
 
 
 @dataclass(frozen=True)

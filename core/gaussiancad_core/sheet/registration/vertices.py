@@ -28,8 +28,6 @@ from gaussiancad_core.sheet.registration.stroke_precision import Precision
 Floats = npt.NDArray[np.float64]
 Point = tuple[float, float]
 
-_WHOLE = 2 * np.pi * (1.0 - 1e-9)
-
 _TOUCHING = 0.6
 """Share of the ends' uncertainty within which strokes touch."""
 

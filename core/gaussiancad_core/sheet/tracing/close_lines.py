@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
@@ -17,8 +16,6 @@ from gaussiancad_core.sheet.picture_noise import DARK, ON_LINE, PARALLEL, SIDE_B
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, fine_ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_straight
-
-Floats = npt.NDArray[np.float64]
 
 _NEAREST = 1.9
 """px between two lines that can be told apart, at least."""

@@ -1,21 +1,16 @@
-"""Straight lines and circles under the ink: Canny, probabilistic Hough, Hough circles.
+"""Straight lines and circles fitted to the ink that they lie on.
 
-The transforms give candidates to about a pixel, several for each stroke, since the edge map has
-both sides of it.  Each candidate is fitted to the ink it lies on (total least squares for lines, a
-robust geometric fit for circles), which merges the doubles and finds the stroke's centre line.
+A line is fitted to the centroids of profiles across it, a circle to those of radial ones, by robust
+least squares; what of the ink has its centre line there is the shape's support.
 """
 
 import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.geometry.points import Points
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.tracing.sharp_edges import between_edges
-
-_MAX_CENTRES = 200
-"""Hough circles looked at, best first, for each of its modes."""
 
 _CIRCLE_FITS = ((3.0, 4.0), (2.5, 3.0), (2.0, 2.0), (1.5, 1.2), (1.5, 0.8), (1.5, 0.8))
 """Of each step of a circle's fit: px beside the stroke that it looks at, and Tukey's cutoff."""
@@ -31,100 +26,6 @@ _MOST_ROWS = 30_000
 
 _LEAST_SUPPORT = 0.1
 """Share of a circle that has ink on it, at least: two tangents of a circle have less."""
-
-_HOUGH_WAYS = ((12, 8, 5), (24, 30, 22))
-"""Votes, shortest line, widest gap in px: for short solid lines, and across the gaps of dashes."""
-
-_RADIAL_SHARE = 0.12
-"""Share of a circle that is inked where there may be an arc: a fillet is a quarter, dashed less."""
-
-
-def edge_map(sheet: CleanSheet) -> npt.NDArray[np.uint8]:
-    """Canny edges of the thresholded ink, 0 or 255."""
-    return np.asarray(cv2.Canny(sheet.ink.astype(np.uint8) * 255, 80, 160), dtype=np.uint8)
-
-
-def find_lines(sheet: CleanSheet, edges: npt.NDArray[np.uint8]) -> list[Line]:
-    """Lines under straight strokes, longest evidence first."""
-    segments = np.concatenate([_hough_segments(edges, *way) for way in _HOUGH_WAYS])
-    lengths = np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1])
-    lines: list[Line] = []
-    for index in np.argsort(-lengths, kind="stable"):
-        start, end = segments[index, :2], segments[index, 2:]
-        if any(_lies_on(line, start, end, sheet.stroke_width) for line in lines):
-            continue
-        line = _fit_line(sheet, start, end)
-        if line is not None and not any(_same_line(line, other, start, end) for other in lines):
-            lines.append(line)
-    return lines
-
-
-def _hough_segments(
-    edges: npt.NDArray[np.uint8], votes: int, shortest: int, gap: int
-) -> npt.NDArray[np.float64]:
-    """(n, 4) x0, y0, x1, y1 by the probabilistic Hough transform, half a degree fine."""
-    found = cv2.HoughLinesP(edges, 1, np.pi / 360, votes, minLineLength=shortest, maxLineGap=gap)
-    return np.zeros((0, 4)) if found is None else found.reshape(-1, 4).astype(np.float64)
-
-
-def _lies_on(line: Line, start: Points, end: Points, stroke_width: float) -> bool:
-    """Whether a segment is an edge of a stroke along the line."""
-    _, across = line.coordinates(np.stack([start, end]))
-    return bool(np.all(np.abs(across) < stroke_width / 2 + 1.0)) and bool(
-        abs(across[1] - across[0]) < max(1.0, 0.03 * float(np.hypot(*(end - start))))
-    )
-
-
-def _same_line(line: Line, other: Line, start: Points, end: Points) -> bool:
-    along, _ = line.coordinates(np.stack([start, end]))
-    ends = np.array([line.at(along[0]), line.at(along[1])])
-    _, across = other.coordinates(ends)
-    return bool(np.all(np.abs(across) < 0.8))
-
-
-def _fit_line(sheet: CleanSheet, start: Points, end: Points) -> Line | None:
-    """Total least squares on the ink's weight in a band around a Hough segment.
-
-    None if the ink is curved: a chord of a circle.
-    """
-    length = float(np.hypot(*(end - start)))
-    line = Line(tuple((start + end) / 2), tuple((end - start) / length))
-    half = length / 2
-    if half > 3.0 * sheet.stroke_width:
-        # Strokes that meet this one at its ends pull a short fit to their side, and bend it.
-        half -= min(1.5 * sheet.stroke_width, 0.3 * half)
-    sagitta = 0.0
-    for band in (sheet.stroke_width / 2 + 2.0, sheet.stroke_width / 2 + 1.2):
-        points, weights = _ink_near(sheet, line, half, band)
-        if len(points) < 6:
-            return None
-        mean = np.average(points, axis=0, weights=weights)
-        centred = points - mean
-        covariance = (centred * weights[:, None]).T @ centred
-        direction = np.linalg.eigh(covariance)[1][:, 1]
-        if direction @ np.array(line.direction) < 0:
-            direction = -direction
-        line = Line(tuple(mean), tuple(direction))
-        along, across = line.coordinates(points)
-        curvature = np.polyfit(along, across, 2, w=np.sqrt(weights))[0]
-        sagitta = abs(curvature) * half**2
-    return line if sagitta < max(0.3, 0.01 * length) else None
-
-
-def _ink_near(
-    sheet: CleanSheet, line: Line, half: float, band: float
-) -> tuple[Points, npt.NDArray[np.float64]]:
-    """Ink pixels within a band around a piece of a line: (n, 2) x, y and their weights."""
-    ends = np.array([line.at(-half), line.at(half)])
-    x0, y0 = np.floor(ends.min(0) - band).astype(int)
-    x1, y1 = np.ceil(ends.max(0) + band).astype(int) + 1
-    x0, y0 = max(x0, 0), max(y0, 0)
-    window = sheet.weight[y0:y1, x0:x1]
-    ys, xs = np.nonzero(window > 0.15)
-    points = np.stack([xs + x0, ys + y0], 1).astype(np.float64)
-    along, across = line.coordinates(points)
-    keep = (np.abs(along) <= half) & (np.abs(across) <= band)
-    return points[keep], window[ys, xs][keep].astype(np.float64)
 
 
 def refit_line(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) -> Line:
@@ -194,87 +95,6 @@ def cross_profile(
         centre[clear] = (part[clear] * offsets[window]).sum(1) / total[clear]
     found = np.isfinite(centre)
     return along[found], centre[found]
-
-
-def find_circles(sheet: CleanSheet) -> list[Circle]:
-    """Circles and arcs under the strokes of a view.
-
-    Hough circles finds centres, twice: the gradient method those of dashed circles, the ALT mode
-    sharp ones and arcs.  It gives one radius a centre, so all circles around a centre are looked
-    for in the ink's radial profile.  A candidate stays if a fit to the ink converges near it.
-    """
-    grey = cv2.GaussianBlur(255 - sheet.ink.astype(np.uint8) * 255, (0, 0), 1.0)
-    side = max(sheet.ink.shape)
-    candidates: list[Circle] = []
-    for method, dp, edge, votes in (
-        (cv2.HOUGH_GRADIENT_ALT, 1.5, 200, 0.7),
-        (cv2.HOUGH_GRADIENT, 2.0, 160, 40),
-    ):
-        found = cv2.HoughCircles(
-            grey, method, dp, 3, param1=edge, param2=votes, minRadius=4, maxRadius=side
-        )
-        if found is not None:
-            rows = found.reshape(-1, found.shape[-1])[:_MAX_CENTRES].astype(np.float64)
-            candidates += [Circle((float(x), float(y)), float(r)) for x, y, r in rows[:, :3]]
-    circles = _fitted(sheet, candidates, [])
-    around = [
-        Circle(centre, radius)
-        for centre in _distinct_centres(circles)
-        for radius in _radii_around(sheet, centre)
-    ]
-    return _fitted(sheet, around, circles)
-
-
-def _fitted(sheet: CleanSheet, candidates: list[Circle], known: list[Circle]) -> list[Circle]:
-    """The known circles and those that candidates converge to; of two alike the better one.
-
-    A fit can end beside the circle, where tangents pull it: it must not keep the right one out.
-    """
-    circles = [(circle, circle_support(sheet, circle)) for circle in known]
-    for candidate in candidates:
-        if any(same_circle(candidate, other) for other, _ in circles):
-            continue
-        circle = fit_circle(sheet, candidate)
-        if circle is None:
-            continue
-        support = circle_support(sheet, circle)
-        alike = [pair for pair in circles if same_circle(circle, pair[0])]
-        if all(support > other for _, other in alike):
-            circles = [pair for pair in circles if pair not in alike] + [(circle, support)]
-    return [circle for circle, _ in circles]
-
-
-def _distinct_centres(circles: list[Circle]) -> list[tuple[float, float]]:
-    centres: list[tuple[float, float]] = []
-    for circle in circles:
-        if all(np.hypot(circle.centre[0] - x, circle.centre[1] - y) > 2.0 for x, y in centres):
-            centres.append(circle.centre)
-    return centres
-
-
-def _radii_around(sheet: CleanSheet, centre: tuple[float, float]) -> list[float]:
-    """Radii at which a good part of the circle around a centre is inked."""
-    height, width = sheet.ink.shape
-    reach = float(np.hypot(max(centre[0], width - centre[0]), max(centre[1], height - centre[1])))
-    angles, step = 720, 0.5
-    polar = cv2.warpPolar(
-        sheet.weight,
-        (int(reach / step), angles),
-        centre,
-        reach,
-        cv2.INTER_LINEAR | cv2.WARP_FILL_OUTLIERS,
-    )
-    share = cv2.blur(polar.mean(0)[None], (3, 1))[0]
-    peaks = (share > _RADIAL_SHARE) & (share >= np.roll(share, 1)) & (share > np.roll(share, -1))
-    return [float(i * step) for i in np.flatnonzero(peaks) if i * step >= 4.0]
-
-
-def same_circle(a: Circle, b: Circle) -> bool:
-    """Whether two circles are the same to 1.5 px."""
-    return (
-        np.hypot(a.centre[0] - b.centre[0], a.centre[1] - b.centre[1]) < 1.5
-        and abs(a.radius - b.radius) < 1.5
-    )
 
 
 def fit_circle(sheet: CleanSheet, start: Circle) -> Circle | None:

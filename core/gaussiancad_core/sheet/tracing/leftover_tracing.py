@@ -5,8 +5,8 @@ from itertools import pairwise
 import cv2
 import numpy as np
 import numpy.typing as npt
-from skimage.morphology import skeletonize
 
+from gaussiancad_core.geometry.skeletons import skeleton
 from gaussiancad_core.model.views import Linetype, Segment
 
 _EPSILON = 0.7
@@ -22,7 +22,7 @@ def trace_remainder(ink: npt.NDArray[np.bool_], stroke_width: float, dash: float
         dash: px, the sheet's dash length; components much longer are visible.
     """
     shortest = 1.5 * stroke_width + 3.0
-    labels, boxes = _components(skeletonize(ink))
+    labels, boxes = _components(skeleton(ink))
     segments: list[Segment] = []
     for label, (x0, y0, w, h, length) in enumerate(boxes, start=1):
         if length < shortest:

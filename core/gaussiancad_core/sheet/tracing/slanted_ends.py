@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
@@ -18,8 +17,6 @@ from gaussiancad_core.sheet.picture_noise import COURSE, FAINT, ON_LINE, STEP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
-
-Floats = npt.NDArray[np.float64]
 
 _LAST = 6.0
 """px from the end of a piece that are looked at."""

@@ -1,7 +1,7 @@
 """The shapes of one view before their linetypes are known: each with the runs of ink along it.
 
-Ridge points of the ink grow lines, circles and ellipses (or edge points vote for them); each is
-fitted to its ink, and of a curve only the runs count that follow it, not a tangent or a polygon.
+Ridge points of the ink grow lines, circles and ellipses; each is fitted to its ink, and of a curve
+only the runs count that follow it, not a tangent or a polygon.
 """
 
 from collections.abc import Sequence
@@ -17,7 +17,6 @@ from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, Wh
 from gaussiancad_core.sheet.dash_noise import FEWEST, LIKE_A_DASH
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.picture_noise import ON_LINE, STEP
-from gaussiancad_core.sheet.reading_options import Finder
 from gaussiancad_core.sheet.tracing.arc_ends import without_arc_ends
 from gaussiancad_core.sheet.tracing.close_lines import with_close_lines
 from gaussiancad_core.sheet.tracing.dash_pairs import paired_rhythm
@@ -37,9 +36,6 @@ from gaussiancad_core.sheet.tracing.ink_runs import (
     runs_spans,
 )
 from gaussiancad_core.sheet.tracing.ink_shapes import (
-    edge_map,
-    find_circles,
-    find_lines,
     fit_circle,
     following,
     line_support,
@@ -127,9 +123,7 @@ class ViewShapes:
     offset: tuple[int, int]
 
 
-def find_shapes(
-    sheet: CleanSheet, box: tuple[float, float, float, float], finder: Finder = Finder.RIDGES
-) -> ViewShapes:
+def find_shapes(sheet: CleanSheet, box: tuple[float, float, float, float]) -> ViewShapes:
     """Lines, circles and ellipses of the view inside a box of the sheet.
 
     Raises:
@@ -138,7 +132,7 @@ def find_shapes(
     crop, offset = _crop(sheet, box)
     field = ink_field(crop)
     height, width = crop.ink.shape
-    candidates, close = _candidates(crop, finder)
+    candidates, close = _candidates(crop)
     straight = [line for line in candidates if isinstance(line, Line)]
     corners = np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
     circles = [curve for curve in candidates if isinstance(curve, Circle)]
@@ -166,10 +160,8 @@ def find_shapes(
     return ViewShapes(crop, field, tuple(shapes), offset)
 
 
-def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[WholeCurve], set[Line]]:
+def _candidates(sheet: CleanSheet) -> tuple[list[WholeCurve], set[Line]]:
     """Ellipses first, then circles, then lines; and the lines that run right beside others."""
-    if finder is Finder.HOUGH:
-        return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))], set()
     rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
     grown = grow_all(ridge_points(sheet.weight, sheet.stroke_width), rules)
     shapes = [shape.geometry for shape in grown]

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.files.fitting import circle_through
-from gaussiancad_core.geometry.chains import Chain
+from gaussiancad_core.geometry.chains import Chain, simplified
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.sheet.file_noise import DOT, SAME_POINT
 
@@ -21,14 +21,11 @@ _BOWED = 20.0
 
 def free_curve(chain: Chain, linetype: Linetype) -> list[Arc | Segment]:
     """The strokes along a chain."""
-    # It takes a second to import, and few sheets need it.
-    from skimage.measure import approximate_polygon
-
     points = np.array(chain.points)
     arc = _arc(points, linetype)
     if arc is not None:
         return [arc]
-    kept = approximate_polygon(points, DOT)
+    kept = simplified(points, DOT)
     return [
         Segment((float(a[0]), float(a[1])), (float(b[0]), float(b[1])), linetype)
         for a, b in pairwise(kept)

@@ -338,11 +338,6 @@ WARNINGS = {
         "The engine was installed for exact solids only: no surface was made. GaussianCAD > "
         "Install Engine has one that makes both.",
     ),
-    "dimensions-not-read": QT_TRANSLATE_NOOP(
-        "GaussianCAD",
-        "The dimensions on the sheet were not read, as the engine has no text recognition. Set a "
-        "length under Scale.",
-    ),
     "full-scale-assumed": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is "

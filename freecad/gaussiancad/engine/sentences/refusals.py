@@ -80,9 +80,6 @@ FILES = {
         "GaussianCAD",
         "{format} files are not read. Save the drawing as PDF, SVG, DXF or PNG.",
     ),
-    "gaussians-unreadable": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "The file holds no Gaussians that can be read. Choose another one."
-    ),
     "batch-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD", "This is no report of a batch. Choose the one in the folder that it wrote."
     ),

@@ -15,13 +15,10 @@ from gaussiancad_core.sheet.graph.graph_views import graph_views
 from gaussiancad_core.sheet.graph.touching_ends import touching
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
-from gaussiancad_core.writing.ocr import ocr_problem
 from gaussiancad_core.writing.sheet_scale import ScaleSource, find_scale, read_texts
 
 Point = tuple[float, float]
 Chain = list[Point]
-
-needs_ocr = pytest.mark.skipif(ocr_problem() is not None, reason=f"OCR is {ocr_problem()}")
 
 _ROUND = [(0.2, 0.0), (0.45, 0.0), (0.65, 0.3), (0.65, 0.7), (0.45, 1.0), (0.2, 1.0)]
 _ROUND += [(0.0, 0.7), (0.0, 0.3), (0.2, 0.0)]
@@ -119,7 +116,6 @@ def _sheet(path: Path, more: str = "") -> Path:
     return path
 
 
-@needs_ocr
 def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
     image = read_sheet(_sheet(tmp_path / "plotted.svg"))
     sheet = OpenedSheet(image)
@@ -136,7 +132,6 @@ def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
     assert found.mm_per_pixel == pytest.approx(2.0 * 25.4 / image.pixels_per_inch, rel=1e-3)
 
 
-@needs_ocr
 @pytest.mark.parametrize("numbers", [False, True])
 def test_drawn_numbers_are_read_unless_the_file_has_as_many_as_texts(
     tmp_path: Path, numbers: bool
@@ -151,6 +146,6 @@ def test_drawn_numbers_are_read_unless_the_file_has_as_many_as_texts(
     assert image.vectors is not None and image.vectors.texts
     views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
     assert views is not None
-    read = {text.text for text in read_texts(sheet, views.separated.marks).texts}
+    read = {text.text for text in read_texts(sheet, views.separated.marks)}
     assert set(words) <= read
     assert ("100.0" in read) is not numbers

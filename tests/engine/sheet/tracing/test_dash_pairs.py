@@ -6,7 +6,6 @@ import pytest
 
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet
-from gaussiancad_core.sheet.reading_options import Finder
 from gaussiancad_core.sheet.tracing.dash_pairs import paired_rhythm
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm
 from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
@@ -20,9 +19,7 @@ WIDTH, DASH, GAP = 2.0, 15.0, 15.0
 
 def _shapes(drawn: Sketch) -> ViewShapes:
     height, width = drawn.weight.shape
-    return find_shapes(
-        clean_sheet(drawn.grey), (0.0, 0.0, float(width), float(height)), Finder.RIDGES
-    )
+    return find_shapes(clean_sheet(drawn.grey), (0.0, 0.0, float(width), float(height)))
 
 
 def _pockets(sketch: Sketch, *lefts: float) -> Sketch:
