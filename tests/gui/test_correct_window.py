@@ -5,6 +5,8 @@ import os
 import shutil
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
@@ -12,6 +14,7 @@ from test_real_engine import PLAIN, engine
 from window import WindowCase, spin
 
 from freecad.gaussiancad.canvas.corrections_storage import corrections_path, write_corrections
+from freecad.gaussiancad.canvas.engine_server import Engines, Server
 from freecad.gaussiancad.canvas.kinds import DOUBTFUL
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.panels import correct
@@ -26,9 +29,29 @@ _LENGTH = ((0.0, 0.0), (100.0, 0.0))
 
 @unittest.skipIf(engine() is None, "the engine is not installed")
 class Canvas(WindowCase):
+    engines: Engines | None = None
+    """Of all tests here: to start some takes longer than what most tests ask of them."""
+
+    servers: tuple[Server, ...] = ()
+    """They keep the engines while no canvas is open."""
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        for server in cls.servers:
+            server.close()
+        super().tearDownClass()
+
     def setUp(self) -> None:
         super().setUp()
         self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
+        if Canvas.engines is None:
+            Canvas.engines = engines = Engines.of(correct.engine_program())
+            three = (engines.reader, engines.solver, engines.clerk)
+            Canvas.servers = tuple(Server(item, self.window) for item in three)
+        kept = SimpleNamespace(of=lambda _program: Canvas.engines)
+        patched = mock.patch.object(correct, "Engines", kept)
+        patched.start()
+        self.addCleanup(patched.stop)
         self.copy = Path(shutil.copy(PLAIN, self.folder))
         self.document = FreeCAD.newDocument("Canvas")
         self.addCleanup(self.close_docks)
