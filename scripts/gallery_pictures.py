@@ -1,16 +1,17 @@
 """Make the pictures at the head of the README: four sheets, and the solids that come of them.
 
-    .venv/bin/python scripts/gallery_pictures.py [FOLDER]
+    .venv/bin/python scripts/gallery_pictures.py [FOLDER [NAME...]]
 
 ``gallery-photograph.png`` has a sheet that was photographed at a slant, ``gallery.png`` a scan, a
 sheet with a section, and a clean one.  Solids are drawn by the run itself; what is printed says
-whether each has the faces of the part.  Where no folder is named they go to ``docs/images``.
+whether each has the faces of the part.  Where no folder is named they go to ``docs/images``; where
+sheets are named, as ``scan``, the others are left out.
 """
 
 import json
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -101,19 +102,22 @@ def _framed(picture: Picture) -> Picture:
     return frame
 
 
-def main(folder: Path) -> None:
+def main(folder: Path, names: Sequence[str] = ()) -> None:
     """Write both pictures into a folder, and print the verdicts."""
-    rows = []
+    rows: dict[str, list[Picture]] = {"gallery-photograph": [], "gallery": []}
     with tempfile.TemporaryDirectory() as temporary:
-        for exhibit in EXHIBITS:
+        for exhibit in (item for item in EXHIBITS if not names or item.name in names):
             sheet, solid, status = made(exhibit, Path(temporary))
             faces = len(faces_of(read_solid(Path(temporary) / exhibit.name / "solid.step")))
             true_faces = len(faces_of(exhibit.part()))
             print(f"{exhibit.name}: {status}, {faces} faces of {true_faces}", flush=True)
-            rows.append(side_by_side(sheet, solid))
-    cv2.imwrite(str(folder / "gallery-photograph.png"), rows[0])
-    cv2.imwrite(str(folder / "gallery.png"), np.vstack(rows[1:]))
+            rows["gallery" if exhibit.camera is None else "gallery-photograph"].append(
+                side_by_side(sheet, solid)
+            )
+    for name, pictures in rows.items():
+        if pictures:
+            cv2.imwrite(str(folder / f"{name}.png"), np.vstack(pictures))
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if sys.argv[1:] else IMAGES)
+    main(Path(sys.argv[1]) if sys.argv[1:] else IMAGES, sys.argv[2:])

@@ -1,4 +1,4 @@
-"""Which tests are slow, in which order they run, and what was skipped.
+"""Which tests are slow, in which order they run, what was skipped; a part that is quick to solve.
 
 ``durations.json`` has the seconds of each test that took :data:`KEPT_S` or more when they were last
 recorded (``make durations``).  Tests that took :data:`SLOW_S` or more are marked ``slow``; a test
@@ -69,3 +69,70 @@ class _Recorder:
         if session.config.getoption("record_durations"):
             kept = {name: round(s, 2) for name, s in sorted(self.seconds.items()) if s >= KEPT_S}
             DURATIONS.write_text(json.dumps(kept, indent=0) + "\n", encoding="utf-8")
+
+
+_PLAIN_OUTLINES = (
+    ((0, 0), (40, 0), (40, 10), (15, 10), (15, 30), (0, 30)),
+    ((60, 0), (80, 0), (80, 30), (60, 30)),
+    ((0, 50), (40, 50), (40, 70), (0, 70)),
+)
+_PLAIN_EDGES = (((60, 10), (80, 10)), ((15, 50), (15, 70)))
+_PLAIN_BORE = (28, 60), 5
+_PLAIN_HIDDEN = (23, 33, 65, 75)
+"""Front, right and top view of an L of 40 x 20 x 30 mm with a bore: nine faces, verified; mm."""
+
+
+@pytest.fixture(scope="session")
+def plain_sheet(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A drawing file of the plain part, in millimetres."""
+    import ezdxf
+
+    document = ezdxf.new(setup=True)
+    document.header["$INSUNITS"] = 4
+    lines = document.modelspace()
+    for corners in _PLAIN_OUTLINES:
+        lines.add_lwpolyline(corners, close=True)
+    for start, end in _PLAIN_EDGES:
+        lines.add_line(start, end)
+    lines.add_circle(*_PLAIN_BORE)
+    for x in _PLAIN_HIDDEN:
+        lines.add_line((x, 0), (x, 10), dxfattribs={"linetype": "DASHED"})
+    path = tmp_path_factory.mktemp("plain") / "block.dxf"
+    document.saveas(path)
+    return path
+
+
+@pytest.fixture(scope="session")
+def plain_picture(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A picture of the plain part, 5 px a millimetre."""
+    import cv2
+    import numpy as np
+
+    def px(x: float, y: float) -> tuple[int, int]:
+        return round(60 + 5 * x), round(420 - 5 * y)
+
+    grey = np.full((480, 520), 255, np.uint8)
+    for corners in _PLAIN_OUTLINES:
+        cv2.polylines(grey, [np.array([px(*corner) for corner in corners])], True, 0, 3)
+    for start, end in _PLAIN_EDGES:
+        cv2.line(grey, px(*start), px(*end), 0, 3)
+    cv2.circle(grey, px(*_PLAIN_BORE[0]), 5 * _PLAIN_BORE[1], 0, 3, cv2.LINE_AA)
+    for x in _PLAIN_HIDDEN:
+        for dash in range(4):
+            cv2.line(grey, px(x, 2.6 * dash), px(x, 2.6 * dash + 1.6), 0, 2)
+    path = tmp_path_factory.mktemp("plain") / "block.png"
+    cv2.imwrite(str(path), grey)
+    return path
+
+
+@pytest.fixture(scope="session")
+def plain_step(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The plain part itself."""
+    from gaussiancad_core.kernel.brep_files import write_step
+    from gaussiancad_core.model.axes import Axis
+    from gaussiancad_core.samples.modelling import cut, cylinder, prism
+
+    path = tmp_path_factory.mktemp("plain") / "block.step"
+    bore = cylinder(Axis.Z, (28, 10), _PLAIN_BORE[1], -1, 11)
+    write_step(cut(prism(Axis.Y, _PLAIN_OUTLINES[0], 0, 20), bore), path)
+    return path

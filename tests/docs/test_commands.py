@@ -20,8 +20,6 @@ from doc_texts import CHECKOUT, Kind, page_passages
 
 pytestmark = pytest.mark.slow
 
-SAMPLES = CHECKOUT / "resources" / "samples"
-
 _BEGINS = re.compile(
     r"(?:\w+=\S+ )*(?:make |sudo make |\.venv/bin/|python3? |\.ci/\w|gaussiancad )"
 )
@@ -30,14 +28,15 @@ _BEGINS = re.compile(
 _PLACEHOLDER = re.compile(r"(?<![\w=-])[A-Z]{3,}\b(?!=)|[A-Z]+\.\.\.|\[")
 
 LONG = {
-    "reconstruct": "--preset draft",
-    "batch": "--preset draft",
+    "reconstruct": "--result solid",
+    "batch": "--result solid",
     "learning": "--steps 1 --parts 2 --size 64 --batch 2 --workers 1 --device cpu",
 }
 """What is added to commands that take long otherwise."""
 
-PICTURES = {"gallery_pictures.py", "sample_sheets.py"}
-"""Scripts that write among the documentation or the samples if no folder is named."""
+PICTURES = {"gallery_pictures.py": ["clean"], "sample_sheets.py": []}
+"""Scripts that write among the documentation or the samples if no folder is named, and the pictures
+that are named to them besides."""
 
 HELP = {"correct", "serve"}
 """Of the engine, what opens a window or stays."""
@@ -58,14 +57,14 @@ def commands_of(page: str, spans: bool) -> list[str]:
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory: pytest.TempPathFactory, plain_picture: Path, plain_step: Path) -> Path:
     """A folder with the files that commands name."""
     place = tmp_path_factory.mktemp("typed")
-    shutil.copy(SAMPLES / "l-bracket.png", place / "sheet.png")
-    shutil.copy(SAMPLES / "l-bracket.step", place / "reference.step")
-    for name, sample in (("sheets", "wedge-block.png"), ("drawings", "l-bracket.png")):
+    shutil.copy(plain_picture, place / "sheet.png")
+    shutil.copy(plain_step, place / "reference.step")
+    for name in ("sheets", "drawings"):
         (place / name).mkdir()
-        shutil.copy(SAMPLES / sample, place / name)
+        shutil.copy(plain_picture, place / name)
     return place
 
 
@@ -117,6 +116,9 @@ def of_a_module(words: Command, folder: Path) -> None:
         assert " passed" in done([*start, name, *asked], folder)
     elif name == "benchmarks" and not rest[0].startswith("--"):
         helped([*start, *words], folder)
+    elif name == "learning" and "--steps" not in rest:
+        # A page names the same with fewer steps.
+        helped([*start, *words], folder)
     elif name == "build":
         assert (CHECKOUT / rest[0] / "pyproject.toml").is_file()
     else:
@@ -130,7 +132,7 @@ def of_a_file(words: Command, folder: Path) -> None:
         if shutil.which("freecadcmd"):
             helped([sys.executable, str(path), *words[1:]], folder)
     elif path.name in PICTURES:
-        done([sys.executable, str(path), str(folder)], folder)
+        done([sys.executable, str(path), str(folder), *PICTURES[path.name]], folder)
     elif path.name == "run_freecad_suites.py":
         assert (CHECKOUT / "tests" / words[1]).is_dir()
     else:

@@ -15,17 +15,15 @@ import gaussiancad
 pytestmark = pytest.mark.slow
 
 CHECKOUT = Path(__file__).resolve().parents[2]
-SAMPLES = CHECKOUT / "resources" / "samples"
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, plain_picture: Path, plain_step: Path
+) -> Path:
     """A folder with the files that examples name."""
-    for name, sample in (
-        ("sheet.png", "l-bracket.png"),
-        ("truth.step", "l-bracket.step"),
-    ):
-        shutil.copy(SAMPLES / sample, tmp_path / name)
+    shutil.copy(plain_picture, tmp_path / "sheet.png")
+    shutil.copy(plain_step, tmp_path / "truth.step")
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -51,7 +49,7 @@ def test_the_page_on_python(folder: Path) -> None:
 
 def test_the_first_page(folder: Path) -> None:
     (example,) = examples_of("README.md")
-    Image.open("sheet.png").save("sheet.pdf", resolution=200.0)
+    Image.open("sheet.png").save("sheet.pdf", resolution=50.0)
     quick = SimpleNamespace(reconstruct=partial(gaussiancad.reconstruct, preset="draft"))
     names: dict[str, object] = {"gaussiancad": quick}
     exec(compile(example, "README.md", "exec"), names)
@@ -69,4 +67,5 @@ def test_the_page_of_the_wheel_has_the_same_example() -> None:
 
 
 def test_the_package_itself(folder: Path) -> None:
+    shutil.copy(CHECKOUT / "resources" / "samples" / "l-bracket.png", folder / "sheet.png")
     assert doctest.testmod(gaussiancad, verbose=False) == (0, 4)

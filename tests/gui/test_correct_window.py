@@ -5,13 +5,16 @@ import os
 import shutil
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
-from test_real_engine import SAMPLE, engine
+from test_real_engine import PLAIN, engine
 from window import WindowCase, spin
 
 from freecad.gaussiancad.canvas.corrections_storage import corrections_path, write_corrections
+from freecad.gaussiancad.canvas.engine_server import Engines, Server
 from freecad.gaussiancad.canvas.kinds import DOUBTFUL
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.panels import correct
@@ -26,10 +29,30 @@ _LENGTH = ((0.0, 0.0), (100.0, 0.0))
 
 @unittest.skipIf(engine() is None, "the engine is not installed")
 class Canvas(WindowCase):
+    engines: Engines | None = None
+    """Of all tests here: to start some takes longer than what most tests ask of them."""
+
+    servers: tuple[Server, ...] = ()
+    """They keep the engines while no canvas is open."""
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        for server in cls.servers:
+            server.close()
+        super().tearDownClass()
+
     def setUp(self) -> None:
         super().setUp()
         self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
-        self.copy = Path(shutil.copy(SAMPLE, self.folder))
+        if Canvas.engines is None:
+            Canvas.engines = engines = Engines.of(correct.engine_program())
+            three = (engines.reader, engines.solver, engines.clerk)
+            Canvas.servers = tuple(Server(item, self.window) for item in three)
+        kept = SimpleNamespace(of=lambda _program: Canvas.engines)
+        patched = mock.patch.object(correct, "Engines", kept)
+        patched.start()
+        self.addCleanup(patched.stop)
+        self.copy = Path(shutil.copy(PLAIN, self.folder))
         self.document = FreeCAD.newDocument("Canvas")
         self.addCleanup(self.close_docks)
         self.dock = self.opened()
@@ -239,6 +262,11 @@ class Canvas(WindowCase):
         second.canvas.say_length(_LENGTH, 70.0)
         self.assertEqual(len(second.canvas.operations), 1)
         self.assertEqual(first.canvas.operations, [])
+        self.assertIs(second.canvas.engines, first.canvas.engines)
+        for document, dock in ((self.document, first), (other, second)):
+            FreeCAD.setActiveDocument(document.Name)
+            spin(200)
+            self.assertFalse(dock.visibleRegion().isEmpty())
         FreeCAD.closeDocument(other.Name)
         spin(300)
         docks = correct.open_docks()
@@ -253,11 +281,6 @@ class Canvas(WindowCase):
         self.wait_for(lambda: not self.canvas.busy, 120.0)
         spin(100)
         self.assertTrue(self.canvas.problems.lines[0].colour)
-
-    def test_canvases_share_their_engines(self) -> None:
-        FreeCAD.newDocument("Other")
-        second = correct.open_sheet(self.copy)
-        self.assertIs(second.canvas.engines, self.canvas.engines)
 
     def test_opening_that_is_undone_and_redone_brings_all_back(self) -> None:
         before = self.part.Shape.BoundBox.XLength
@@ -280,15 +303,6 @@ class Canvas(WindowCase):
         self.assertEqual(len(self.canvas.operations), 1)
         self.assertTrue(corrections.exists())
         self.wait_for(lambda: abs(self.part.Shape.BoundBox.XLength - stated) < 1e-6, 120.0)
-
-    def test_a_canvas_follows_its_document(self) -> None:
-        FreeCAD.newDocument("Other")
-        second = correct.open_sheet(self.copy)
-        spin(100)
-        for name, dock in ((self.document.Name, self.dock), ("Other", second)):
-            FreeCAD.setActiveDocument(name)
-            spin(200)
-            self.assertFalse(dock.visibleRegion().isEmpty())
 
     def test_a_closed_canvas_ends_its_engines(self) -> None:
         self.canvas.solve()

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 import FreeCAD
-from test_real_engine import SAMPLE, engine
+from test_real_engine import PLAIN, engine
 from window import WindowCase, spin
 
 from freecad.gaussiancad.panels import correct
@@ -22,7 +22,7 @@ class FailedSheets(WindowCase):
     def setUp(self) -> None:
         super().setUp()
         self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
-        self.sheets = [Path(shutil.copy(SAMPLE, self.folder / name)) for name in ("a.png", "b.png")]
+        self.sheets = [Path(shutil.copy(PLAIN, self.folder / name)) for name in ("a.png", "b.png")]
         rows = [
             {"name": sheet.stem, "sheet": str(sheet), "status": "approximate", "folder": ""}
             for sheet in self.sheets

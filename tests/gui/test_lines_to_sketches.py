@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 import FreeCAD
 import FreeCADGui
-from test_real_engine import SAMPLE, engine
+from test_real_engine import PLAIN, engine
 from window import WindowCase, spin, widget
 
 from freecad.gaussiancad.objects.corrected_sheet import open_in
@@ -93,7 +93,7 @@ class Sketches(WindowCase):
     @unittest.skipIf(engine() is None, "the engine is not installed")
     def test_the_sample_with_the_real_engine(self) -> None:
         self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
-        self.asked(Path(shutil.copy(SAMPLE, self.folder)))
+        self.asked(Path(shutil.copy(PLAIN, self.folder)))
         self.finish(120.0)
         self.assertEqual(self.boxes(), [])
         group = FreeCAD.ActiveDocument.getObject("Drawing")

@@ -35,6 +35,8 @@ from freecad.gaussiancad.paths import ADDON_ROOT
 
 SAMPLE = ADDON_ROOT / "resources" / "samples" / "l-bracket.png"
 SAMPLE_SOLID = SAMPLE.with_suffix(".step")
+PLAIN = Path(__file__).parent / "data" / "plain-part.png"
+"""A small sheet, verified within a second."""
 
 
 def engine() -> Engine | None:

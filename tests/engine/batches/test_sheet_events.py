@@ -16,7 +16,6 @@ import pytest
 
 from gaussiancad_core.batches.batch_table import BatchRow
 
-SAMPLES = Path(__file__).parents[3] / "resources" / "samples"
 OPTIONS = ("--result", "solid", "--length", "x=80", "--workers", "1")
 
 
@@ -39,11 +38,11 @@ def _events(*arguments: "str | Path", code: int) -> list[dict[str, Any]]:
 
 
 @pytest.fixture
-def sheets(tmp_path: Path) -> Path:
+def sheets(tmp_path: Path, plain_sheet: Path) -> Path:
     """A sheet that becomes a solid, and one whose name is no text and whose content is none."""
     folder = tmp_path / "sheets"
     folder.mkdir()
-    shutil.copy(SAMPLES / "l-bracket.png", folder)
+    shutil.copy(plain_sheet, folder)
     Path(os.fsdecode(os.fsencode(folder) + b"/text\xe9.png")).write_bytes(b"no picture")
     return folder
 
@@ -62,11 +61,11 @@ def test_each_sheet_is_told_with_its_row_and_files_also_where_it_was_kept(
     }
     assert {"solid.step", "report.json"} <= set(first["files"])
     assert first["files"] == sorted(
-        path.relative_to(output / "l-bracket").as_posix()
-        for path in (output / "l-bracket").rglob("*")
+        path.relative_to(output / "block").as_posix()
+        for path in (output / "block").rglob("*")
         if path.is_file()
     )
-    assert first["folder"] == str(output / "l-bracket")
+    assert first["folder"] == str(output / "block")
     assert second["files"] == [] and second["code"] == "not-an-image"
     assert second["message"].endswith("export the drawing as one of them")
     assert os.fsencode(second["sheet"]) == os.fsencode(sheets) + b"/text\xe9.png"
@@ -109,7 +108,7 @@ def test_the_word_cancel_and_the_end_of_stdin_end_all_with_a_whole_report(
         stderr=subprocess.DEVNULL,
     )
     deadline = time.monotonic() + 60
-    while not list(output.glob("l-bracket/.gaussiancad-*")):
+    while not list(output.glob("block/.gaussiancad-*")):
         assert process.poll() is None and time.monotonic() < deadline
         time.sleep(0.05)
     family = psutil.Process(process.pid).children(recursive=True)

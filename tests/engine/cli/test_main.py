@@ -149,10 +149,13 @@ def test_what_can_be_told_at_once_loads_no_heavy_library(
     assert {path.name for path in tmp_path.iterdir()} == {"a.png", "a.dwg"}
 
 
-def test_a_run_for_the_solid_alone_loads_nothing_that_makes_surfaces(tmp_path: Path) -> None:
-    sheet = Path(__file__).parents[3] / "resources" / "samples" / "l-bracket.png"
+def test_a_run_for_the_solid_alone_loads_nothing_that_makes_surfaces(
+    plain_picture: Path, tmp_path: Path
+) -> None:
     options = ("--result", "solid", "--length", "x=80")
-    code, heavy = _loaded("reconstruct", str(sheet), "--output", str(tmp_path / "o"), *options)
+    code, heavy = _loaded(
+        "reconstruct", str(plain_picture), "--output", str(tmp_path / "o"), *options
+    )
     assert code == 0
     assert "OCP" in heavy
     assert not heavy & {"torch", "open3d", "trimesh", "manifold3d"}

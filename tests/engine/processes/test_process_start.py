@@ -1,7 +1,6 @@
 """Processes that are forked from one that has imported all, and what becomes of them."""
 
 import os
-import shutil
 import signal
 import sys
 import tempfile
@@ -22,7 +21,6 @@ from gaussiancad_core.processes.process_start import (
 )
 from gaussiancad_core.processes.supervisor import ProcessLimits, Supervisor
 
-SAMPLES = Path(__file__).parents[3] / "resources" / "samples"
 PREFERRED = ("gaussiancad_core.cli.explain",)
 LIMITS = ProcessLimits(4 << 30, 120.0)
 
@@ -46,9 +44,8 @@ def _said(errors: "tempfile._TemporaryFileWrapper") -> str:
     return errors.read().decode()
 
 
-def _long(folder: Path) -> list[str]:
-    sheet = str(SAMPLES / "l-bracket.png")
-    return ["reconstruct", "--events", sheet, "--output", str(folder), "--result", "surface"]
+def _long(sheet: Path, folder: Path) -> list[str]:
+    return ["reconstruct", "--events", str(sheet), "--output", str(folder), "--result", "surface"]
 
 
 def test_a_forked_process_ends_as_an_interpreter_does(server: ForkServer, tmp_path: Path) -> None:
@@ -69,17 +66,19 @@ def test_many_are_told_apart(server: ForkServer, tmp_path: Path) -> None:
         assert str(tmp_path / str(number)) in _said(errors)
 
 
-def test_a_process_that_is_killed_is_told_by_its_signal(server: ForkServer, tmp_path: Path) -> None:
-    process, _ = _started(server, *_long(tmp_path / "out"))
+def test_a_process_that_is_killed_is_told_by_its_signal(
+    server: ForkServer, plain_sheet: Path, tmp_path: Path
+) -> None:
+    process, _ = _started(server, *_long(plain_sheet, tmp_path / "out"))
     assert process.poll() is None
     process.kill()
     assert process.wait(10.0) == -signal.SIGKILL
 
 
 def test_processes_die_with_their_server_and_others_are_started_without(
-    server: ForkServer, tmp_path: Path
+    server: ForkServer, plain_sheet: Path, tmp_path: Path
 ) -> None:
-    process, _ = _started(server, *_long(tmp_path / "out"))
+    process, _ = _started(server, *_long(plain_sheet, tmp_path / "out"))
     this_process = psutil.Process(process.pid)
     parent = this_process.parent()
     assert parent is not None
@@ -95,9 +94,10 @@ def test_processes_die_with_their_server_and_others_are_started_without(
     assert _said(errors).count("\n") == 1
 
 
-def test_what_nobody_waits_for_is_cancelled(server: ForkServer, tmp_path: Path) -> None:
-    process, _ = _started(server, *_long(tmp_path / "out"))
-    time.sleep(1.0)
+def test_what_nobody_waits_for_is_cancelled(
+    server: ForkServer, plain_sheet: Path, tmp_path: Path
+) -> None:
+    process, _ = _started(server, *_long(plain_sheet, tmp_path / "out"))
     process.stdin.close()
     assert process.wait(30.0) == 130
 
@@ -124,15 +124,13 @@ def test_the_modules_of_a_batch_have_no_threads() -> None:
     this_starter.close()
 
 
-def test_solids_are_the_same_to_the_byte(tmp_path: Path) -> None:
+def test_solids_are_the_same_to_the_byte(plain_sheet: Path, tmp_path: Path) -> None:
     """Of a forked process, and of an interpreter of its own."""
     solids = []
     for name, modules in (("forked", ("gaussiancad_core.run.pipeline",)), ("started", ())):
-        sheet = tmp_path / f"{name}.png"
-        shutil.copy(SAMPLES / "l-bracket.png", sheet)
         output = tmp_path / name
         supervisor: Supervisor[str] = Supervisor(1, LIMITS, modules)
-        arguments = ["reconstruct", str(sheet), "--output", str(output), "--result", "solid"]
+        arguments = ["reconstruct", str(plain_sheet), "--output", str(output), "--result", "solid"]
         ((_, ended),) = supervisor.run([(name, [*arguments, "--length", "x=80"])])
         supervisor.close()
         assert (ended.exit_code, ended.message) == (0, "")

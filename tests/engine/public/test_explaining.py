@@ -9,16 +9,17 @@ import pytest
 import gaussiancad
 from gaussiancad.engine_call import Watch, run_command
 
-SHEET = Path(__file__).resolve().parents[3] / "resources" / "samples" / "l-bracket.png"
-
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory: pytest.TempPathFactory, plain_picture: Path) -> Path:
     """A folder with a sheet and corrections beside it: a hidden line is erased."""
     found = tmp_path_factory.mktemp("sheet")
-    shutil.copy(SHEET, found / "sheet.png")
-    sha256 = gaussiancad.read(SHEET).data["sheet"]["sha256"]
-    operations = [{"op": "erase", "target": {"id": "s7"}}]
+    shutil.copy(plain_picture, found / "sheet.png")
+    bare = gaussiancad.read(plain_picture)
+    assert bare.folder is None
+    sha256 = bare.data["sheet"]["sha256"]
+    hidden = next(item["id"] for item in bare.data["strokes"] if item["kind"] == "hidden")
+    operations = [{"op": "erase", "target": {"id": hidden}}]
     stated = {"schema": "gaussiancad-corrections/1", "sheet_sha256": sha256, "ops": operations}
     (found / "sheet.png.corrections.json").write_text(json.dumps(stated))
     return found
@@ -40,13 +41,12 @@ def test_a_reading_that_is_kept_has_its_files(folder: Path, reading: gaussiancad
     assert reading.folder == folder / "read"
     again = gaussiancad.Reading.load(folder / "read" / "reading.json", folder / "sheet.png")
     assert again == reading
-    assert gaussiancad.read(SHEET).folder is None
 
 
-def test_what_no_run_made_is_not_replaced_by_a_reading(tmp_path: Path) -> None:
+def test_what_no_run_made_is_not_replaced_by_a_reading(plain_picture: Path, tmp_path: Path) -> None:
     (tmp_path / "lines.svg").write_text("mine")
     with pytest.raises(gaussiancad.UsageError) as refused:
-        gaussiancad.read(SHEET, output=tmp_path)
+        gaussiancad.read(plain_picture, output=tmp_path)
     assert refused.value.code == "foreign-files"
     assert [path.name for path in tmp_path.iterdir()] == ["lines.svg"]
 
@@ -63,9 +63,9 @@ def test_corrections_beside_the_sheet_are_taken_once(
 def test_a_reading_is_explained(reading: gaussiancad.Reading) -> None:
     assert any(line.startswith("The front view at") for line in gaussiancad.explain(reading))
     (of_view,) = gaussiancad.explain(reading, view="front")
-    assert of_view.endswith("px has 6 visible and 3 hidden lines.")
-    (at_edge,) = gaussiancad.explain(reading, at=(600, 909))
-    assert at_edge.startswith("A visible line of 498 px")
+    assert of_view.endswith("px has 6 visible and 1 hidden lines.")
+    (at_edge,) = gaussiancad.explain(reading, at=(160, 420))
+    assert at_edge.startswith("A visible line of 200 px")
     assert gaussiancad.explain(reading, at=(5, 5))[0].startswith("No line was read at (5, 5)")
 
 
@@ -74,7 +74,7 @@ def test_a_part_is_explained(part: gaussiancad.Result) -> None:
     assert lines[0] == part.report["verdict"]
     assert "What was tried:" in lines
     assert "6 visible and" in gaussiancad.explain(part, view="front")[0]
-    assert "It lies within the front view." in gaussiancad.explain(part, at=[600, 909])
+    assert "It lies within the front view." in gaussiancad.explain(part, at=[160, 420])
 
 
 def test_what_cannot_be_explained_is_refused(

@@ -28,15 +28,15 @@ def _made(sheet: Path, output: Path, *options: "str | Path") -> dict[str, Any]:
 
 
 @pytest.fixture
-def sheet(tmp_path: Path) -> Path:
-    return Path(shutil.copy(SAMPLES / "l-bracket.png", tmp_path / "bracket.png"))
+def sheet(plain_picture: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copy(plain_picture, tmp_path / "bracket.png"))
 
 
 @pytest.fixture(scope="module")
-def read_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def read_once(tmp_path_factory: pytest.TempPathFactory, plain_picture: Path) -> Path:
     """What ``read`` leaves of the sheet."""
     folder = tmp_path_factory.mktemp("once")
-    sheet = shutil.copy(SAMPLES / "l-bracket.png", folder / "bracket.png")
+    sheet = shutil.copy(plain_picture, folder / "bracket.png")
     assert main(["read", str(sheet), "--output", str(folder / "read"), *_OPTIONS]) == 0
     return folder / "read"
 
@@ -55,7 +55,7 @@ def test_what_was_read_makes_the_same_solid(sheet: Path, read: Path, tmp_path: P
     for name in ("faces", "valid", "closed", "alternatives"):
         assert taken["solid"][name] == direct["solid"][name]
     assert taken["solid"]["volume_mm3"] == pytest.approx(direct["solid"]["volume_mm3"], rel=1e-6)
-    assert (read.parent / "reading.png").stat().st_size > 10_000
+    assert (read.parent / "reading.png").stat().st_size > 1_000
     # A run writes the same reading as it goes on.
     assert _json(tmp_path / "direct" / "reading.json")["strokes"] == _json(read)["strokes"]
 
@@ -303,7 +303,7 @@ def test_views_that_a_person_boxes_are_read_from_the_ink(
         ],
     )
     report = _made(sheet, tmp_path / "boxed", "--reading", read)
-    assert report["status"] == "verified" and report["solid"]["faces"] == 10
+    assert report["status"] == "verified" and report["solid"]["faces"] == 9
 
 
 def test_a_hole_is_as_deep_as_a_person_says(sheet: Path, read: Path, tmp_path: Path) -> None:
@@ -312,7 +312,7 @@ def test_a_hole_is_as_deep_as_a_person_says(sheet: Path, read: Path, tmp_path: P
     read.write_text(json.dumps(values))
     through = _made(sheet, tmp_path / "through", "--reading", read)
     holes = [item for item in through["assumptions"] if item["code"] == "hole-through"]
-    assert len(holes) == 2
+    assert len(holes) == 1
     (x, y, radius, *_) = next(
         item["arc"] for item in values["strokes"] if item["view"] == "top" and "arc" in item
     )
@@ -325,8 +325,8 @@ def test_a_hole_is_as_deep_as_a_person_says(sheet: Path, read: Path, tmp_path: P
     corrections = tmp_path / "told.json"
     corrections.write_text(json.dumps(stated))
     blind = _made(sheet, tmp_path / "blind", "--reading", read, "--corrections", corrections)
-    assert len([item for item in blind["assumptions"] if item["code"] == "hole-through"]) == 1
+    assert "hole-through" not in [item["code"] for item in blind["assumptions"]]
     more = blind["solid"]["volume_mm3"] - through["solid"]["volume_mm3"]
     rings = 3.141592653589793 * (radius * through["scale_mm_per_pixel"]) ** 2
-    # The foot is 12 mm thick.
-    assert more == pytest.approx(rings * (12.0 - 5.0), rel=1e-3)
+    # The foot is a quarter of the length thick.
+    assert more == pytest.approx(rings * (20.0 - 5.0), rel=1e-2)

@@ -1,13 +1,12 @@
 """A sheet on which a line is missing: the run says which, and where, and marks it."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import cv2
 import numpy as np
 
+from gaussiancad_core.cli import main
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
@@ -30,15 +29,10 @@ def test_a_missing_line_is_named_boxed_and_marked(tmp_path: Path) -> None:
     rows = slice(round(height) - 6, round(height) + 7)
     image[rows, round(left) + 5 : round(right) - 4] = 255
     write_image(image, tmp_path / "sheet.png")
-    command = [sys.executable, "-I", "-m", "gaussiancad_core", "reconstruct"]
-    options = ["--projection", "third", "--length", "x=80", "--result", "solid"]
     output = tmp_path / "model"
-    subprocess.run(
-        [*command, str(tmp_path / "sheet.png"), "--output", str(output), *options],
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        check=True,
-    )
+    words = ["reconstruct", str(tmp_path / "sheet.png"), "--output", str(output)]
+    options = ["--projection", "third", "--length", "x=80", "--result", "solid"]
+    assert main([*words, *options]) == 0
     report = json.loads((output / "report.json").read_text())
     assert report["status"] == "approximate"
     stated = {reason["code"]: reason["message"] for reason in report["reasons"]}

@@ -67,8 +67,7 @@ def _codes(found: list[dict]) -> set[str]:
     return {item["code"] for item in found}
 
 
-@pytest.mark.parametrize("layer", ["0", "HOLES"])
-@pytest.mark.parametrize("place", [(0.0, -12.0), (22.0, 2.0)])
+@pytest.mark.parametrize(("layer", "place"), [("0", (0.0, -12.0)), ("HOLES", (22.0, 2.0))])
 def test_a_plate_with_its_thickness_beside_it_or_on_it(
     run: Run, layer: str, place: tuple[float, float]
 ) -> None:
@@ -138,9 +137,7 @@ def test_a_plate_without_a_thickness_asks_for_one_and_takes_it(run: Run) -> None
 @pytest.mark.parametrize(
     ("unit", "stated", "factor"),
     [
-        (FileUnit.CENTIMETRE, 0, 10.0),
         (FileUnit.FOOT, 0, 304.8),
-        (FileUnit.MILLIMETRE, 0, 1.0),
         # What the file states stands.
         (FileUnit.INCH, _MM, 1.0),
     ],

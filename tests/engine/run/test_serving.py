@@ -18,8 +18,6 @@ from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.run import serving
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 
-SAMPLES = Path(__file__).resolve().parents[3] / "resources" / "samples"
-
 
 class _Engine:
     """A process that serves."""
@@ -56,8 +54,8 @@ class _Engine:
 
 
 @pytest.fixture
-def engine(tmp_path: Path) -> Iterator[_Engine]:
-    sheet = Path(shutil.copy(SAMPLES / "l-bracket.png", tmp_path))
+def engine(plain_picture: Path, tmp_path: Path) -> Iterator[_Engine]:
+    sheet = Path(shutil.copy(plain_picture, tmp_path))
     this_engine = _Engine(sheet)
     yield this_engine
     this_engine.process.kill()
@@ -78,7 +76,7 @@ def test_a_sheet_is_shown_read_corrected_and_solved(engine: _Engine, tmp_path: P
     out = str(tmp_path / "out")
     shown = engine.ask("render", output=out, most=200)
     assert Path(shown["picture"]).read_bytes().startswith(b"\x89PNG")
-    assert shown["size"] == [1920, 1080]
+    assert shown["size"] == [520, 480]
     read = engine.ask("read", output=out)
     assert read["refused"] == 0
     reading = json.loads(Path(read["reading"]).read_text(encoding="utf-8"))
@@ -112,7 +110,7 @@ def test_a_sheet_is_shown_read_corrected_and_solved(engine: _Engine, tmp_path: P
     assert "corrected" in {item["code"] for item in report["warnings"]}
     assert {event["id"] for event in engine.events if event["event"] == "stage"} >= {2, 6}
     engine.process.stdin.close()
-    assert engine.process.wait(30) == 0
+    assert engine.process.wait(60) == 0
 
 
 def test_what_cannot_be_is_answered_and_the_engine_stays(engine: _Engine, tmp_path: Path) -> None:
@@ -125,7 +123,7 @@ def test_what_cannot_be_is_answered_and_the_engine_stays(engine: _Engine, tmp_pa
     assert engine.ask("dance")["error"]["code"] == "unknown-request"
     engine.sheet = tmp_path / "gone.png"
     assert engine.ask("read", output=str(tmp_path))["error"]["code"] == "file-missing"
-    engine.sheet = Path(shutil.copy(SAMPLES / "l-bracket.png", tmp_path / "here.png"))
+    engine.sheet = Path(shutil.copy(tmp_path / "block.png", tmp_path / "here.png"))
     damaged = tmp_path / "damaged.json"
     damaged.write_text("[]", encoding="utf-8")
     found = engine.ask("reread", corrections=str(damaged), output=str(tmp_path))
@@ -140,10 +138,12 @@ def test_a_request_that_goes_on_ends_with_its_window(engine: _Engine, tmp_path: 
         if json.loads(line).get("event") == "stage":
             break
     engine.process.stdin.close()
-    assert engine.process.wait(30) == 130
+    assert engine.process.wait(60) == 130
 
 
-def test_sheets_stay_open_side_by_side(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_sheets_stay_open_side_by_side(
+    plain_picture: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     opened: list[str] = []
 
     def open_sheet(job: Job, notes: RunNotes) -> OpenedSheet:
@@ -156,7 +156,7 @@ def test_sheets_stay_open_side_by_side(tmp_path: Path, monkeypatch: pytest.Monke
     def render(name: str) -> None:
         sheet = tmp_path / f"{name}.png"
         if not sheet.exists():
-            shutil.copy(SAMPLES / "l-bracket.png", sheet)
+            shutil.copy(plain_picture, sheet)
         request = serving.Request(id=1, do="render", sheet=str(sheet), output=str(tmp_path))
         handler.answer(request, Silence())
 

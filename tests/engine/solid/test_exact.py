@@ -25,7 +25,7 @@ from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Shape
 
-from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.kernel.brep import bounding_box, moved_to_origin, soundness, subshapes, volume
 from gaussiancad_core.labelling.cell_labelling import Effort, Labelling, Others, Search
@@ -273,27 +273,12 @@ def test_a_spurious_line_through_everything_is_told(sample_views: Views) -> None
         assert {flaw.role for flaw in result.verification.flaws} >= {Role.FRONT}
 
 
-def test_a_thousand_strokes_come_to_an_end() -> None:
-    rng = np.random.default_rng(5)
-    box = ((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0))
-    strokes = {}
-    for role in (Role.FRONT, Role.TOP, Role.RIGHT):
-        rows = rng.uniform(0.0, 100.0, (334, 2)).round(1)
-        lengths = rng.uniform(2.0, 30.0, 334).round(1)
-        lines = []
-        for k, ((a, b), length) in enumerate(zip(rows, lengths, strict=True)):
-            end = (min(100.0, a + length), b) if k % 2 else (a, min(100.0, b + length))
-            lines.append(Segment((a, b), end, Linetype.HIDDEN if k % 3 else Linetype.VISIBLE))
-        outline = [Segment(box[k - 1], box[k], Linetype.VISIBLE) for k in range(4)]
-        strokes[role] = (*outline, *lines)
-    views = exact_views(strokes, (100.0, 100.0, 100.0))
-    limits = Limits(Effort(hard=0.5, relaxed=0.4, simplest=0.2), alternatives=1, work=1e6)
-    result = exact_solid(views, limits)
-    assert result.status is Status.FAILED and result.shape is None
-    assert _codes(result) == {"part-too-complex"}
-    # How complex it is is counted before anything takes time.
-    result = exact_solid(views, replace(limits, work=0.0))
-    assert result.status is Status.FAILED and _codes(result) == {"part-too-complex"}
+def test_what_takes_more_work_than_there_may_be_is_told(
+    sample_views: Callable[[str], DrawnViews],
+) -> None:
+    limits = Limits(Effort(hard=0.5, relaxed=0.4, simplest=0.2), alternatives=1, work=0.0)
+    result = exact_solid(sample_views("l-bracket"), limits)
+    assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 
 
 def _cube_without(*cells: tuple[int, int, int]) -> TopoDS_Shape:

@@ -57,7 +57,7 @@ def test_bores_without_a_depth_go_through(roles: tuple[Role, ...]) -> None:
     assert volume(found.shape) == pytest.approx(volume(shape), rel=1e-6)
 
 
-@pytest.mark.parametrize("roles", _VIEWS)
+@pytest.mark.parametrize("roles", [_VIEWS[0], _VIEWS[-1]])
 def test_a_counterbore_leaves_most_of_the_part_and_its_bore_goes_through(
     roles: tuple[Role, ...], iou: Callable[[TopoDS_Shape, TopoDS_Shape], float]
 ) -> None:

@@ -30,7 +30,7 @@ def test_pinhole_sees_the_plane_through_the_middle(box_views: ViewSet) -> None:
 @pytest.mark.parametrize("role", list(Role))
 def test_a_mark_lands_where_the_camera_projects_it(make: object, role: Role) -> None:
     size = (20.0, 12.0, 16.0)
-    camera: Camera = make(role, size, 200) if make is orthographic_camera else make(role, size, 0.2)
+    camera: Camera = make(role, size, 80) if make is orthographic_camera else make(role, size, 0.08)
     (across, sign_x), (upward, sign_y) = role.frame.right_axis, role.frame.up_axis
     origin = (min(0.0, sign_x * size[across.value]), max(0.0, sign_y * size[upward.value]))
     mask = np.zeros((round(size[upward.value] * 4), round(size[across.value] * 4)), bool)

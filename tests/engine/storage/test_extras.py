@@ -18,7 +18,6 @@ from gaussiancad_protocol.exit_codes import ExitCode
 from gaussiancad_protocol.modes import ResultKind
 
 ROOT = Path(__file__).resolve().parents[3]
-SHEET = ROOT / "resources" / "samples" / "wedge-block.png"
 
 BLOCKED = (
     *("torch", "open3d", "trimesh", "manifold3d", "ot", "distributed", "mcp", "onnx"),
@@ -102,41 +101,44 @@ def test_no_version_is_pinned() -> None:
         assert not {"==", "==="} & {part.operator for part in requirement.specifier}, requirement
 
 
-def test_a_sheet_becomes_its_solid_without_any_extra(tmp_path: Path) -> None:
-    done = plain("reconstruct", str(SHEET), "--output", "out", folder=tmp_path)
-    assert (done.returncode, done.stderr.count("[surface-left-out]")) == (0, 1)
-    assert 'pip install "gaussiancad-core[surface]"' in done.stderr
+@pytest.mark.parametrize("options", [(), ("--result", "solid")])
+def test_a_sheet_becomes_its_solid_without_any_extra(
+    options: tuple[str, ...], plain_sheet: Path, tmp_path: Path
+) -> None:
+    done = plain("reconstruct", str(plain_sheet), "--output", "out", *options, folder=tmp_path)
+    assert done.returncode == 0
     report = json.loads((tmp_path / "out" / "report.json").read_text(encoding="utf-8"))
-    assert report["status"] == "verified" and report["solid"]["faces"] == 12
+    assert report["status"] == "verified" and report["solid"]["faces"] == 9
     assert report["surface"] is None and report["gaussians"] is None
+    assert (tmp_path / "out" / "solid.step").is_file()
+    if options:
+        assert "extra" not in done.stderr
+        return
+    assert done.stderr.count("[surface-left-out]") == 1
+    assert 'pip install "gaussiancad-core[surface]"' in done.stderr
     warnings = {warning["code"]: warning for warning in report["warnings"]}
     assert warnings["surface-left-out"]["args"]["extra"] == "surface"
-    assert (tmp_path / "out" / "solid.step").is_file()
 
 
 @pytest.mark.parametrize(
     ("arguments", "extra"),
     [
-        (["reconstruct", str(SHEET), "--output", "out", "--result", "both"], "surface"),
-        (["reconstruct", str(SHEET), "--output", "out", "--result", "surface"], "surface"),
-        (["reconstruct", str(SHEET), "--output", "out", "--device", "cuda"], "cuda"),
+        (["reconstruct", "{sheet}", "--output", "out", "--result", "surface"], "surface"),
+        (["reconstruct", "{sheet}", "--output", "out", "--device", "cuda"], "cuda"),
         (["compare", "a.step", "b.step"], "compare"),
-        (["correct", str(SHEET)], "window"),
-        (["batch", str(SHEET), "--output", "out", "--scheduler", "tcp://host:8786"], "cluster"),
+        (["correct", "{sheet}"], "window"),
+        (["batch", "{sheet}", "--output", "out", "--scheduler", "tcp://host:8786"], "cluster"),
     ],
 )
-def test_what_needs_an_extra_names_it(arguments: list[str], extra: str, tmp_path: Path) -> None:
-    done = plain(*arguments, folder=tmp_path)
+def test_what_needs_an_extra_names_it(
+    arguments: list[str], extra: str, plain_sheet: Path, tmp_path: Path
+) -> None:
+    done = plain(*(word.format(sheet=plain_sheet) for word in arguments), folder=tmp_path)
     assert done.returncode == ExitCode.ENGINE
     (line,) = done.stderr.splitlines()
     assert line.startswith("gaussiancad: ") and line.endswith("[extra-missing]")
     assert f'pip install "gaussiancad-core[{extra}]"' in line
     assert not (tmp_path / "out" / "solid.step").exists()
-
-
-def test_a_solid_alone_warns_of_nothing(tmp_path: Path) -> None:
-    done = plain("reconstruct", str(SHEET), "--output", "out", "--result", "solid", folder=tmp_path)
-    assert done.returncode == 0 and "extra" not in done.stderr
 
 
 def test_the_doctor_tells_which_extras_are_there(tmp_path: Path) -> None:

@@ -96,7 +96,6 @@ def dimension_texts(sheet: Sheet) -> list[str]:
     ("part", "style"),
     [
         ("l-bracket", "iso"),
-        ("slotted-link", "iso"),
         ("pulley", "askew"),
         ("counterbored-block", "ansi"),
     ],

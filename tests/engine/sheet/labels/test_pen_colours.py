@@ -72,10 +72,7 @@ def test_red_on_both_sides_of_the_cut_of_the_circle_of_hues_is_one_pen() -> None
     assert _odds(pens, 60) > 2.0
 
 
-@pytest.mark.parametrize(("name", "options"), [("s.png", {}), ("s.jpg", {"quality": 90})])
-def test_a_coloured_sheet_becomes_the_same_solid_as_the_part_alone(
-    name: str, options: dict[str, int], tmp_path: Path
-) -> None:
+def test_a_coloured_sheet_becomes_the_same_solid_as_the_part_alone(tmp_path: Path) -> None:
     shape = sample("l-bracket").build()
     style = parse_style("dimensioned")
     drawn = draw_sheet(shape, (Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD, style)
@@ -84,8 +81,8 @@ def test_a_coloured_sheet_becomes_the_same_solid_as_the_part_alone(
     rgb = np.repeat(grey[..., None], 3, axis=2)
     # Blue ink takes the red and the green of the light, and not the blue.
     rgb[..., 2] = np.where(part <= 0.0, 255, rgb[..., 2])
-    Image.fromarray(rgb).save(tmp_path / name, **options)
-    words = ["reconstruct", str(tmp_path / name), "--output", str(tmp_path / "out")]
+    Image.fromarray(rgb).save(tmp_path / "s.jpg", quality=90)
+    words = ["reconstruct", str(tmp_path / "s.jpg"), "--output", str(tmp_path / "out")]
     assert main([*words, "--result", "solid", "--length", "x=80"]) == 0
     report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
     assert report["status"] == "verified", report["reasons"]

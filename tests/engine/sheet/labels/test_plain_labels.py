@@ -13,8 +13,6 @@ from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
 from gaussiancad_core.sheet.labels.plain_labels import plain_labels
 
-SAMPLES = Path(__file__).parents[4] / "resources" / "samples"
-
 
 def test_letters_in_a_row_are_writing_and_lines_are_not(sketch) -> None:  # noqa: ANN001
     drawn = sketch(300, 200).lines((20, 20), (280, 20), (280, 120), (20, 120), (20, 20))
@@ -27,12 +25,11 @@ def test_letters_in_a_row_are_writing_and_lines_are_not(sketch) -> None:  # noqa
     assert best[70, 46] == InkClass.HIDDEN
 
 
-@pytest.mark.parametrize("name", ["wedge-block", "l-bracket", "boss-plate"])
 def test_a_sheet_of_one_pen_is_read_in_doubt_and_the_missing_network_is_told(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    plain_picture: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(picture_views, "labels_problem", lambda: Message("the weights are missing"))
-    words = ["reconstruct", str(SAMPLES / f"{name}.png"), "--output", str(tmp_path)]
+    words = ["reconstruct", str(plain_picture), "--output", str(tmp_path)]
     assert main([*words, "--result", "solid", "--length", "x=80"]) == 0
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert "labels-missing" in [item["code"] for item in report["warnings"]]

@@ -11,7 +11,6 @@ from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
 Kind = SpecialKind
 
 ROLES = {Role.FRONT, Role.TOP, Role.RIGHT}
-DEFECTS = ["clean", "scan", "photocopy"]
 
 
 def _is_near(box: tuple, expected: tuple, px: float) -> bool:
@@ -31,9 +30,7 @@ def _all_views(found, roles: set[Role] = ROLES) -> bool:  # noqa: ANN001
 @pytest.mark.parametrize(
     ("part", "defects"),
     [
-        ("l-bracket", "clean"),
         ("l-bracket", "photocopy"),
-        ("wedge-block", "scan"),
         ("stepped-shaft", "clean"),
         ("cross-bored-pin", "scan"),
     ],
@@ -52,13 +49,14 @@ def test_a_pictorial_is_left_out(
     assert found.layout.left_out == ()
 
 
-@pytest.mark.parametrize("defects", [*DEFECTS, "dimensioned"])
 @pytest.mark.parametrize(
-    ("part", "inset"),
+    ("part", "inset", "defects"),
     [
-        ("l-bracket", Kind.DETAIL),
-        ("counterbored-block", Kind.AUXILIARY),
-        ("l-bracket", Kind.OTHER_PART),
+        ("l-bracket", Kind.DETAIL, "clean"),
+        ("l-bracket", Kind.DETAIL, "dimensioned"),
+        ("counterbored-block", Kind.AUXILIARY, "scan"),
+        ("l-bracket", Kind.OTHER_PART, "photocopy"),
+        ("l-bracket", Kind.OTHER_PART, "dimensioned"),
     ],
 )
 def test_what_stands_beside_the_views_is_left_out(
@@ -79,52 +77,32 @@ def test_what_stands_beside_the_views_is_left_out(
     assert _is_near(found.stored(special.box), (x0, y0, x1, y1), slack)
 
 
-@pytest.mark.parametrize("defects", DEFECTS)
-def test_a_section_in_a_direction_of_its_own_stands_for_a_view(
-    find,  # noqa: ANN001
-    defects: str,
-) -> None:
-    found = find("counterbored-block", f"{defects},section=right", "right,front,top")
-    assert _all_views(found)
-    (special,) = found.layout.special
-    assert (special.kind, special.used) == (Kind.SECTION, True)
-    assert special.box == found.layout.boxes[Role.RIGHT]
-
-
-@pytest.mark.parametrize("defects", DEFECTS)
-def test_a_section_that_is_needed_stands_for_its_view(
-    find,  # noqa: ANN001
-    defects: str,
-) -> None:
-    found = find("counterbored-block", f"{defects},section=front")
-    assert _all_views(found)
-    (special,) = found.layout.special
-    assert (special.kind, special.used) == (Kind.SECTION, True)
-    assert special.box == found.layout.boxes[Role.FRONT]
-
-
-@pytest.mark.parametrize("defects", DEFECTS)
 @pytest.mark.parametrize(
-    ("style", "kind"), [("half", Kind.HALF_SECTION), ("broken-out", Kind.PARTIAL_SECTION)]
+    ("style", "roles", "kind"),
+    [
+        ("clean,section=right", "right,front,top", Kind.SECTION),
+        ("photocopy,section=front", "front,top,right", Kind.SECTION),
+        ("photocopy,section=front,section-kind=half", "front,top,right", Kind.HALF_SECTION),
+        ("scan,section=front,section-kind=broken-out", "front,top,right", Kind.PARTIAL_SECTION),
+    ],
 )
-def test_views_that_are_cut_in_part_stay(
+def test_views_that_are_cut_stay(
     find,  # noqa: ANN001
     style: str,
+    roles: str,
     kind: SpecialKind,
-    defects: str,
 ) -> None:
-    found = find("counterbored-block", f"{defects},section=front,section-kind={style}")
+    found = find("counterbored-block", style, roles)
     assert _all_views(found)
     (special,) = found.layout.special
     assert (special.kind, special.used) == (kind, True)
+    assert special.box == found.layout.boxes[Role(roles.partition(",")[0])]
 
 
 @pytest.mark.parametrize(
     ("roles", "projection"),
     [
         ("front,top,right,left", "third"),
-        ("front,top,right,rear", "third"),
-        ("front,top,right,rear", "first"),
         ("front,bottom,left,right,rear", "first"),
         ("front,top,bottom,left,right,rear", "third"),
         ("front,top,bottom,left,right,rear", "first"),
@@ -144,9 +122,7 @@ def test_four_five_and_six_views_are_all_used(
 @pytest.mark.parametrize(
     ("part", "style"),
     [
-        ("rib-bracket", "clean"),
         ("rib-bracket", "photocopy"),
-        ("slotted-link", "scan"),
         ("slotted-link", "even,annotation-width=2"),
     ],
 )
