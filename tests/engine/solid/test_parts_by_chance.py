@@ -115,14 +115,14 @@ def test_half_a_pixel_beside_is_the_part_but_for_measures(
         angle, far = random.uniform(0.0, 2.0 * np.pi), reach * random.uniform() ** 0.5
         return point[0] + far * float(np.cos(angle)), point[1] + far * float(np.sin(angle))
 
-    def beside(stroke: DrawnStroke) -> tuple[DrawnStroke, ...]:
+    def displaced(stroke: DrawnStroke) -> tuple[DrawnStroke, ...]:
         if isinstance(stroke, Arc):
             radius = stroke.radius + random.uniform(-reach, reach)
             return (replace(stroke, centre=off(stroke.centre), radius=radius),)
         assert isinstance(stroke, Segment)
         return (replace(stroke, start=off(stroke.start), end=off(stroke.end)),)
 
-    found = exact_solid(_changed(views, beside, tolerance=2.0 * reach, apart=reach))
+    found = exact_solid(_changed(views, displaced, tolerance=2.0 * reach, apart=reach))
     assert found.shape is not None and iou(found.shape, truth) > 0.995
     is_the_part = same_solid(found.shape, truth)
     assert is_the_part or found.status is Status.APPROXIMATE
