@@ -177,10 +177,11 @@ class Sketch:
         return (image.mean(axis=2) if image.ndim == 3 else image).astype(np.uint8)
 
     def view(self, style: str = "") -> ReadView:
-        """What is read as one view: all but ten px along the borders."""
-        height, width = self.weight.shape
+        """What is read as one view."""
         sheet = clean_sheet(self.copied(style) if style else self.grey)
-        return view_of(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
+        rows, columns = np.nonzero(sheet.ink)
+        low, high = (columns.min(), rows.min()), (columns.max() + 1, rows.max() + 1)
+        return view_of(sheet, (*map(float, low), *map(float, high)))
 
     def strokes(self, style: str = "") -> tuple[Stroke, ...]:
         """The strokes of the view."""
