@@ -91,15 +91,41 @@ def test_from_straight_above_only_the_table_is_left_out() -> None:
     assert made.tint[675, 900] == 7
 
 
-@pytest.mark.parametrize("turn", [0.0, 4.0])
-def test_a_sheet_stays_as_it_is(turn: float) -> None:
-    matrix = cv2.getRotationMatrix2D((WIDTH / 2, HEIGHT / 2), turn, 1.0)
-    sheet = cv2.warpAffine(drawing(), matrix, (WIDTH, HEIGHT), borderValue=255)
-    assert straightened(sheet, None) is None
+def _turned(degrees: float) -> npt.NDArray[np.uint8]:
+    matrix = cv2.getRotationMatrix2D((WIDTH / 2, HEIGHT / 2), degrees, 1.0)
+    return cv2.warpAffine(drawing(), matrix, (WIDTH, HEIGHT), borderValue=255)
 
 
-def test_a_part_with_slopes_stays_as_it_is() -> None:
+def _with_slopes() -> npt.NDArray[np.uint8]:
     sheet = drawing()
     for k in range(6):
         cv2.line(sheet, (620, 130 + 40 * k), (1150, 100 + 52 * k), 0, 3)
+    return sheet
+
+
+def _with_a_dark_field() -> npt.NDArray[np.uint8]:
+    sheet = np.full((900, 1200), 235, np.uint8)
+    sheet[:, 900:] = 80
+    return sheet
+
+
+def _light_lines() -> npt.NDArray[np.uint8]:
+    sheet = np.full((900, 1200), 20, np.uint8)
+    for x in range(200, 1000, 40):
+        cv2.line(sheet, (x, 150), (x, 750), 240, 3)
+        cv2.line(sheet, (200, x * 3 // 4), (1000, x * 3 // 4), 240, 3)
+    return sheet
+
+
+@pytest.mark.parametrize(
+    "sheet",
+    [drawing(), _turned(4.0), _with_slopes(), _with_a_dark_field(), _light_lines()],
+    ids=["a sheet", "a turned one", "a part with slopes", "a dark field", "light lines"],
+)
+def test_a_sheet_stays_as_it_is(sheet: npt.NDArray[np.uint8]) -> None:
     assert straightened(sheet, None) is None
+
+
+@pytest.mark.parametrize("table", [205, 225])
+def test_paper_hardly_lighter_than_what_is_around_it_is_not_told(table: int) -> None:
+    assert straightened(photograph(drawing(), 0, 0, table), None) is None

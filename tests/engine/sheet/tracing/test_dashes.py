@@ -289,3 +289,13 @@ def test_no_arc_is_made_of_a_row_that_other_strokes_cross(sketch: Sketch) -> Non
     for y in (100, 118, 136):
         drawn.broken((12, y), (192, y), RHYTHM, 1.5)
     assert not [stroke for stroke in drawn.strokes() if isinstance(stroke, Arc)]
+
+
+@pytest.mark.parametrize(("dash", "gap"), [(12, 6), (40, 20)])
+def test_thin_lines_of_long_dashes_are_one_stroke(sketch: Sketch, dash: int, gap: int) -> None:
+    """As CAD programs draw them: a gap is ten times as wide as the line."""
+    end = 40 + 10 * dash + 9 * gap
+    drawn = sketch(700, 300).box(40, 40, end, 240, 2.0)
+    for y in (100.0, 160.0):
+        drawn.broken((40, y), (end, y), (dash, gap), 2.0)
+    assert drawn.misread(1.0) == []
