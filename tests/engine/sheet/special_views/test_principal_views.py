@@ -11,7 +11,6 @@ from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
 Kind = SpecialKind
 
 ROLES = {Role.FRONT, Role.TOP, Role.RIGHT}
-DEFECTS = ["clean", "scan", "photocopy"]
 
 
 def _is_near(box: tuple, expected: tuple, px: float) -> bool:
@@ -52,13 +51,15 @@ def test_a_pictorial_is_left_out(
     assert found.layout.left_out == ()
 
 
-@pytest.mark.parametrize("defects", [*DEFECTS, "dimensioned"])
 @pytest.mark.parametrize(
-    ("part", "inset"),
+    ("part", "inset", "defects"),
     [
-        ("l-bracket", Kind.DETAIL),
-        ("counterbored-block", Kind.AUXILIARY),
-        ("l-bracket", Kind.OTHER_PART),
+        ("l-bracket", Kind.DETAIL, "scan"),
+        ("l-bracket", Kind.DETAIL, "dimensioned"),
+        ("counterbored-block", Kind.AUXILIARY, "clean"),
+        ("counterbored-block", Kind.AUXILIARY, "photocopy"),
+        ("l-bracket", Kind.OTHER_PART, "photocopy"),
+        ("l-bracket", Kind.OTHER_PART, "dimensioned"),
     ],
 )
 def test_what_stands_beside_the_views_is_left_out(
@@ -79,54 +80,38 @@ def test_what_stands_beside_the_views_is_left_out(
     assert _is_near(found.stored(special.box), (x0, y0, x1, y1), slack)
 
 
-@pytest.mark.parametrize("defects", DEFECTS)
-def test_a_section_in_a_direction_of_its_own_stands_for_a_view(
-    find,  # noqa: ANN001
-    defects: str,
-) -> None:
-    found = find("counterbored-block", f"{defects},section=right", "right,front,top")
-    assert _all_views(found)
-    (special,) = found.layout.special
-    assert (special.kind, special.used) == (Kind.SECTION, True)
-    assert special.box == found.layout.boxes[Role.RIGHT]
-
-
-@pytest.mark.parametrize("defects", DEFECTS)
-def test_a_section_that_is_needed_stands_for_its_view(
-    find,  # noqa: ANN001
-    defects: str,
-) -> None:
-    found = find("counterbored-block", f"{defects},section=front")
-    assert _all_views(found)
-    (special,) = found.layout.special
-    assert (special.kind, special.used) == (Kind.SECTION, True)
-    assert special.box == found.layout.boxes[Role.FRONT]
-
-
-@pytest.mark.parametrize("defects", DEFECTS)
 @pytest.mark.parametrize(
-    ("style", "kind"), [("half", Kind.HALF_SECTION), ("broken-out", Kind.PARTIAL_SECTION)]
+    ("style", "kind", "roles"),
+    [
+        # In a direction that no other view has, and one that is needed.
+        ("scan,section=right", Kind.SECTION, "right,front,top"),
+        ("photocopy,section=front", Kind.SECTION, "front,top,right"),
+        ("clean,section=front", Kind.SECTION, "front,top,right"),
+        ("clean,section=front,section-kind=half", Kind.HALF_SECTION, "front,top,right"),
+        ("photocopy,section=front,section-kind=half", Kind.HALF_SECTION, "front,top,right"),
+        ("scan,section=front,section-kind=broken-out", Kind.PARTIAL_SECTION, "front,top,right"),
+    ],
 )
-def test_views_that_are_cut_in_part_stay(
+def test_what_is_cut_stands_for_its_view(
     find,  # noqa: ANN001
     style: str,
     kind: SpecialKind,
-    defects: str,
+    roles: str,
 ) -> None:
-    found = find("counterbored-block", f"{defects},section=front,section-kind={style}")
+    found = find("counterbored-block", style, roles)
     assert _all_views(found)
     (special,) = found.layout.special
     assert (special.kind, special.used) == (kind, True)
+    if kind is Kind.SECTION:
+        assert special.box == found.layout.boxes[Role(roles.split(",", maxsplit=1)[0])]
 
 
 @pytest.mark.parametrize(
     ("roles", "projection"),
     [
         ("front,top,right,left", "third"),
-        ("front,top,right,rear", "third"),
         ("front,top,right,rear", "first"),
-        ("front,bottom,left,right,rear", "first"),
-        ("front,top,bottom,left,right,rear", "third"),
+        ("front,bottom,left,right,rear", "third"),
         ("front,top,bottom,left,right,rear", "first"),
     ],
 )

@@ -53,7 +53,6 @@ def _views(projection: Projection, stated_projection: Projection | None) -> Shee
     [
         "dimensioned",
         "dimensioned,text-height=14",
-        "dimensioned,text-height=26",
         "dimensioned,blur=0.7,noise=4,jpeg-quality=85,skew=0.4",
     ],
 )
@@ -98,10 +97,11 @@ def _with_axes(
 
 
 @pytest.mark.parametrize("projection", Projection)
-@pytest.mark.parametrize("turns", range(4))
-@pytest.mark.parametrize(("size", "width"), [(20.0, 1.5), (26.0, 2.0), (40.0, 2.0)])
+@pytest.mark.parametrize(
+    ("turns", "size", "width"), [(0, 20.0, 1.5), (1, 26.0, 2.0), (2, 40.0, 2.0), (3, 20.0, 1.5)]
+)
 def test_it_may_stand_anywhere_and_any_way_up(
-    projection: Projection, size: float, turns: int, width: float
+    projection: Projection, turns: int, size: float, width: float
 ) -> None:
     clean = _alone(projection, size, turns, width)
     # What is a twentieth of a sheet is no more than one of this small one.
