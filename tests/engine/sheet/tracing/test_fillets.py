@@ -204,24 +204,45 @@ def test_a_slant_to_the_end_of_a_keyway_is_no_arc(sketch: Sketch) -> None:
     assert not [stroke for stroke in strokes if isinstance(stroke, Arc)]
 
 
-@pytest.mark.parametrize(("height", "wide"), [(1.4, 36.0), (2.0, 46.0), (2.4, 36.0), (2.4, 46.0)])
+@pytest.mark.parametrize("rise", [3.1, 4.4])
+def test_both_ends_of_a_line_rise(sketch: Sketch, rise: float) -> None:
+    low, long, ends = 60.0, 25.0, (110.0, 190.0)
+    radius = (long**2 + rise**2) / (2.0 * rise)
+    turn = float(np.arcsin(long / radius))
+    drawn = sketch(300, 140).line((ends[0], low), (ends[1], low))
+    for x, start, wall in ((ends[0], QUARTER, 20.0), (ends[1], QUARTER - turn, 250.0)):
+        corner = (x + np.copysign(long, wall - x), low - rise)
+        drawn.arc((x, low - radius), radius, 3.0, start, turn).line(corner, (wall, low - rise))
+        drawn.broken(corner, (corner[0], 110.0), (10.0, 5.0))
+    drawn.box(250, 30, 290, 120).lines((250, 120), (20, 120), (20, low - rise))
+    assert not [text for text in drawn.misread(2.0) if "Arc" in text]
+
+
+@pytest.mark.parametrize(
+    ("height", "wide", "stroke"),
+    [
+        (1.4, 36.0, False),
+        (2.0, 46.0, False),
+        (2.4, 46.0, False),
+        (1.6, 46.0, True),
+        (2.0, 46.0, True),
+    ],
+)
 def test_the_mouth_of_a_cross_bore_bows_the_outline(
-    sketch: Sketch, height: float, wide: float
+    sketch: Sketch, height: float, wide: float, stroke: bool
 ) -> None:
-    first, last, top = 70.0, 70.0 + wide, 40.0
-    at = np.linspace(-1.0, 1.0, 41)
+    """Where another stroke begins it, it ends at that."""
+    first, last, top = 130.0, 130.0 + wide, 40.0
     radius = ((wide / 2.0) ** 2 + height**2) / (2.0 * height)
-    ys = top + height - radius + np.sqrt(radius**2 - (wide / 2.0 * at) ** 2)
-    xs = (first + last) / 2.0 + wide / 2.0 * at
-    drawn = sketch().ink(*zip(xs.tolist(), ys.tolist(), strict=True), width=2.7)
-    drawn.line((30, top), (first, top), 2.7)
-    drawn.lines((last, top), (170, top), (170, 130), (30, 130), (30, top), width=2.7)
-    strokes = drawn.strokes()
-    assert len(strokes) == 6
-    (arc,) = (stroke for stroke in strokes if isinstance(stroke, Arc))
-    points = arc.sample(arc.length / 20.0) - 0.5
-    assert points[:, 1].max() == pytest.approx(top + height, abs=0.25)
-    assert sorted(points[[0, -1], 0]) == pytest.approx([first, last], abs=3.0)
+    half = float(np.arcsin(wide / 2.0 / radius))
+    drawn = sketch(300, 200).line((20, top), (first, top), 2.7)
+    drawn.arc((first + wide / 2.0, top + height - radius), radius, 2.7, QUARTER - half, 2.0 * half)
+    drawn.lines((last, top), (280, top), (280, 160), (20, 160), (20, top), width=2.7)
+    if stroke:
+        drawn.line((first, top), (first, 160), 2.7)
+    assert drawn.misread(4.0) == []
+    (arc,) = (item for item in drawn.strokes() if isinstance(item, Arc))
+    assert arc.sample(1.0)[:, 1].max() - 0.5 == pytest.approx(top + height, abs=0.25)
 
 
 @pytest.mark.parametrize(("turn", "radius"), [(25.0, 50.0), (30.0, 50.0), (35.0, 70.0)])

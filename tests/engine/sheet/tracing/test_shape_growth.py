@@ -7,7 +7,7 @@ import pytest
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.whole_curves import Line
-from gaussiancad_core.sheet.tracing import shape_growth
+from gaussiancad_core.sheet.tracing import shape_growth, view_shapes
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_shapes, warm_up
 
@@ -61,6 +61,16 @@ def test_more_lines_than_any_drawing_has_end_the_growth(
     with pytest.raises(NoModelError, match="too many") as stated:
         _grown(drawn)
     assert stated.value.code == "part-too-complex"
+
+
+def test_more_lines_than_any_part_has_are_refused_before_they_are_looked_at(
+    sketch: Sketch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = sketch().box(20, 20, 180, 140)
+    monkeypatch.setattr(view_shapes, "_MOST_LINES", 3)
+    with pytest.raises(NoModelError) as caught:
+        drawn.strokes()
+    assert caught.value.code == "part-too-complex"
 
 
 def test_members_of_lines_count_as_those_of_other_shapes(sketch: Sketch) -> None:
