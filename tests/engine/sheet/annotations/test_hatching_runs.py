@@ -88,9 +88,7 @@ def test_hatching_of_a_turned_sheet_is_taken_off() -> None:
     )
     lines = ink_annotations(upright, style) > 0.5
     strokes = tuple(stroke for view in drawn.views for stroke in view.strokes)
-    cosine, sine = np.cos(np.radians(3.0)), np.sin(np.radians(3.0))
-    matrix = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0]])
-    matrix[:, 2] = np.array([720.0, 450.0]) - matrix[:, :2] @ np.array([720.0, 450.0])
+    matrix = cv2.getRotationMatrix2D((720.0, 450.0), -3.0, 1.0)
     part_ink = cv2.warpAffine(rasterise(strokes, style), matrix, (1440, 900)) > 0.3
     lines &= ~_near(part_ink, 5)
     assert lines.sum() > 2000
@@ -116,7 +114,7 @@ def test_teeth_are_no_hatching(sketch, steep: bool) -> None:  # noqa: ANN001
 
 
 def test_three_lines_are_no_hatching(sketch) -> None:  # noqa: ANN001
-    drawn = sketch().lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
+    drawn = sketch().box(20, 20, 180, 140)
     for k in range(3):
         drawn.line((40.0 + 20.0 * k, 140.0), (160.0 + 20.0 * k - 40.0, 20.0))
     sheet = clean_sheet(drawn.grey)
@@ -126,7 +124,7 @@ def test_three_lines_are_no_hatching(sketch) -> None:  # noqa: ANN001
 
 def test_hatching_goes_on_beyond_a_bore(sketch) -> None:  # noqa: ANN001
     """Two lines below it are as far from the others as these from each other."""
-    drawn = sketch(160, 420).lines((20, 20), (120, 20), (120, 400), (20, 400), (20, 20))
+    drawn = sketch(160, 420).box(20, 20, 120, 400)
     drawn.lines((20, 290), (120, 290)).lines((20, 350), (120, 350))
     for k in range(16):
         # Lines x + y = 20 (k + 4), cut off at the outline and at the bore.

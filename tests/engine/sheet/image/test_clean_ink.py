@@ -115,7 +115,7 @@ def test_uneven_light_leaves_the_weight_even(
     error: float,
 ) -> None:
     """A lamp over one corner: lines keep their place, and nearly their darkness."""
-    drawn = sketch(480, 360).lines((60, 50), (420, 50), (420, 310), (60, 310), (60, 50))
+    drawn = sketch(480, 360).box(60, 50, 420, 310)
     y, x = np.mgrid[:360, :480]
     light = dim + (1.0 - dim) * np.exp(-((x - 100) ** 2 + (y - 80) ** 2) / 200.0**2)
     sheet = clean_sheet(np.rint(drawn.grey * light).astype(np.uint8))
@@ -128,7 +128,7 @@ def test_uneven_light_leaves_the_weight_even(
 
 def test_a_shadow_and_a_fold_are_no_ink(sketch: Sketch) -> None:
     """The dark border of a copier's lid and a soft crease through the sheet."""
-    drawn = sketch(480, 360).lines((90, 80), (400, 80), (400, 300), (90, 300), (90, 80))
+    drawn = sketch(480, 360).box(90, 80, 400, 300)
     x = np.arange(480)
     shade = 1.0 - 0.5 * np.exp(-x / 20.0) - 0.15 * np.exp(-((x - 250) ** 2) / (2 * 25.0**2))
     ink = clean_sheet(np.rint(drawn.grey * shade).astype(np.uint8)).ink
@@ -137,7 +137,7 @@ def test_a_shadow_and_a_fold_are_no_ink(sketch: Sketch) -> None:
 
 
 def test_the_paper_s_noise_has_no_weight(sketch: Sketch) -> None:
-    drawn = sketch(480, 360).lines((90, 80), (400, 80), (400, 300), (90, 300), (90, 80))
+    drawn = sketch(480, 360).box(90, 80, 400, 300)
     noise = np.random.default_rng(3).normal(0.0, 3.0, (360, 480))
     grey = np.clip(0.9 * drawn.grey.astype(float) + noise, 0, 255).astype(np.uint8)
     sheet = clean_sheet(grey)

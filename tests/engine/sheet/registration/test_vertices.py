@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
-from gaussiancad_core.sheet.registration.stroke_carriers import AxisLine, Round, Slant, supports_of
+from gaussiancad_core.sheet.registration.stroke_carriers import AxisLine, supports_of
 from gaussiancad_core.sheet.registration.stroke_precision import FROM_PIXELS
 from gaussiancad_core.sheet.registration.vertices import Grid, settled_strokes
 
@@ -28,63 +28,11 @@ def settled(*strokes: Stroke) -> tuple[Stroke, ...]:
     return settled_strokes(replace(this_supports, supports=supports), GRID)
 
 
-def test_strokes_are_told_by_what_they_lie_on() -> None:
-    supports = supports_of(
-        (
-            line(0, 0, 100, 0.3),
-            line(0.1, 0, 0, 50),
-            line(0, 0, 40, 30),
-            line(80, 60, 120, 90.1, kind=Linetype.HIDDEN),
-            line(0, 20, 40, 50),
-            Arc((50.0, 50.0), 20.0, 0.0, 1.0, Linetype.VISIBLE),
-            Arc((50.1, 50.0), 20.1, 2.0, 1.0, Linetype.HIDDEN),
-            Arc((50.0, 50.0), 30.0, 0.0, 1.0, Linetype.VISIBLE),
-            Ellipse((0.0, 0.0), 3.0, 2.0, 0.0, 0.0, 1.0, Linetype.VISIBLE),
-        ),
-        FROM_PIXELS,
-    )
-    assert supports.of == (0, 1, 2, 2, 3, 4, 4, 5, None)
-    kinds = [type(support) for support in supports.supports]
-    assert kinds == [AxisLine, AxisLine, Slant, Slant, Round, Round]
-    assert (supports.supports[0].fixed, supports.supports[1].fixed) == (1, 0)
-    # A line that leans is known less well than its length says.
-    assert supports.supports[0].weight < supports.supports[1].weight
-
-
-def test_corners_are_shared_to_the_last_digit() -> None:
-    level, upright = settled(line(0.4, 0.1, 199.5, 0.0), line(200.2, -0.5, 200.1, 79.4))
-    assert level.end == upright.start == (200.0, 0.0)
-    assert level.start == (0.0, 0.0)
-    assert upright.end == (200.0, 80.0)
-
-
-def test_an_end_on_the_middle_of_another_stroke_lies_on_it() -> None:
-    _, stem = settled(line(0, 0, 200, 0), line(60.3, 0.7, 60.2, 40.0))
-    assert stem.start == (60.0, 0.0)
-    assert stem.end == (60.0, 40.0)
-
-
 def test_slanted_lines_meet_in_their_crossing() -> None:
     first, second = settled(line(10, 10, 50, 50.2), line(49.6, 50.1, 90, 10))
     assert first.end == second.start
     (x, y), (dx, dy) = np.subtract(first.end, (10, 10)), (40.0, 40.2)
     assert x * dy - y * dx == pytest.approx(0.0, abs=1e-6)
-
-
-def test_a_slanted_line_goes_through_settled_corners() -> None:
-    strokes = settled(line(0, 0, 0, 79.8), line(0.3, 80.1, 60.0, 80.0), line(0.2, 0.1, 60.1, 79.9))
-    assert (strokes[2].start, strokes[2].end) == ((0.0, 0.0), (60.0, 80.0))
-
-
-def test_an_arc_ends_where_it_touches_its_tangents() -> None:
-    level, upright, arc = settled(
-        line(60, 80.1, 149.8, 80),
-        line(200.1, 0, 200, 29.7),
-        Arc((150.0, 30.0), 50.0, 0.01, np.pi / 2 - 0.015, Linetype.VISIBLE),
-    )
-    assert level.end == (150.0, 80.0)
-    assert upright.end == (200.0, 30.0)
-    assert (arc.start_angle, arc.sweep) == pytest.approx((0.0, np.pi / 2), abs=1e-12)
 
 
 def test_circles_that_touch_share_the_point_between_them() -> None:
