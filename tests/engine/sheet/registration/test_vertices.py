@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
-from gaussiancad_core.sheet.registration.stroke_carriers import AxisLine, supports_of
+from gaussiancad_core.sheet.registration.stroke_carriers import AxisLine, Round, Slant, supports_of
 from gaussiancad_core.sheet.registration.stroke_precision import FROM_PIXELS
 from gaussiancad_core.sheet.registration.vertices import Grid, settled_strokes
 
@@ -26,6 +26,29 @@ def settled(*strokes: Stroke) -> tuple[Stroke, ...]:
         for s in this_supports.supports
     )
     return settled_strokes(replace(this_supports, supports=supports), GRID)
+
+
+def test_strokes_are_told_by_what_they_lie_on() -> None:
+    supports = supports_of(
+        (
+            line(0, 0, 100, 0.3),
+            line(0.1, 0, 0, 50),
+            line(0, 0, 40, 30),
+            line(80, 60, 120, 90.1, kind=Linetype.HIDDEN),
+            line(0, 20, 40, 50),
+            Arc((50.0, 50.0), 20.0, 0.0, 1.0, Linetype.VISIBLE),
+            Arc((50.1, 50.0), 20.1, 2.0, 1.0, Linetype.HIDDEN),
+            Arc((50.0, 50.0), 30.0, 0.0, 1.0, Linetype.VISIBLE),
+            Ellipse((0.0, 0.0), 3.0, 2.0, 0.0, 0.0, 1.0, Linetype.VISIBLE),
+        ),
+        FROM_PIXELS,
+    )
+    assert supports.of == (0, 1, 2, 2, 3, 4, 4, 5, None)
+    kinds = [type(support) for support in supports.supports]
+    assert kinds == [AxisLine, AxisLine, Slant, Slant, Round, Round]
+    assert (supports.supports[0].fixed, supports.supports[1].fixed) == (1, 0)
+    # A line that leans is known less well than its length says.
+    assert supports.supports[0].weight < supports.supports[1].weight
 
 
 def test_slanted_lines_meet_in_their_crossing() -> None:

@@ -156,7 +156,7 @@ def test_the_foot_of_a_cone_between_two_walls(sketch: Sketch, foot: float) -> No
         drawn.lines((wall, neck), (wall + step, side), (shaft, side))
     for x, y in ((20.0, high), (wall, high), (wall + step, foot - step), (shaft, foot - step)):
         drawn.line((x, y), (x, 199.0 - y))
-    assert drawn.misread(0.3) == []
+    assert drawn.misread(0.2) == []
 
 
 @pytest.mark.parametrize("rightwards", [True, False])
