@@ -159,6 +159,16 @@ def test_the_foot_of_a_cone_between_two_walls(sketch: Sketch, foot: float) -> No
     assert drawn.misread(0.2) == []
 
 
+@pytest.mark.parametrize(("off", "width"), [(0.2, 2.0), (0.7, 3.0)])
+def test_short_slants_between_two_lines_lie_on_their_own_ink(
+    sketch: Sketch, off: float, width: float
+) -> None:
+    drawn = sketch(220, 200).box(20, 20, 200, 180, width)
+    drawn.line((70, 20), (70, 180), width).line((84, 20), (84, 180), width)
+    drawn.line((70, 60 + off), (84, 74 + off), width)
+    assert drawn.line((70, 120 + off), (84, 106 + off), width).misread(0.2) == []
+
+
 @pytest.mark.parametrize("rightwards", [True, False])
 def test_an_edge_on_the_course_of_a_slant_is_upright(sketch: Sketch, rightwards: bool) -> None:
     """A cone's outline, drawn on, runs through the short edge of the shoulder above it."""
