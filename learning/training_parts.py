@@ -189,8 +189,8 @@ def _drawn_part(seed: int, number: int) -> DrawnPart:
 
 
 def _solid(rng: np.random.Generator) -> "TopoDS_Shape":
-    from gaussiancad_core.samples.classed import PartClass, classed_part
-    from gaussiancad_core.samples.random_parts import random_part
+    from sample_parts.classed import PartClass, classed_part
+    from sample_parts.random_parts import random_part
 
     seed = int(rng.integers(2**31))
     if rng.random() >= _CLASSED:

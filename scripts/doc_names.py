@@ -21,6 +21,7 @@ PACKAGES = (
     "freecad.gaussiancad",
     "benchmarks",
     "learning",
+    "sample_parts",
 )
 """Of the tree: a dotted name that begins with one of them leads somewhere in it."""
 

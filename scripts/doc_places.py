@@ -15,6 +15,7 @@ ROOTS = (
     "freecad",
     "benchmarks",
     "learning",
+    "sample_parts",
     "scripts",
     "tests",
     "docs",

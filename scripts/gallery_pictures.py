@@ -27,9 +27,12 @@ from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples.classed import PartClass, classed_part
 
 ADDON = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ADDON))
+
+from sample_parts.classed import PartClass, classed_part
+
 IMAGES = ADDON / "docs" / "images"
 SAMPLES = ADDON / "resources" / "samples"
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)

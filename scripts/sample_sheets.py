@@ -3,7 +3,7 @@
     .venv/bin/python scripts/sample_sheets.py [FOLDER]
 
 Writes ``<name>.png`` (front, top, right in third angle, 1920 x 1080) and ``<name>.step`` for three
-of the parts of :mod:`gaussiancad_core.samples`; into ``resources/samples`` if no folder is named.
+of the parts of :mod:`sample_parts`; into ``resources/samples`` if no folder is named.
 """
 
 import sys
@@ -14,9 +14,13 @@ from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples import sample
 
-SAMPLES = Path(__file__).resolve().parents[1] / "resources" / "samples"
+ADDON = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ADDON))
+
+from sample_parts import sample
+
+SAMPLES = ADDON / "resources" / "samples"
 SHIPPED = ("l-bracket", "boss-plate", "wedge-block")
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

@@ -130,7 +130,7 @@ def plain_step(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The plain part itself."""
     from gaussiancad_core.kernel.brep_files import write_step
     from gaussiancad_core.model.axes import Axis
-    from gaussiancad_core.samples.modelling import cut, cylinder, prism
+    from sample_parts.modelling import cut, cylinder, prism
 
     path = tmp_path_factory.mktemp("plain") / "block.step"
     bore = cylinder(Axis.Z, (28, 10), _PLAIN_BORE[1], -1, 11)

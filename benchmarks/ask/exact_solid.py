@@ -24,7 +24,7 @@ from benchmarks.run.rows import Running, rows_of
 from benchmarks.sheets.exact_inputs import InputKind
 from benchmarks.tasks.exact_tables import summary, tables
 from benchmarks.tasks.exact_work import Task, counted, falsely_verified, in_words, worked
-from gaussiancad_core.samples.classed import PartClass
+from sample_parts.classed import PartClass
 
 MINUTES = 30
 

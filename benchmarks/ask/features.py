@@ -31,8 +31,8 @@ from benchmarks.run.outcome import Outcome, as_cells, as_table, share
 from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import Row
 from benchmarks.tasks.feature_work import SAMPLES, Task, worked
-from gaussiancad_core.samples import SAMPLES as PARTS
-from gaussiancad_core.samples.classed import PartClass
+from sample_parts import SAMPLES as PARTS
+from sample_parts.classed import PartClass
 
 MINUTES = 30
 

@@ -24,7 +24,7 @@ from benchmarks.run.rows import Running, rows_of
 from benchmarks.run.workers import Row
 from benchmarks.sheets.exact_inputs import InputKind
 from benchmarks.tasks.measures_work import Group, Task, worked
-from gaussiancad_core.samples.classed import PartClass
+from sample_parts.classed import PartClass
 
 MINUTES = 60
 

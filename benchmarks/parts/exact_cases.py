@@ -10,7 +10,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.kernel.brep import moved_to_origin, subshapes
 from gaussiancad_core.kernel.brep_files import read_solid
-from gaussiancad_core.samples.classed import PartClass, classed_part
+from sample_parts.classed import PartClass, classed_part
 
 USUAL_LEVELS = 7
 """Levels of the parts in turn: up to 120 faces."""

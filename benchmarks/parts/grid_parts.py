@@ -22,7 +22,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.kernel.brep import subshapes
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
-from gaussiancad_core.samples.modelling import box
+from sample_parts.modelling import box
 
 _KINDS = {1: Linetype.VISIBLE, 2: Linetype.HIDDEN}
 

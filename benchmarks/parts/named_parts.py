@@ -6,8 +6,8 @@ from functools import partial
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.samples import SAMPLES
-from gaussiancad_core.samples.classed import PartClass, classed_part
+from sample_parts import SAMPLES
+from sample_parts.classed import PartClass, classed_part
 
 LEVELS = 4
 """Of numbers of faces, which the parts of a class have in turn: 8 to 48."""

@@ -13,7 +13,7 @@ from random import Random
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import Point2, box, cut, cylinder, fuse, revolved
+from sample_parts.modelling import Point2, box, cut, cylinder, fuse, revolved
 
 _OVER = 1.0
 """mm by which tools reach beyond a part."""

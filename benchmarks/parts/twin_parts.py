@@ -14,7 +14,7 @@ from benchmarks.judge.exact_measures import placed, rotations
 from gaussiancad_core.kernel.brep import bounding_box, soundness
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import (
+from sample_parts.modelling import (
     box,
     cone,
     cut,

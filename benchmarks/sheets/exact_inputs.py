@@ -12,11 +12,12 @@ from pathlib import Path
 import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
-import gaussiancad_core
+import sample_parts
 from benchmarks.judge.reading_found import lines_of, picture_of
 from benchmarks.parts.exact_cases import Case
 from benchmarks.sheets.clean_sheets import ROLES
 from benchmarks.sheets.foreign_sheets import Conventions, foreign_sheet
+from gaussiancad_core import drawing
 from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.sheet_style import parse_style
@@ -145,9 +146,8 @@ def _kept(folder: Path, case: Case, make: Callable[[], PartLines]) -> PartLines:
 def _version() -> str:
     """Of the code that makes and draws parts: its change makes kept lines old."""
     digest = hashlib.sha256()
-    package = Path(gaussiancad_core.__file__).parent
-    for room in ("drawing", "samples"):
-        for path in sorted((package / room).rglob("*.py")):
+    for package in (drawing, sample_parts):
+        for path in sorted(Path(package.__file__).parent.rglob("*.py")):
             digest.update(path.read_bytes())
     return digest.hexdigest()[:12]
 

@@ -21,7 +21,7 @@ from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.views import Linetype, Segment
-from gaussiancad_core.samples.modelling import box
+from sample_parts.modelling import box
 
 _WIDE, _NARROW = 0.5, 0.18
 _VISIBLE, _THIN = Pen(_WIDE), Pen(_NARROW)

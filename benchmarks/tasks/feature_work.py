@@ -26,7 +26,7 @@ from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.kernel.booleans import unified
 from gaussiancad_core.kernel.brep import compound_of, faces_of, subshapes, volume
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 SAMPLES = "samples"
 

@@ -18,8 +18,8 @@ from benchmarks.run.workers import FIRST, SOLVE, Row
 from benchmarks.sheets.exact_inputs import InputKind, make_input
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
-from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.solid.exact import ExactResult
+from sample_parts.classed import PartClass, classed_part
 
 _SMALL = 3
 """Levels of the classes of parts that are small."""

@@ -30,8 +30,8 @@ from gaussiancad_core.kernel.brep import bounding_box
 from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.run.exact_stage import ExactModel, find_exact
-from gaussiancad_core.samples.classed import PartClass, classed_part
-from gaussiancad_core.samples.random_parts import random_part
+from sample_parts.classed import PartClass, classed_part
+from sample_parts.random_parts import random_part
 
 _ASKED = 2
 """Policies beside the first one under which one of a family's parts is drawn."""

@@ -10,7 +10,7 @@ from benchmarks.tasks.verified_grids import grid_cases, pair_cases
 from benchmarks.tasks.verified_sheets import sheet_cases
 from benchmarks.tasks.verified_sources import RANDOM, part_cases, twin_cases
 from gaussiancad_core.processes.library_behaviour import silence_opencascade
-from gaussiancad_core.samples.classed import PartClass
+from sample_parts.classed import PartClass
 
 _KINDS = (*(kind.value for kind in PartClass), RANDOM, RANDOM)
 _ALL = (*FAMILIES, *_KINDS)

@@ -49,7 +49,7 @@ def _files_are_read_in_this_process() -> "Iterator[None]":
 @pytest.fixture(scope="session")
 def sample_solid() -> "Callable[[str], TopoDS_Shape]":
     """Builds the sample part of a name, its bounding box starting at the origin."""
-    from gaussiancad_core.samples import sample
+    from sample_parts import sample
 
     return cache(lambda name: sample(name).build())
 

@@ -112,6 +112,7 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
         ("core", ENGINE + TESTS),
         ("benchmarks", ENGINE),
         ("learning", ENGINE + TESTS),
+        ("sample_parts", ENGINE),
         ("tests/engine", ENGINE + TESTS),
         ("tests/docs", ENGINE + TESTS),
         ("tests/learning", ENGINE + TESTS),
@@ -132,7 +133,7 @@ def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     known |= {name for package in of_here(declared) for name in provided(package.name)}
     # Scripts of a folder import each other; those of make are tested and measured, too, as is the
     # package of benchmarks, beside what helps their tests.
-    known.add("benchmarks")
+    known |= {"benchmarks", "sample_parts"}
     known |= {"learning"} if "learning" in folder else set()
     for scripts in (folder, "scripts", *HELPED):
         known |= {path.stem for path in (CHECKOUT / scripts).glob("*.py")}
@@ -148,7 +149,7 @@ def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
 def test_the_product_needs_nothing_that_is_for_a_checkout(folder: str) -> None:
     paths = list((CHECKOUT / folder).rglob("*.py"))
     assert len(paths) > 10
-    apart = {"learning", "benchmarks", "tests", "scripts"}
+    apart = {"learning", "benchmarks", "sample_parts", "tests", "scripts"}
     assert {path.name for path in paths if imported(path) & apart} == set()
 
 

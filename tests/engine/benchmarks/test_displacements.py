@@ -5,7 +5,7 @@ import pytest
 
 from benchmarks.judge.displacements import displacements
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, cylinder, sphere
+from sample_parts.modelling import box, cut, cylinder, sphere
 
 
 def test_each_face_is_as_far_off_as_it_was_moved() -> None:

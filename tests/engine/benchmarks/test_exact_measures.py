@@ -16,7 +16,7 @@ from benchmarks.judge.exact_measures import (
 from gaussiancad_core.kernel.brep import bounding_box, volume
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.meshes import make_mesh
-from gaussiancad_core.samples.modelling import box, cut, cylinder
+from sample_parts.modelling import box, cut, cylinder
 
 
 @pytest.fixture(scope="module")

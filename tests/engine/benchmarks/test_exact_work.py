@@ -9,7 +9,7 @@ from benchmarks.sheets.exact_inputs import InputKind, kept_lines, make_input
 from benchmarks.tasks.exact_tables import summary, tables
 from benchmarks.tasks.exact_work import Task, causes, close, falsely_verified, solved, worked
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.samples.classed import PartClass
+from sample_parts.classed import PartClass
 
 EXACT: Row = {
     "group": "planes", "name": "a", "input": "vectors", "status": "verified", "reasons": [],

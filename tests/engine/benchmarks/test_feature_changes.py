@@ -14,7 +14,7 @@ from gaussiancad_core.features.sketch_geometry import Reference
 from gaussiancad_core.geometry.outline_edges import OutlineEdge, enclosed_area
 from gaussiancad_core.kernel.brep import bounding_box, volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, cylinder
+from sample_parts.modelling import box, cut, cylinder
 
 _PLATE: Loop = tuple(
     OutlineEdge(*ends)

@@ -13,9 +13,9 @@ from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import part_lines
 from gaussiancad_core.kernel.brep import moved_to_origin
 from gaussiancad_core.model.axes import Axis, Projection
-from gaussiancad_core.samples import sample
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_protocol.modes import Status
+from sample_parts import sample
 
 
 def test_each_seed_is_a_program_of_its_own() -> None:

@@ -3,7 +3,7 @@
 from benchmarks.judge.verified_judging import judgement
 from gaussiancad_core.kernel.brep import compound_of
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, cylinder
+from sample_parts.modelling import box, cut, cylinder
 
 _BLOCK = box((0, 0, 0), (60, 40, 30))
 _PART = cut(_BLOCK, cylinder(Axis.Z, (20, 20), 8.0, 10.0, 40))

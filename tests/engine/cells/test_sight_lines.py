@@ -12,7 +12,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.labelling import visibility_rules
 from gaussiancad_core.labelling.part_model import PartModel, model_part
 from gaussiancad_core.labelling.visibility_rules import groups_at, rules_of
-from gaussiancad_core.samples.classed import PartClass, classed_part
+from sample_parts.classed import PartClass, classed_part
 
 _SAMPLES = ("stepped-block", "counterbored-block", "filleted-block", "countersunk-plate")
 _CLASSES = (PartClass.SLANTS, PartClass.REVOLVED, PartClass.OBLIQUE)

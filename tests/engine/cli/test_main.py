@@ -87,7 +87,7 @@ def test_draw_and_compare_print_what_they_made(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from gaussiancad_core.kernel.brep_files import write_step
-    from gaussiancad_core.samples import SAMPLES
+    from sample_parts import SAMPLES
 
     part = next(sample for sample in SAMPLES if sample.name == "pocket-block")
     write_step(part.build(), tmp_path / "p 图.step")

@@ -8,8 +8,8 @@ from gaussiancad_core.drawing.drawn_sheet import PartLines, Sheet, compose_sheet
 from gaussiancad_core.drawing.frame import block_box, border
 from gaussiancad_core.drawing.sheet_style import PRESETS, SheetStyle
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples import sample
-from gaussiancad_core.samples.random_parts import random_part
+from sample_parts import sample
+from sample_parts.random_parts import random_part
 
 STYLE = PRESETS["dimensioned"]
 Kind = AnnotationKind

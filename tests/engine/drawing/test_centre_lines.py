@@ -16,7 +16,7 @@ from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.drawing.view_placing import place_views
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 STYLE = PRESETS["dimensioned"]
 PEN = Pen.of(STYLE)

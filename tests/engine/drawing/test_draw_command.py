@@ -9,7 +9,7 @@ from gaussiancad_core.drawing.sheet_style import PRESETS, SheetStyle
 from gaussiancad_core.errors import UnreadableError, UsageError
 from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 SMALL = SheetStyle(width=480, height=360, margin=20.0, view_gap=30.0)

@@ -10,8 +10,8 @@ from gaussiancad_core.drawing.drawn_dimensions import value_text
 from gaussiancad_core.drawing.drawn_sheet import PartLines, Sheet, compose_sheet, part_lines
 from gaussiancad_core.drawing.sheet_style import PRESETS, TextPlace
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples import SAMPLES, sample
-from gaussiancad_core.samples.random_parts import random_part
+from sample_parts import SAMPLES, sample
+from sample_parts.random_parts import random_part
 
 STYLE = PRESETS["dimensioned"]
 THIRD = (Role.FRONT, Role.TOP, Role.RIGHT)

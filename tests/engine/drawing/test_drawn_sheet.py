@@ -12,7 +12,7 @@ from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 SMALL = SheetStyle(width=640, height=480, margin=30.0, view_gap=40.0)

@@ -10,7 +10,7 @@ from gaussiancad_core.drawing.drawn_threads import has_room
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

@@ -9,7 +9,7 @@ from gaussiancad_core.drawing.insets import cut_by_circle
 from gaussiancad_core.drawing.sheet_style import Inset, parse_style
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

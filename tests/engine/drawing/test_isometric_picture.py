@@ -9,7 +9,7 @@ from gaussiancad_core.drawing.frame import block_box, border
 from gaussiancad_core.drawing.isometric_picture import ISOMETRIC
 from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 STYLE = replace(PRESETS["dimensioned"], picture=True)

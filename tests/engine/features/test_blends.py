@@ -14,7 +14,7 @@ from gaussiancad_core.features.feature_model import EdgeBreak, FeatureList
 from gaussiancad_core.features.solid_faces import solid_faces
 from gaussiancad_core.kernel.brep import bounding_box, edges_of, faces_of
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import (
+from sample_parts.modelling import (
     Point3,
     box,
     chamfered,

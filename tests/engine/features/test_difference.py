@@ -8,8 +8,8 @@ from gaussiancad_core.features.difference import difference
 from gaussiancad_core.kernel.booleans import common
 from gaussiancad_core.kernel.brep import compound_of, exact_volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples import SAMPLES
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, prism
+from sample_parts import SAMPLES
+from sample_parts.modelling import box, cut, cylinder, fuse, prism
 
 _BLOCK = box((0, 0, 0), (20, 10, 10))
 

@@ -18,8 +18,8 @@ from gaussiancad_core.features.features_command import write_features
 from gaussiancad_core.kernel.brep import compound_of
 from gaussiancad_core.kernel.brep_files import read_solid, write_brep, write_step
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples import sample
-from gaussiancad_core.samples.modelling import box, cut, cylinder
+from sample_parts import sample
+from sample_parts.modelling import box, cut, cylinder
 
 
 def _square(half: float, height: float, turn: bool) -> TopoDS_Wire:

@@ -19,7 +19,7 @@ from gaussiancad_core.features.pattern_model import Circle, Mirror, Pattern, Row
 from gaussiancad_core.features.patterns import patterns_of
 from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
+from sample_parts.modelling import box, cut, cylinder, fuse
 
 _PLATE = box((0, 0, 0), (100, 60, 10))
 _DISC = cylinder(Axis.Z, (50.0, 50.0), 40.0, 0.0, 10.0)

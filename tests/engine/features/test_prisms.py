@@ -18,7 +18,7 @@ from gaussiancad_core.features.sample_points import Samples, joined
 from gaussiancad_core.features.sweeps import Sweep
 from gaussiancad_core.kernel.brep import subshapes
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, fuse, prism, slot
+from sample_parts.modelling import box, cut, fuse, prism, slot
 
 Find = Callable[[TopoDS_Shape], tuple[FeatureList, list[str]]]
 

@@ -6,7 +6,7 @@ import pytest
 from gaussiancad_core.features.round_axes import around, axis_through, by_axis, levels_along
 from gaussiancad_core.features.solid_faces import Kind, solid_faces
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import cone, cylinder, fuse
+from sample_parts.modelling import cone, cylinder, fuse
 
 _UP = np.array([0.0, 0.0, 1.0])
 _PIN = fuse(

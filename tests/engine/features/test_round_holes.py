@@ -9,7 +9,7 @@ from gaussiancad_core.features.defeaturing import without_holes
 from gaussiancad_core.features.feature_model import Holes
 from gaussiancad_core.kernel.brep import faces_of, volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import (
+from sample_parts.modelling import (
     box,
     cone,
     cut,

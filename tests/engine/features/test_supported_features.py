@@ -27,8 +27,8 @@ from gaussiancad_core.features.supporting_faces import beginning_on_faces, stand
 from gaussiancad_core.geometry.outline_edges import OutlineEdge
 from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples import SAMPLES, sample
-from gaussiancad_core.samples.modelling import box, cut, cylinder, revolved
+from sample_parts import SAMPLES, sample
+from sample_parts.modelling import box, cut, cylinder, revolved
 
 _XY, _XZ, _YZ = MAIN_FRAMES
 

@@ -15,8 +15,8 @@ from gaussiancad_core.features.frames import MAIN_FRAMES
 from gaussiancad_core.features.thread_notes import Thread, ThreadNote, threads_of
 from gaussiancad_core.kernel.brep_files import write_step
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.writing.callouts import thread_name
+from sample_parts.modelling import box, cut, cylinder
 
 _FOUR = tuple((float(x), 0.0) for x in (0, 10, 20, 30))
 _CORES = Holes(MAIN_FRAMES[0], 0.0, _FOUR, True, 5.0, 12.0)

@@ -10,8 +10,8 @@ from gaussiancad_core.features.feature_building import body_of
 from gaussiancad_core.features.feature_model import FeatureList, Turning
 from gaussiancad_core.kernel.brep import bounding_box, volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples import sample
-from gaussiancad_core.samples.modelling import box, cut, fuse, revolved, sphere
+from sample_parts import sample
+from sample_parts.modelling import box, cut, fuse, revolved, sphere
 
 Find = Callable[[TopoDS_Shape], tuple[FeatureList, list[str]]]
 

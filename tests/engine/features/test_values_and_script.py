@@ -18,8 +18,8 @@ from gaussiancad_core.features.feature_model import FeatureList, Holes
 from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples import SAMPLES
-from gaussiancad_core.samples.modelling import box, cone, cut, cylinder, fuse, revolved
+from sample_parts import SAMPLES
+from sample_parts.modelling import box, cone, cut, cylinder, fuse, revolved
 
 Solve = Callable[[TopoDS_Shape], FeatureList]
 

@@ -11,7 +11,7 @@ from gaussiancad_core.lines.line_agreement import match_lines
 from gaussiancad_core.lines.line_points import lines_of_strokes
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import View, ViewSet
-from gaussiancad_core.samples.modelling import box, cut, cylinder
+from sample_parts.modelling import box, cut, cylinder
 
 Viewed = Callable[..., ViewSet]
 SIZE = (40.0, 30.0, 20.0)

@@ -11,10 +11,10 @@ from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.cameras import orthographic_camera, paper_camera
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_protocol.modes import Status
+from sample_parts.modelling import box, cut, cylinder, fuse
 
 Viewed = Callable[..., ViewSet]
 SIZE = (40.0, 30.0, 20.0)

@@ -23,7 +23,7 @@ from gaussiancad_core.kernel.brep import (
 )
 from gaussiancad_core.kernel.brep_files import read_solid, readable, write_brep, write_step
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, cylinder, sphere
+from sample_parts.modelling import box, cut, cylinder, sphere
 
 
 @pytest.fixture

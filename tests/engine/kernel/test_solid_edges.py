@@ -3,8 +3,8 @@ from OCP.TopoDS import TopoDS
 
 from gaussiancad_core.kernel.solid_edges import edge_facts, raw_curve
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.samples import sample
-from gaussiancad_core.samples.modelling import box, cone, cylinder, prism
+from sample_parts import sample
+from sample_parts.modelling import box, cone, cylinder, prism
 
 LOOKS = {role: np.array(role.frame.look, dtype=float) for role in Role}
 

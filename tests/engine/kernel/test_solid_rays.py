@@ -4,7 +4,7 @@ import pytest
 from gaussiancad_core.kernel.brep import bounding_box, volume
 from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.samples import SAMPLES, SamplePart, sample
+from sample_parts import SAMPLES, SamplePart, sample
 
 
 @pytest.mark.parametrize("part", SAMPLES, ids=lambda part: part.name)

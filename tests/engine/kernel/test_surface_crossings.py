@@ -12,7 +12,7 @@ from OCP.TopoDS import TopoDS_Face
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.kernel.surface_crossings import Crossings, surface_of
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import cone, cylinder, leaning_cylinder, sphere
+from sample_parts.modelling import cone, cylinder, leaning_cylinder, sphere
 
 LOOK = np.array([0.0, 1.0, 0.0])
 AXES = [np.array(axis, dtype=float) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]

@@ -15,7 +15,7 @@ from gaussiancad_core.lines.cut_solids import SectionView, openings_of, section_
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 # A block of 80 x 44 x 28 with two holes of diameter 12 that are bored to 22 down to 10.
 PART = "counterbored-block"

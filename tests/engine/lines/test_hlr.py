@@ -15,8 +15,8 @@ from gaussiancad_core.lines.hlr import LineDrawing, LineOptions, draw_view
 from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, as_plain_strokes
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples import SAMPLES, sample
-from gaussiancad_core.samples.modelling import (
+from sample_parts import SAMPLES, sample
+from sample_parts.modelling import (
     box,
     cone,
     cut,

@@ -4,7 +4,7 @@ from OCP.BRepAdaptor import BRepAdaptor_Curve
 
 from gaussiancad_core.lines.smooth_silhouettes import silhouettes
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.samples.modelling import box, cut, cylinder, sphere
+from sample_parts.modelling import box, cut, cylinder, sphere
 
 
 def _ends(edge: object) -> np.ndarray:

@@ -5,8 +5,8 @@ from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert
 from gaussiancad_core.lines.hlr import draw_view
 from gaussiancad_core.lines.traced_silhouettes import SplineSilhouettes
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.samples import sample
-from gaussiancad_core.samples.modelling import box, cut, cylinder, sphere
+from sample_parts import sample
+from sample_parts.modelling import box, cut, cylinder, sphere
 
 CHORD = 1e-3
 

@@ -4,7 +4,7 @@ import pytest
 from gaussiancad_core.kernel.solid_rays import SolidRays
 from gaussiancad_core.lines.visibility import RayTest, Visibility
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.samples.modelling import box, cut, cylinder, edges_along, filleted, fuse
+from sample_parts.modelling import box, cut, cylinder, edges_along, filleted, fuse
 
 ACROSS_X, ACROSS_Y = (1.0, 0.0), (0.0, 1.0)
 

@@ -8,7 +8,7 @@ from gaussiancad_core.lines.visibility import RayTest, Visibility
 from gaussiancad_core.lines.visible_intervals import ProjectedLine, decided
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples.modelling import box, fuse
+from sample_parts.modelling import box, fuse
 
 V, H = Linetype.VISIBLE, Linetype.HIDDEN
 PRECISION = Precision(1e-4, 5e-4, 1e-2, 2e-2)

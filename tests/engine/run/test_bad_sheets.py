@@ -11,7 +11,7 @@ from gaussiancad_core.drawing.draw_command import write_image
 from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples import SAMPLES
+from sample_parts import SAMPLES
 
 _YELLOW = (66, 228, 240)
 """Of OpenCV: blue, green, red."""

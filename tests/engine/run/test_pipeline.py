@@ -35,10 +35,10 @@ from gaussiancad_core.report.job import Job
 from gaussiancad_core.run import exact_stage, surface_stage
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.run.pipeline import STAGES, reconstruct, stages_of
-from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.storage.outputs import PUBLISHED_FILE, STAGING_PREFIX
 from gaussiancad_protocol.modes import Preset, ResultKind, SolidWay, Status
+from sample_parts import SAMPLES
 
 FILES = {
     "report.json",

@@ -14,10 +14,10 @@ from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.cameras import orthographic_camera
 from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.run.solid_outlines import with_solid_outlines
-from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_protocol.modes import Status
+from sample_parts.modelling import box, cut, cylinder
 
 Viewed = Callable[..., ViewSet]
 PLATE = cut(

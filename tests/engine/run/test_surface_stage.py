@@ -14,10 +14,10 @@ from gaussiancad_core.report.report_entries import HullReport
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.run.pipeline import STAGES, stages_of
 from gaussiancad_core.run.surface_stage import hull_report, make_hull
-from gaussiancad_core.samples.modelling import box, cut
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_protocol.modes import Recipe, ResultKind, Status
+from sample_parts.modelling import box, cut
 
 BLOCK = box((0, 0, 0), (40, 30, 20))
 POCKETED = cut(BLOCK, box((10, 8, 12), (30, 22, 21)))

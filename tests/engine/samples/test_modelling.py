@@ -4,7 +4,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import (
+from sample_parts.modelling import (
     box,
     chamfered,
     cone,

@@ -7,7 +7,7 @@ from OCP.BRepAdaptor import BRepAdaptor_Surface
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness
 from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.samples import SAMPLES, SamplePart, sample
+from sample_parts import SAMPLES, SamplePart, sample
 
 PI = float(np.pi)
 

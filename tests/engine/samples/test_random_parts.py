@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.kernel.brep import bounding_box, soundness
-from gaussiancad_core.samples.random_parts import random_part
+from sample_parts.random_parts import random_part
 
 
 @pytest.mark.parametrize("seed", range(12))

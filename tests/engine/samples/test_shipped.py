@@ -10,7 +10,7 @@ from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.kernel.brep_files import read_solid
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 
 @pytest.mark.parametrize("name", SHIPPED)

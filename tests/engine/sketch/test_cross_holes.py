@@ -9,9 +9,9 @@ from sketch_checks import GRID, ROLES, check, drawn
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.report.construction_sentences import construction_in_words
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.sketch.constructing import construction_of
 from gaussiancad_core.sketch.sketching import sketch
+from sample_parts.modelling import box, cut, cylinder, fuse
 
 
 def lug() -> TopoDS_Shape:

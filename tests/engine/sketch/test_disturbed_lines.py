@@ -10,9 +10,9 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sketch.sketch_check import checked
 from gaussiancad_core.sketch.sketching import sketch
+from sample_parts.classed import PartClass, classed_part
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]

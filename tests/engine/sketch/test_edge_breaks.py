@@ -8,9 +8,9 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.samples.modelling import box, chamfered, cut, cylinder, edges_where, filleted
 from gaussiancad_core.sketch.sketch_check import checked
 from gaussiancad_core.sketch.sketching import sketch
+from sample_parts.modelling import box, chamfered, cut, cylinder, edges_where, filleted
 
 Draw = Callable[[TopoDS_Shape, tuple[Role, ...]], DrawnViews]
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]

@@ -14,8 +14,8 @@ from gaussiancad_core.lines.cut_solids import section_view
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.section_planes import Cut, CutRegion
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
 from gaussiancad_core.sketch.sketching import sketch
+from sample_parts.modelling import box, cut, cylinder, fuse, revolved
 
 MIDDLE = (20.0, 20.0)
 

@@ -13,8 +13,8 @@ from sketch_checks import GRID, check, drawn
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.sketch.sketching import sketch
+from sample_parts.modelling import box, cut, cylinder, fuse
 
 
 def broken_top(

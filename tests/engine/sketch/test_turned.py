@@ -8,9 +8,9 @@ from sketch_checks import GRID, check, drawn
 
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.report.construction_sentences import construction_in_words
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
 from gaussiancad_core.sketch.constructing import construction_of
 from gaussiancad_core.sketch.sketching import sketch
+from sample_parts.modelling import box, cut, cylinder, fuse, revolved
 
 
 def handle() -> TopoDS_Shape:

@@ -4,8 +4,8 @@ import pytest
 from sketch_checks import GRID, check, drawn
 
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.sketch.sketching import sketch
+from sample_parts.modelling import box, cut, cylinder, fuse
 
 
 @pytest.mark.parametrize("roles", [(Role.FRONT, Role.TOP), (Role.FRONT, Role.TOP, Role.RIGHT)])

@@ -13,9 +13,9 @@ from gaussiancad_core.kernel.brep import moved_to_origin, soundness
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_protocol.modes import Status
+from sample_parts.modelling import box, cut, cylinder, fuse, revolved
 
 _PIXEL = 0.06
 """mm."""

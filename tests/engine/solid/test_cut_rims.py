@@ -9,7 +9,10 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.brep import moved_to_origin
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import (
+from gaussiancad_core.solid.exact import exact_solid
+from gaussiancad_core.solid.same import same_solid
+from gaussiancad_protocol.modes import Status
+from sample_parts.modelling import (
     box,
     cut,
     cylinder,
@@ -18,9 +21,6 @@ from gaussiancad_core.samples.modelling import (
     fuse,
     prism,
 )
-from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.solid.same import same_solid
-from gaussiancad_protocol.modes import Status
 
 
 def _rod() -> TopoDS_Shape:

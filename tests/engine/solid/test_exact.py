@@ -32,8 +32,6 @@ from gaussiancad_core.labelling.cell_labelling import Effort, Labelling, Others,
 from gaussiancad_core.labelling.counted_work import Deadline
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples.classed import PartClass, classed_part
-from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.solid import candidates, exact
 from gaussiancad_core.solid.boundary_building import BuiltSolid, build_solid
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
@@ -42,6 +40,8 @@ from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_protocol.modes import Status
+from sample_parts.classed import PartClass, classed_part
+from sample_parts.modelling import box, cut, cylinder, fuse
 
 Solid = Callable[[str], TopoDS_Shape]
 Views = Callable[[str], DrawnViews]

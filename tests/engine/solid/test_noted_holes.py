@@ -11,8 +11,8 @@ from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.solid.exact import exact_solid
+from sample_parts.modelling import box, cut, cylinder
 
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
 

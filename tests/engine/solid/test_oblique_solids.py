@@ -16,12 +16,12 @@ from gaussiancad_core.kernel.brep import faces_of, moved_to_origin, soundness, v
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role, Vector
 from gaussiancad_core.model.views import Linetype, Segment
-from gaussiancad_core.samples.classed import PartClass, classed_part
-from gaussiancad_core.samples.classed.outlines import convex, frustum, regular
-from gaussiancad_core.samples.modelling import Point2, box, cut, cylinder, fuse, prism
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.extra_faces import body_faces
 from gaussiancad_core.solid.reasons import ASSUMED, UNDRAWN, has_hidden_lines
+from sample_parts.classed import PartClass, classed_part
+from sample_parts.classed.outlines import convex, frustum, regular
+from sample_parts.modelling import Point2, box, cut, cylinder, fuse, prism
 
 Draw = Callable[..., DrawnViews]
 

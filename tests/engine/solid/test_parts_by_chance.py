@@ -17,10 +17,10 @@ from gaussiancad_core.kernel.brep import faces_of, volume
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_protocol.modes import Status
+from sample_parts.classed import PartClass, classed_part
 
 Draw = Callable[..., DrawnViews]
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]

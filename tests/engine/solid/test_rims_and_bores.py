@@ -7,7 +7,9 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.modelling import (
+from gaussiancad_core.solid.exact import exact_solid
+from gaussiancad_core.solid.same import same_solid
+from sample_parts.modelling import (
     box,
     chamfered,
     cut,
@@ -17,8 +19,6 @@ from gaussiancad_core.samples.modelling import (
     filleted,
     fuse,
 )
-from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.solid.same import same_solid
 
 Broken = Callable[[TopoDS_Shape, list[TopoDS_Shape], float], TopoDS_Shape]
 

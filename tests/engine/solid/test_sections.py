@@ -14,10 +14,10 @@ from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.section_planes import Cut, CutRegion, SectionRole
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_protocol.modes import Status
+from sample_parts.modelling import box, cut, cylinder
 
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
 

@@ -13,9 +13,9 @@ from gaussiancad_core.labelling.part_model import model_part
 from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.samples.modelling import box, chamfered, cut, cylinder, edges_where
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_protocol.modes import Status
+from sample_parts.modelling import box, chamfered, cut, cylinder, edges_where
 
 _VIEWS = (
     (Role.FRONT, Role.TOP),

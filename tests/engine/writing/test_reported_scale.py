@@ -14,8 +14,8 @@ from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.processes.events import Silence
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.run import pipeline
-from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.reading_options import ReadingOptions
+from sample_parts import sample
 
 
 @pytest.fixture

@@ -17,13 +17,13 @@ from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.files.vectors import VectorDrawing, VectorText
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.picture_views import picture_views
-from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
 from gaussiancad_core.writing import sheet_scale
 from gaussiancad_core.writing.sheet_scale import ScaleSource, SheetScale, find_scale
+from sample_parts import sample
 
 Grey = npt.NDArray[np.uint8]
 

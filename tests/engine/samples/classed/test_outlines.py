@@ -4,7 +4,7 @@ from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 
 from gaussiancad_core.kernel.brep import bounding_box, soundness, volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.classed.outlines import (
+from sample_parts.classed.outlines import (
     combined,
     convex,
     extruded,
@@ -15,8 +15,8 @@ from gaussiancad_core.samples.classed.outlines import (
     sharp,
     turned,
 )
-from gaussiancad_core.samples.classed.surfaces import SurfaceKind, surface_kinds
-from gaussiancad_core.samples.modelling import box
+from sample_parts.classed.surfaces import SurfaceKind, surface_kinds
+from sample_parts.modelling import box
 
 
 @pytest.mark.parametrize("axis", list(Axis))

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.kernel.brep import bounding_box, soundness
-from gaussiancad_core.samples.classed import LEVEL_FACES, PartClass, classed_part, surface_kinds
+from sample_parts.classed import LEVEL_FACES, PartClass, classed_part, surface_kinds
 
 SOME = [(kind, seed, level) for kind in PartClass for seed, level in ((0, 0), (1, 2), (2, 4))]
 

@@ -3,9 +3,9 @@ import pytest
 
 from gaussiancad_core.kernel.brep import soundness, volume
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.samples.classed.outlines import extruded, rectangle
-from gaussiancad_core.samples.classed.stock import Change, Fill, Stock
-from gaussiancad_core.samples.modelling import box
+from sample_parts.classed.outlines import extruded, rectangle
+from sample_parts.classed.stock import Change, Fill, Stock
+from sample_parts.modelling import box
 
 
 @pytest.fixture

@@ -14,13 +14,13 @@ from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
-from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.hatching_runs import _directions
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.labels.labelled_ink import separate_by_labels
 from gaussiancad_core.sheet.labels.labels_network import ink_labels
 from gaussiancad_core.sheet.line_conventions import HATCHING
 from gaussiancad_core.sheet.picture_noise import PARALLEL
+from sample_parts import sample
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 SIZE = "width=1440,height=900,section=front"

@@ -145,9 +145,7 @@ def test_a_frame_without_a_block() -> None:
 
 def test_a_plain_border(sketch: Sketch) -> None:
     """A single line around the drawing, one px wide and broken by a scanner here and there."""
-    drawn = sketch(400, 300)
-    drawn.lines((20, 20), (380, 20), (380, 280), (20, 280), (20, 20), width=1.0)
-    ink = drawn.weight >= 0.5
+    ink = sketch(400, 300).box(20, 20, 380, 280, 1.0).weight >= 0.5
     ink[20, 100:102] = False
     ink[150, 380] = False
     frame = _found(ink)
@@ -159,7 +157,7 @@ def test_a_plain_border(sketch: Sketch) -> None:
 
 
 def test_no_frame(sketch: Sketch) -> None:
-    drawn = sketch(400, 300).lines((120, 90), (300, 90), (300, 220), (120, 220), (120, 90))
+    drawn = sketch(400, 300).box(120, 90, 300, 220)
     assert _found(drawn.weight >= 0.5) is None
     assert _found(np.zeros((300, 400), bool)) is None
 
@@ -167,7 +165,7 @@ def test_no_frame(sketch: Sketch) -> None:
 @pytest.mark.parametrize("cuts", [1, 2, 3])
 def test_a_view_that_spans_the_sheet_is_no_frame(sketch: Sketch, cuts: int) -> None:
     """A plate drawn large, its steps across: none of its faces is most of the sheet."""
-    drawn = sketch(400, 300).lines((30, 25), (370, 25), (370, 275), (30, 275), (30, 25))
+    drawn = sketch(400, 300).box(30, 25, 370, 275)
     for k in range(1, 4):
         drawn.line((30 + 85 * k, 25), (30 + 85 * k, 275))
     for k in range(1, cuts):
@@ -190,11 +188,9 @@ def _on_paper(width: int, sketch: Sketch) -> np.ndarray:
     left = (width - 300) / 2
     drawn = sketch(width, 240)
     for inset in (0, 12):
-        x0, y0, x1, y1 = left + inset, 20 + inset, left + 300 - inset, 220 - inset
-        drawn.lines((x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0))
+        drawn.box(left + inset, 20 + inset, left + 300 - inset, 220 - inset)
     drawn.line((left + 150, 20), (left + 150, 32))
-    x0, y0, x1, y1 = left + 100, 80, left + 180, 150
-    drawn.lines((x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0))
+    drawn.box(left + 100, 80, left + 180, 150)
     return drawn.weight >= 0.5
 
 
@@ -210,8 +206,8 @@ def test_a_frame_on_wider_paper_is_taken_off(sketch: Sketch, width: int) -> None
 
 def test_a_long_view_that_is_empty_within_is_no_frame(sketch: Sketch) -> None:
     """A plate wider than most of the sheet, beside other views."""
-    drawn = sketch(400, 300).lines((20, 40), (300, 40), (300, 180), (20, 180), (20, 40))
-    drawn.lines((20, 230), (300, 230), (300, 250), (20, 250), (20, 230))
+    drawn = sketch(400, 300).box(20, 40, 300, 180)
+    drawn.box(20, 230, 300, 250)
     assert _found(drawn.weight >= 0.5) is None
 
 

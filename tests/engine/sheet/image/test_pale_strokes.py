@@ -15,8 +15,8 @@ Sketch = Any
 @pytest.mark.parametrize(("shade", "width"), [(160, 2.0), (160, 3.0), (125, 4.0), (100, 4.0)])
 def test_pale_strokes_are_strokes(sketch: Sketch, shade: int, width: float) -> None:
     """Programs plot hidden lines in grey; beside dark ones they are as pale as they were."""
-    dark = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
-    pale = sketch(200, 160).broken((60.3, 60), (150.3, 60), (10, 5), width)
+    dark = sketch().box(20, 20, 180, 140)
+    pale = sketch().broken((60.3, 60), (150.3, 60), (10, 5), width)
     pale.broken((60.3, 100), (150.3, 100), (10, 5), width)
     grey = np.rint(255.0 - 255.0 * dark.weight - (255.0 - shade) * pale.weight).astype(np.uint8)
     sheet = clean_sheet(grey)
@@ -26,8 +26,8 @@ def test_pale_strokes_are_strokes(sketch: Sketch, shade: int, width: float) -> N
 
 
 def test_thin_pale_strokes_are_full_ones(sketch: Sketch) -> None:
-    drawn = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
-    pale = sketch(200, 160).broken((60, 60), (150, 60), (10, 5), 1.0)
+    drawn = sketch().box(20, 20, 180, 140)
+    pale = sketch().broken((60, 60), (150, 60), (10, 5), 1.0)
     pale.broken((60, 100.4), (150, 100.4), (10, 5), 1.0)
     grey = np.rint(255.0 - 255.0 * drawn.weight - 100.0 * pale.weight).astype(np.uint8)
     weight = clean_sheet(grey).weight
@@ -36,7 +36,7 @@ def test_thin_pale_strokes_are_full_ones(sketch: Sketch) -> None:
 
 
 def test_thin_strokes_of_a_dark_grey_are_full_ones(sketch: Sketch) -> None:
-    drawn = sketch(300, 160).lines((20, 20), (280, 20), (280, 140), (20, 140), (20, 20))
+    drawn = sketch(300, 160).box(20, 20, 280, 140)
     pale = sketch(300, 160)
     for y in (40.0, 50.0, 60.2, 70.3, 80.4, 90.5, 100.5):
         pale.broken((40, y), (260, y), (10, 5), 1.0)
@@ -49,7 +49,7 @@ def test_thin_strokes_of_a_dark_grey_are_full_ones(sketch: Sketch) -> None:
 def test_thin_dark_strokes_beside_grey_ones_stay_thin(sketch: Sketch) -> None:
     """Between two rows of pixels they are as pale as grey ones on a row, and have as much ink as
     they should."""
-    drawn = sketch(400, 160).lines((20, 20), (380, 20), (380, 140), (20, 140), (20, 20))
+    drawn = sketch(400, 160).box(20, 20, 380, 140)
     grey = np.rint(255.0 - 255.0 * drawn.weight)
     # As renderers have it that smooth nothing but what a stroke covers of a pixel.
     for y in (30, 40, 50, 60):
@@ -64,7 +64,7 @@ def test_thin_dark_strokes_beside_grey_ones_stay_thin(sketch: Sketch) -> None:
 
 def test_thin_strokes_are_not_pale_ones(sketch: Sketch) -> None:
     """A line of one px between two rows of pixels is half as dark as one on a row, and as wide."""
-    drawn = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
+    drawn = sketch().box(20, 20, 180, 140)
     for y in (40.5, 60.25, 80.0, 100.5):
         drawn.line((40, y), (160, y), 1.0)
     weight = clean_sheet(drawn.grey).weight
@@ -73,8 +73,8 @@ def test_thin_strokes_are_not_pale_ones(sketch: Sketch) -> None:
 
 
 def test_what_shows_through_a_scan_stays_pale(sketch: Sketch) -> None:
-    dark = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
-    back = sketch(200, 160).line((50, 80), (150, 80))
+    dark = sketch().box(20, 20, 180, 140)
+    back = sketch().line((50, 80), (150, 80))
     noise = np.random.default_rng(1).normal(0.0, 6.0, dark.weight.shape)
     grey = np.clip(250.0 - 250.0 * dark.weight - 60.0 * back.weight + noise, 0, 255)
     sheet = clean_sheet(np.rint(grey).astype(np.uint8))
@@ -83,7 +83,7 @@ def test_what_shows_through_a_scan_stays_pale(sketch: Sketch) -> None:
 
 def test_two_pale_pens_are_told_apart(sketch: Sketch) -> None:
     """Dimensions in dark grey do not keep hidden lines in light grey from being seen."""
-    dark = sketch(240, 200).lines((20, 20), (220, 20), (220, 180), (20, 180), (20, 20), width=3.0)
+    dark = sketch(240, 200).box(20, 20, 220, 180)
     grey = sketch(240, 200)
     for x in (180, 190, 200):
         grey.line((x, 40), (x, 160), 3.0)

@@ -8,17 +8,18 @@ import pytest
 from gaussiancad_core.sheet.image.photographs import straightened
 
 WIDTH, HEIGHT = 1200, 850
+HOLES = (260, 60), (450, 60)
 
 
-def drawing(*, round_holes: bool = True) -> npt.NDArray[np.uint8]:
-    """Three views of a plate, 480 x 300 x 90 px."""
+def drawing(*holes: tuple[int, int]) -> npt.NDArray[np.uint8]:
+    """Three views of a plate, 480 x 300 x 90 px, with holes at some x of some radius."""
     sheet = np.full((HEIGHT, WIDTH), 255, np.uint8)
     for x, y, width, height in ((100, 500, 480, 90), (100, 130, 480, 300), (700, 500, 300, 90)):
         cv2.rectangle(sheet, (x, y), (x + width, y + height), 0, 3)
         cv2.line(sheet, (x, y + 60), (x + width, y + 60), 0, 3)
         cv2.line(sheet, (x + 70, y), (x + 70, y + height), 0, 3)
-    for x in (260, 450) if round_holes else ():
-        cv2.circle(sheet, (x, 310), 60, 0, 3, cv2.LINE_AA)
+    for x, radius in holes:
+        cv2.circle(sheet, (x, 310), radius, 0, 3, cv2.LINE_AA)
     return sheet
 
 
@@ -54,7 +55,7 @@ def plan(sheet: npt.NDArray[np.uint8]) -> tuple[int, int, int, int]:
 @pytest.mark.parametrize(("tilt", "way"), [(6, 30), (15, 100), (24, 250)])
 @pytest.mark.parametrize("table", [60, None])
 def test_a_slant_is_undone(tilt: float, way: float, table: int | None) -> None:
-    made = straightened(photograph(drawing(), tilt, way, table), None)
+    made = straightened(photograph(drawing(*HOLES), tilt, way, table), None)
     assert made is not None
     assert np.degrees(made.slant) == pytest.approx(tilt, abs=1.5)
     assert made.true_width
@@ -68,8 +69,10 @@ def test_a_slant_is_undone(tilt: float, way: float, table: int | None) -> None:
     assert made.note.is_doubt
 
 
-def test_without_circles_the_camera_tells_the_width() -> None:
-    made = straightened(photograph(drawing(round_holes=False), 15, 60, None), None)
+@pytest.mark.parametrize("holes", [(), ((350, 60),), ((350, 60), (350, 90))])
+def test_without_two_circles_the_camera_tells_the_width(holes: tuple[tuple[int, int], ...]) -> None:
+    """One circle may be an ellipse, and those about one middle are one."""
+    made = straightened(photograph(drawing(*holes), 15, 60, None), None)
     assert made is not None
     assert not made.true_width
     assert made.note.message.args["case"] == "width"
@@ -78,7 +81,7 @@ def test_without_circles_the_camera_tells_the_width() -> None:
 
 
 def test_from_straight_above_only_the_table_is_left_out() -> None:
-    picture = photograph(drawing(), 0, 0)
+    picture = photograph(drawing(*HOLES), 0, 0)
     made = straightened(picture, np.full(picture.shape, 7, np.uint8))
     assert made is not None
     assert made.slant == 0.0
@@ -91,15 +94,41 @@ def test_from_straight_above_only_the_table_is_left_out() -> None:
     assert made.tint[675, 900] == 7
 
 
-@pytest.mark.parametrize("turn", [0.0, 4.0])
-def test_a_sheet_stays_as_it_is(turn: float) -> None:
-    matrix = cv2.getRotationMatrix2D((WIDTH / 2, HEIGHT / 2), turn, 1.0)
-    sheet = cv2.warpAffine(drawing(), matrix, (WIDTH, HEIGHT), borderValue=255)
-    assert straightened(sheet, None) is None
+def _turned(degrees: float) -> npt.NDArray[np.uint8]:
+    matrix = cv2.getRotationMatrix2D((WIDTH / 2, HEIGHT / 2), degrees, 1.0)
+    return cv2.warpAffine(drawing(*HOLES), matrix, (WIDTH, HEIGHT), borderValue=255)
 
 
-def test_a_part_with_slopes_stays_as_it_is() -> None:
-    sheet = drawing()
+def _with_slopes() -> npt.NDArray[np.uint8]:
+    sheet = drawing(*HOLES)
     for k in range(6):
         cv2.line(sheet, (620, 130 + 40 * k), (1150, 100 + 52 * k), 0, 3)
+    return sheet
+
+
+def _with_a_dark_field() -> npt.NDArray[np.uint8]:
+    sheet = np.full((900, 1200), 235, np.uint8)
+    sheet[:, 900:] = 80
+    return sheet
+
+
+def _light_lines() -> npt.NDArray[np.uint8]:
+    sheet = np.full((900, 1200), 20, np.uint8)
+    for x in range(200, 1000, 40):
+        cv2.line(sheet, (x, 150), (x, 750), 240, 3)
+        cv2.line(sheet, (200, x * 3 // 4), (1000, x * 3 // 4), 240, 3)
+    return sheet
+
+
+@pytest.mark.parametrize(
+    "sheet",
+    [drawing(*HOLES), _turned(4.0), _with_slopes(), _with_a_dark_field(), _light_lines()],
+    ids=["a sheet", "a turned one", "a part with slopes", "a dark field", "light lines"],
+)
+def test_a_sheet_stays_as_it_is(sheet: npt.NDArray[np.uint8]) -> None:
     assert straightened(sheet, None) is None
+
+
+@pytest.mark.parametrize("table", [205, 225])
+def test_paper_hardly_lighter_than_what_is_around_it_is_not_told(table: int) -> None:
+    assert straightened(photograph(drawing(*HOLES), 0, 0, table), None) is None

@@ -1,6 +1,7 @@
 """Labels by those of the lines that a line meets."""
 
 import numpy as np
+import pytest
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
@@ -50,8 +51,32 @@ def square(last: InkClass, odds: float) -> list[tuple[InkedShape, list[LabelledR
     ]
 
 
-def test_a_doubtful_line_that_closes_an_outline_is_an_edge() -> None:
-    assert inks(*square(InkClass.OTHER, 1.0)) == [InkClass.VISIBLE] * 4
+STRAY, DASH = ((300.0, 300.0), (360.0, 330.0)), ((20.0, 40.0), (32.0, 40.0))
+HALVES = [
+    piece((0.0, 80.0), (0.0, 40.0), InkClass.OTHER, 1.0),
+    piece((0.0, 40.0), (0.0, 0.0), InkClass.OTHER, 1.0),
+]
+
+
+@pytest.mark.parametrize(
+    ("pieces", "wanted"),
+    [
+        (square(InkClass.OTHER, 1.0), InkClass.VISIBLE),
+        (square(InkClass.DIMENSION, 4.0), InkClass.DIMENSION),
+        ([*square(InkClass.OTHER, 1.0)[:3], *HALVES], InkClass.VISIBLE),
+        ([*square(InkClass.VISIBLE, 4.0), piece(*STRAY, *DOUBTFUL)], InkClass.OTHER),
+        ([*square(InkClass.VISIBLE, 4.0), piece(*STRAY, InkClass.VISIBLE, 4.0)], InkClass.VISIBLE),
+        ([*square(InkClass.VISIBLE, 4.0), piece(*DASH, InkClass.HIDDEN, 1.5)], InkClass.HIDDEN),
+    ],
+    ids=["it closes an outline", "a sure one", "two close it together", "loose ends",
+         "loose ends of a sure one", "dashes have loose ends"],
+)  # fmt: skip
+def test_a_line_is_what_those_that_it_meets_make_of_it(
+    pieces: list[tuple[InkedShape, list[LabelledRun]]], wanted: InkClass
+) -> None:
+    kinds = inks(*pieces)
+    assert kinds[-1] is wanted
+    assert set(kinds[:3]) == {InkClass.VISIBLE}
 
 
 def test_who_turned_a_line_is_known_and_how_surely() -> None:
@@ -64,32 +89,6 @@ def test_who_turned_a_line_is_known_and_how_surely() -> None:
     assert (stray.ink, stray.why) == (InkClass.OTHER, Evidence.LOOSE_END)
     *_, last = found(*square(InkClass.PICTORIAL, 2.0))
     assert last.why is Evidence.FIGURE
-
-
-def test_a_sure_one_is_not() -> None:
-    assert inks(*square(InkClass.DIMENSION, 4.0))[-1] is InkClass.DIMENSION
-
-
-def test_two_doubtful_lines_close_it_together() -> None:
-    pieces = square(InkClass.OTHER, 1.0)[:3]
-    pieces.append(piece((0.0, 80.0), (0.0, 40.0), InkClass.OTHER, 1.0))
-    pieces.append(piece((0.0, 40.0), (0.0, 0.0), InkClass.OTHER, 1.0))
-    assert inks(*pieces) == [InkClass.VISIBLE] * 5
-
-
-def test_a_doubtful_edge_with_loose_ends_is_none() -> None:
-    stray = piece((300.0, 300.0), (360.0, 330.0), InkClass.VISIBLE, 0.8)
-    assert inks(*square(InkClass.VISIBLE, 4.0), stray)[-1] is InkClass.OTHER
-
-
-def test_a_sure_edge_with_loose_ends_stays() -> None:
-    stray = piece((300.0, 300.0), (360.0, 330.0), InkClass.VISIBLE, 4.0)
-    assert inks(*square(InkClass.VISIBLE, 4.0), stray)[-1] is InkClass.VISIBLE
-
-
-def test_dashes_have_loose_ends() -> None:
-    dash = piece((20.0, 40.0), (32.0, 40.0), InkClass.HIDDEN, 1.5)
-    assert inks(*square(InkClass.VISIBLE, 4.0), dash)[-1] is InkClass.HIDDEN
 
 
 def test_a_figure_is_of_one_kind() -> None:

@@ -14,12 +14,12 @@ from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
 from gaussiancad_core.sheet.labels.line_decoding import LabelledRun
 from gaussiancad_core.sheet.labels.pen_colours import ColourPens, learnt_colours
 from gaussiancad_core.sheet.tracing.ink_runs import Run
+from sample_parts import sample
 
 RED, BLUE = 1, 121
 ROWS = {20: (BLUE, 5.0), 40: (RED, -5.0), 60: (BLUE, 0.1), 80: (RED, 0.1), 100: (0, 0.1)}

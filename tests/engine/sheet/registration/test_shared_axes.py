@@ -115,29 +115,6 @@ def test_jittered_views_come_back(seed: int, size: float) -> None:
         assert shared.extents[axis] == pytest.approx(SIZE[axis.value], abs=2.0 * size + 1e-9)
 
 
-def test_averages_are_better_by_the_root_of_the_number_of_views() -> None:
-    roles = (Role.FRONT, Role.TOP, Role.BOTTOM, Role.REAR)
-    errors = []
-    for seed in range(80):
-        jitter = Jitter(seed, 0.1)
-        views = []
-        for role in roles:
-            sign = role.frame.right_axis[1]
-            line = jitter.upright(150.0, 0.0, 90.0)
-            lines = [Segment((at, 0.0), (at, 90.0), Linetype.VISIBLE) for at in (0.0, 400.0)]
-            mirrored = tuple(
-                Segment((sign * s.start[0], 0.0), (sign * s.end[0], 90.0), s.linetype)
-                for s in (*lines, line)
-            )
-            views.append(PlaneView(role, mirrored, (400.0, 90.0), FROM_PIXELS))
-        shared = share_axes([*views, replace(views[0], role=Role.RIGHT)])
-        found = {abs(strokes[2].start[0]) for strokes in shared.strokes[:4]}
-        assert len(found) == 1
-        errors.append(found.pop() - 150.0)
-    # Evenly spread between -0.1 and 0.1, four times.
-    assert np.std(errors) == pytest.approx(0.1 / np.sqrt(3.0) / 2.0, rel=0.2)
-
-
 # With more noise, one part in some hundred has an end that may lie at either of two corners.
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.sampled_from([0.02, 0.05, 0.08]))

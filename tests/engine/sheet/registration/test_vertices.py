@@ -51,40 +51,11 @@ def test_strokes_are_told_by_what_they_lie_on() -> None:
     assert supports.supports[0].weight < supports.supports[1].weight
 
 
-def test_corners_are_shared_to_the_last_digit() -> None:
-    level, upright = settled(line(0.4, 0.1, 199.5, 0.0), line(200.2, -0.5, 200.1, 79.4))
-    assert level.end == upright.start == (200.0, 0.0)
-    assert level.start == (0.0, 0.0)
-    assert upright.end == (200.0, 80.0)
-
-
-def test_an_end_on_the_middle_of_another_stroke_lies_on_it() -> None:
-    _, stem = settled(line(0, 0, 200, 0), line(60.3, 0.7, 60.2, 40.0))
-    assert stem.start == (60.0, 0.0)
-    assert stem.end == (60.0, 40.0)
-
-
 def test_slanted_lines_meet_in_their_crossing() -> None:
     first, second = settled(line(10, 10, 50, 50.2), line(49.6, 50.1, 90, 10))
     assert first.end == second.start
     (x, y), (dx, dy) = np.subtract(first.end, (10, 10)), (40.0, 40.2)
     assert x * dy - y * dx == pytest.approx(0.0, abs=1e-6)
-
-
-def test_a_slanted_line_goes_through_settled_corners() -> None:
-    strokes = settled(line(0, 0, 0, 79.8), line(0.3, 80.1, 60.0, 80.0), line(0.2, 0.1, 60.1, 79.9))
-    assert (strokes[2].start, strokes[2].end) == ((0.0, 0.0), (60.0, 80.0))
-
-
-def test_an_arc_ends_where_it_touches_its_tangents() -> None:
-    level, upright, arc = settled(
-        line(60, 80.1, 149.8, 80),
-        line(200.1, 0, 200, 29.7),
-        Arc((150.0, 30.0), 50.0, 0.01, np.pi / 2 - 0.015, Linetype.VISIBLE),
-    )
-    assert level.end == (150.0, 80.0)
-    assert upright.end == (200.0, 30.0)
-    assert (arc.start_angle, arc.sweep) == pytest.approx((0.0, np.pi / 2), abs=1e-12)
 
 
 def test_circles_that_touch_share_the_point_between_them() -> None:

@@ -13,12 +13,12 @@ from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
 from gaussiancad_core.recognition.picture_views import picture_views
-from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.views.sheet_layout import Layout
+from sample_parts import sample
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,9 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.recognition.sheet_views import sheet_views
-from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
+from sample_parts import sample
 
 
 def _refusal(grey: np.ndarray) -> NoModelError:

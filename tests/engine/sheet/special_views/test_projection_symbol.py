@@ -15,12 +15,12 @@ from gaussiancad_core.drawing.inking import ink_annotations
 from gaussiancad_core.drawing.sheet_style import SheetStyle, parse_style
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.sheet_views import SheetViews, sheet_views
-from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.special_views.symbol_pixels import pixel_symbol
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol, largest_symbol
+from sample_parts import sample
 
 
 @cache
@@ -52,7 +52,6 @@ def _views(projection: Projection, stated_projection: Projection | None) -> Shee
     "look",
     [
         "dimensioned,text-height=14",
-        "dimensioned,text-height=26",
         "dimensioned,blur=0.7,noise=4,jpeg-quality=85,skew=0.4",
     ],
 )
@@ -97,10 +96,11 @@ def _with_axes(
 
 
 @pytest.mark.parametrize("projection", Projection)
-@pytest.mark.parametrize("turns", range(4))
-@pytest.mark.parametrize(("size", "width"), [(20.0, 1.5), (26.0, 2.0), (40.0, 2.0)])
+@pytest.mark.parametrize(
+    ("turns", "size", "width"), [(0, 20.0, 1.5), (1, 26.0, 2.0), (2, 40.0, 2.0), (3, 20.0, 1.5)]
+)
 def test_it_may_stand_anywhere_and_any_way_up(
-    projection: Projection, size: float, turns: int, width: float
+    projection: Projection, turns: int, size: float, width: float
 ) -> None:
     clean = _alone(projection, size, turns, width)
     # What is a twentieth of a sheet is no more than one of this small one.

@@ -15,7 +15,7 @@ from gaussiancad_core.drawing.drawn_sheet import Sheet, draw_sheet
 from gaussiancad_core.drawing.sheet_style import PRESETS
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.samples import sample
+from sample_parts import sample
 
 DPI = 200.0
 DASH, GAP = 12.0, 6.0

@@ -35,15 +35,6 @@ def test_what_is_taken_off_is_gone_and_nothing_else(spans: list[Span], taken: li
     assert sum(end - start for start, end in found) == len(covered(found))
 
 
-@given(SPANS, SPANS)
-def test_lines_do_not_close(spans: list[Span], taken: list[Span]) -> None:
-    cells = {step for start, end in spans for step in range(int(start), int(end))}
-    gone = {step for start, end in taken for step in range(int(start), int(end))}
-    found = without(spans, taken)
-    left = {step for start, end in found for step in range(int(start), int(end))}
-    assert left == cells - gone
-
-
 def test_a_whole_turn_stays_whole_and_gaps_within_the_slack_close() -> None:
     assert united([(30.0, 130.0)], AROUND) == [(0.0, 100.0)]
     assert united([(0.0, 10.0), (10.5, 20.0)], slack=0.5) == [(0.0, 20.0)]

@@ -47,39 +47,38 @@ def _close(box: Box, expected: tuple[int, int, int, int]) -> bool:
 def test_roles_follow_from_place_and_projection(
     boxes: tuple, projection: Projection, expected: dict
 ) -> None:
-    sheet_layout = _layout(_sheet(*boxes), {}, projection)
+    found = _layout(_sheet(*boxes), {}, projection)
     wanted = {Role.FRONT: FRONT, **expected}
-    assert set(sheet_layout.boxes) == set(wanted)
-    assert all(_close(sheet_layout.boxes[role], box) for role, box in wanted.items())
-    assert (sheet_layout.source, sheet_layout.alternatives) == ("given", ())
+    assert set(found.boxes) == set(wanted)
+    assert all(_close(found.boxes[role], box) for role, box in wanted.items())
+    assert (found.source, found.alternatives) == ("given", ())
 
 
-def test_untold_projection_is_third_and_first_fits_as_well() -> None:
-    sheet_layout = _layout(_sheet(FRONT, ABOVE, RIGHT), {}, None)
-    assert sheet_layout.projection is Projection.THIRD
-    assert (sheet_layout.source, sheet_layout.alternatives) == ("default", (Projection.FIRST,))
-
-
-@pytest.mark.parametrize(("adjacent", "role"), [(RIGHT, Role.LEFT), (LEFT, Role.RIGHT)])
-def test_a_view_below_is_from_above_where_nobody_tells_the_projection(
-    adjacent: tuple[int, int, int, int], role: Role
+@pytest.mark.parametrize(
+    ("boxes", "expected", "projection"),
+    [
+        ((FRONT, ABOVE, RIGHT), {Role.TOP: ABOVE, Role.RIGHT: RIGHT}, Projection.THIRD),
+        ((FRONT, ABOVE), {Role.TOP: ABOVE}, Projection.THIRD),
+        ((FRONT, RIGHT), {Role.RIGHT: RIGHT}, Projection.THIRD),
+        # A view below is from above where nobody tells the projection.
+        ((FRONT, BELOW, RIGHT), {Role.TOP: BELOW, Role.LEFT: RIGHT}, Projection.FIRST),
+        ((FRONT, BELOW, LEFT), {Role.TOP: BELOW, Role.RIGHT: LEFT}, Projection.FIRST),
+    ],
+)
+def test_where_nobody_tells_the_projection_the_other_one_fits_as_well(
+    boxes: tuple, expected: dict, projection: Projection
 ) -> None:
-    sheet_layout = _layout(_sheet(FRONT, BELOW, adjacent), {}, None)
-    assert sheet_layout.projection is Projection.FIRST
-    assert (sheet_layout.source, sheet_layout.alternatives) == ("default", (Projection.THIRD,))
-    wanted = {Role.FRONT: FRONT, Role.TOP: BELOW, role: adjacent}
-    assert set(sheet_layout.boxes) == set(wanted)
-    assert all(_close(sheet_layout.boxes[item], box) for item, box in wanted.items())
+    found = _layout(_sheet(*boxes), {}, None)
+    wanted = {Role.FRONT: FRONT, **expected}
+    assert set(found.boxes) == set(wanted)
+    assert all(_close(found.boxes[role], box) for role, box in wanted.items())
+    assert (found.projection, found.source) == (projection, "default")
+    assert found.alternatives == (projection.other,)
 
 
 def test_views_from_above_and_below_tell_no_projection() -> None:
-    sheet_layout = _layout(_sheet(FRONT, ABOVE, BELOW, RIGHT), {}, None)
-    assert sheet_layout.projection is Projection.THIRD
-
-
-def test_two_views_are_enough() -> None:
-    assert set(_layout(_sheet(FRONT, ABOVE), {}, None).boxes) == {Role.FRONT, Role.TOP}
-    assert set(_layout(_sheet(FRONT, RIGHT), {}, None).boxes) == {Role.FRONT, Role.RIGHT}
+    found = _layout(_sheet(FRONT, ABOVE, BELOW, RIGHT), {}, None)
+    assert found.projection is Projection.THIRD
 
 
 def test_strokes_inside_a_view_belong_to_it() -> None:

@@ -1,6 +1,0 @@
-"""Parts by chance that keep to a class of surfaces: what exact reconstruction is measured on."""
-
-from gaussiancad_core.samples.classed.parts import LEVEL_FACES, PartClass, classed_part
-from gaussiancad_core.samples.classed.surfaces import SurfaceKind, surface_kinds
-
-__all__ = ["LEVEL_FACES", "PartClass", "SurfaceKind", "classed_part", "surface_kinds"]
