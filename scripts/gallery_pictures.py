@@ -31,7 +31,7 @@ from gaussiancad_core.model.axes import Projection, Role
 ADDON = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ADDON))
 
-from sample_parts.classed import PartClass, classed_part
+from sample_parts.classed import PartClass, classed_part  # noqa: E402
 
 IMAGES = ADDON / "docs" / "images"
 SAMPLES = ADDON / "resources" / "samples"

@@ -3,7 +3,7 @@
     .venv/bin/python scripts/sample_sheets.py [FOLDER]
 
 Writes ``<name>.png`` (front, top, right in third angle, 1920 x 1080) and ``<name>.step`` for three
-of the parts of :mod:`sample_parts`; into ``resources/samples`` if no folder is named.
+of the parts of ``sample_parts``; into ``resources/samples`` if no folder is named.
 """
 
 import sys
@@ -18,7 +18,7 @@ from gaussiancad_core.model.axes import Projection, Role
 ADDON = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ADDON))
 
-from sample_parts import sample
+from sample_parts import sample  # noqa: E402
 
 SAMPLES = ADDON / "resources" / "samples"
 SHIPPED = ("l-bracket", "boss-plate", "wedge-block")
