@@ -195,13 +195,11 @@ def test_solid_and_dashed_lines_and_a_circle_across_each_other(sketch: Sketch) -
 
 
 def test_a_free_curve_is_traced(sketch: Sketch) -> None:
-    at = np.linspace(0.0, FULL, 80)
-    curve = np.stack([60.0 + 20.0 * at, 90.0 + 8.0 * np.sin(2.0 * at) + 6.0 * np.cos(3.0 * at)], 1)
+    at = np.linspace(0.0, 1.0, 200)
+    curve = np.stack([50.0 + 120.0 * at, 90.0 + 6.0 * np.sin(8.0 * FULL * at)], axis=1)
     drawn = sketch(240, 180).box(20, 20, 220, 160).ink(*map(tuple, curve.tolist()), width=2.5)
-    inner = [
-        s.sample(1.0) - 0.5 for s in drawn.strokes() if s.sample(1.0).min() > 20 and s.length < 130
-    ]
-    points = np.concatenate(inner)
-    away = np.hypot(*(points[:, None] - curve[None]).transpose(2, 0, 1)).min(1)
-    assert away.max() < 2.5
-    assert np.ptp(points[:, 0]) == pytest.approx(20.0 * FULL, abs=6.0)
+    found = [stroke.sample(0.5) - 0.5 for stroke in drawn.strokes() if stroke.length < 110.0]
+    points = np.concatenate(found)
+    away = np.hypot(*(points[:, None] - curve[None]).transpose(2, 0, 1))
+    assert away.min(0).max() < 3.0
+    assert away.min(1).max() < 3.0
