@@ -167,22 +167,6 @@ def test_wrong_options(tmp_path: Path, points: int, seed: int, code: str) -> Non
     assert caught.value.code == code
 
 
-def test_the_text_holds_the_numbers(bracket: TriangleMesh) -> None:
-    found, _ = compare_meshes(bracket, bracket, points=500)
-    text = comparison_text(found)
-    for name in (
-        "chamfer",
-        "hausdorff",
-        "emd",
-        "point to surface",
-        "volume IoU",
-        "500 points",
-    ):
-        assert name in text
-    assert f"{found.distances.chamfer:.4f}" in text
-    assert "mirror" not in text
-
-
 def test_what_is_only_rounding_is_told_as_zero(bracket: TriangleMesh) -> None:
     # A shift that binary numbers do not have leaves areas and volumes equal but for rounding.
     moved = make_mesh(bracket.vertices + 0.1, bracket.triangles)

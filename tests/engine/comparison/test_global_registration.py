@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.comparison_options import Alignment, CompareOptions, Protocol
-from gaussiancad_core.comparison.global_registration import find_turn, spread_rotations
+from gaussiancad_core.comparison.global_registration import find_turn
 from gaussiancad_core.comparison.model_files import Model
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
@@ -17,14 +17,6 @@ TURNS = Rotation.from_euler("xyz", [[25, 130, -70], [-160, 40, 77]], degrees=Tru
 
 def _turned(mesh: TriangleMesh, turn: np.ndarray, scale: float = 1.0) -> TriangleMesh:
     return make_mesh(scale * mesh.vertices @ turn.T + [500.0, -20.0, 3.0], mesh.triangles)
-
-
-def test_spread_rotations_leave_no_gap() -> None:
-    rotations = spread_rotations(6000)
-    assert np.linalg.det(rotations) == pytest.approx(np.ones(6000))
-    others = Rotation.random(200, rng=np.random.default_rng(0)).as_matrix()
-    cosines = (np.einsum("aij,bij->ab", others, rotations).max(axis=1) - 1.0) / 2.0
-    assert np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0))).max() < 16.0
 
 
 @pytest.mark.parametrize("turn", TURNS)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder
 
-from gaussiancad_core.comparison.model_files import ModelFormat, format_of, load_model
+from gaussiancad_core.comparison.model_files import load_model
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.kernel.brep_files import write_brep, write_step
 from gaussiancad_core.model.meshes import TriangleMesh
@@ -54,12 +54,6 @@ def test_a_solid_cylinder_is_fine_and_closed(tmp_path: Path) -> None:
     mesh = load_model(path)
     assert mesh.watertight
     assert mesh.volume == pytest.approx(np.pi * 500.0, rel=5e-4)
-
-
-def test_all_suffixes_are_known() -> None:
-    for model_format in ModelFormat:
-        for suffix in model_format.value:
-            assert format_of(Path(f"x{suffix.upper()}")) is model_format
 
 
 @pytest.mark.parametrize(

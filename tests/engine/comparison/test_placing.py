@@ -35,9 +35,3 @@ def test_one_pin_does_not_move_the_part(
     assert placed.result_to_reference.greatest == pytest.approx(3.0, abs=2e-3)
     assert placed.reference_to_result.rms < 0.2
     assert placed.agreement > 0.98
-
-
-def test_nothing_is_moved_that_fits(bracket: TriangleMesh, bumped: TriangleMesh) -> None:
-    asked = CompareOptions(points=2000, protocols=(Protocol.ENGINEERING,))
-    found, _ = compare_models(Model(bumped), Model(bracket), asked)
-    assert found.engineering.matrix == pytest.approx(np.eye(4), abs=1e-4)

@@ -94,12 +94,6 @@ def test_the_outlines_are_what_the_constraints_demand(loops: tuple[Loop, ...]) -
     assert sum(map(enclosed_area, again)) == pytest.approx(sum(map(enclosed_area, loops)), abs=1e-5)
 
 
-def test_a_rectangle_at_the_origin_has_two_dimensions() -> None:
-    found = constraints_of([_polygon((0, 0), (60, 0), (60, 40), (0, 40))], Numbers())
-    dimensions = {each.kind: each.value for each in found if each.value is not None}
-    assert dimensions == {Kind.DISTANCE_X: 60.0, Kind.DISTANCE_Y: 40.0}
-
-
 def test_equal_circles_in_a_row_have_one_diameter() -> None:
     loops = [_circle((10.0 + 15.0 * k, 5.0), 3.0) for k in range(4)]
     kinds = [each.kind for each in constraints_of(loops, Numbers())]

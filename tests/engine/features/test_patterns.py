@@ -127,12 +127,6 @@ def test_pockets_of_one_sketch_and_depth_repeat() -> None:
     assert row.steps[0].distance == 15.0
 
 
-def test_pads_are_mirrored_in_a_plane_that_mirrors_the_part() -> None:
-    ears = [box((x, 10, 10), (x + 10, 50, 20)) for x in (10.0, 80.0)]
-    (mirror,) = _patterns(fuse(_PLATE, *ears))
-    assert isinstance(mirror, Mirror) and mirror.height == 50.0
-
-
 def _values(solid: TopoDS_Shape, *numbers: float) -> dict[str, Any]:
     return json.loads(json.dumps(solid_values(features_of(solid), Numbers(numbers), None)))
 

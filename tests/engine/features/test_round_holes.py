@@ -77,13 +77,6 @@ def test_a_hole_with_sinks_at_both_ends_is_drilled_from_both() -> None:
     assert all(hole.sink is not None for hole in holes)
 
 
-def test_like_holes_that_enter_one_plane_are_one_feature() -> None:
-    drills = [cylinder(Axis.Z, (x, 12.0), 3.0, 0.0, 20.0) for x in (10.0, 25.0, 40.0)]
-    other = cylinder(Axis.Z, (50.0, 30.0), 2.0, 0.0, 20.0)
-    holes = _holes(*drills, other)
-    assert sorted(len(hole.centres) for hole in holes) == [1, 3]
-
-
 def test_cross_bores_that_meet_are_closed_one_after_the_other() -> None:
     holes = _holes(
         cylinder(Axis.Z, _AT, 5.0, 0.0, 20.0), cylinder(Axis.X, (20.0, 10.0), 3.0, 0.0, 60.0)

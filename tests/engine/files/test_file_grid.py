@@ -161,11 +161,6 @@ def test_a_copy_of_the_drawing_far_off_the_sheet_changes_no_step(far: float) -> 
     assert rounding_step(both, POINT) == pytest.approx(0.1 * POINT, rel=1e-6)
 
 
-def test_no_lines_have_no_step() -> None:
-    assert rounding_step(np.empty((0, 2, 2)), POINT) == 0.0
-    assert rounding_step(slanted(np.random.default_rng(1), 40), 0.0) == 0.0
-
-
 def path(ends: np.ndarray, matrix: np.ndarray, *curves: LineSegment | CircularArc) -> WrittenPath:
     strokes = [VectorStroke(curve, 1.0) for curve in curves]
     return WrittenPath(lambda _: strokes, ends, matrix)
@@ -216,9 +211,3 @@ def test_of_many_scales_those_with_most_lines_are_measured_the_rest_by_their_dec
     found = np.array([stroke.step for stroke in with_steps(tenths)])
     fine = 0.3 * exact >= 0.01
     assert found == pytest.approx(np.where(fine, 0.3 * exact, 0.0), rel=1e-6)
-
-
-def test_only_straight_pieces_are_asked() -> None:
-    straight, bent = np.array([[0.0, 1.0], [2.0, 3.0]]), np.zeros((4, 2))
-    assert line_ends([bent, straight, bent]).tolist() == [straight.tolist()]
-    assert line_ends([bent]).shape == (0, 2, 2)

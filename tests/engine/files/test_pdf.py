@@ -348,14 +348,6 @@ def test_pages_are_chosen(save: Save, tmp_path: Path) -> None:
         assert caught.value.code == "page-missing"
 
 
-def test_lines_inside_the_sheet_only(pdf: type, save: Save) -> None:
-    (stroke,) = read_pdf(
-        save("a.pdf", pdf(b"-500 5 m -100 5 l S 50 50 m 90 50 l S").to_bytes()), 1
-    ).vectors.strokes
-    assert isinstance(stroke.curve, LineSegment)
-    assert stroke.curve.start[0] == pytest.approx(50 * SCALE, abs=1e-3)
-
-
 def _encrypted(pdf: type) -> bytes:
     data = pdf(b"0 0 m 9 9 l S").to_bytes()
     filter_ = b"<< /Filter /Standard /V 1 /R 2 /O <%s> /U <%s> /P -4 >>" % (b"00" * 32, b"11" * 32)

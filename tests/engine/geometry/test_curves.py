@@ -9,7 +9,7 @@ from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve, bounds
 from gaussiancad_core.geometry.points import FULL_TURN
-from gaussiancad_core.geometry.similarities import Similarity, turn_about
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.lines.strokes import Polyline
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 
@@ -53,16 +53,6 @@ def test_samples_and_vertices_follow_the_curve(curve: Curve, length: float) -> N
         assert steps.sum() == pytest.approx(length, rel=1e-3)
 
 
-def test_a_chain_samples_itself_evenly_and_has_its_points_as_vertices() -> None:
-    assert ZIGZAG.length == pytest.approx(5.0 + 6.0 + 10.0)
-    samples = ZIGZAG.sample(0.5)
-    assert len(samples) == 43
-    np.testing.assert_allclose(samples[[0, -1]], [(0.0, 0.0), (9.0, 2.0)])
-    assert np.hypot(*np.diff(samples, axis=0).T).max() <= 0.5 + 1e-12
-    assert {tuple(corner) for corner in ZIGZAG.vertices(1.7).tolist()} >= set(ZIGZAG.points)
-    np.testing.assert_array_equal(ZIGZAG.vertices(np.inf), ZIGZAG.points)
-
-
 @given(ellipses)
 def test_samples_of_an_ellipse_are_even_and_lie_on_it(ellipse: EllipticArc) -> None:
     points = ellipse.sample(ellipse.length / 500.0)
@@ -79,13 +69,6 @@ def test_samples_of_an_ellipse_are_even_and_lie_on_it(ellipse: EllipticArc) -> N
     ends = ellipse.carrier.at(np.array([ellipse.start, ellipse.start + ellipse.sweep]))
     assert points[[0, -1]] == pytest.approx(ends, abs=1e-9)
     assert ellipse.vertices(ellipse.length)[[0, -1]] == pytest.approx(ends, abs=1e-9)
-
-
-def test_a_round_ellipse_is_the_circle() -> None:
-    ellipse = EllipticArc((3.0, 4.0), 5.0, 5.0, 0.7, 0.2, 1.5)
-    arc = CircularArc((3.0, 4.0), 5.0, 0.9, 1.5)
-    assert ellipse.length == pytest.approx(arc.length)
-    assert ellipse.sample(0.1) == pytest.approx(arc.sample(0.1))
 
 
 @given(st.one_of(arcs, ellipses, st.just(ZIGZAG)))
@@ -121,14 +104,6 @@ def test_the_image_of_a_curve_has_the_images_of_its_points(curve: Curve, by: Sim
     np.testing.assert_allclose(image.vertices(np.inf), expected, atol=1e-7 * by.scale)
 
 
-@given(curves, st.floats(-3.0, 3.0), point)
-def test_turning_there_and_back_changes_nothing(
-    curve: Curve, angle: float, centre: tuple[float, float]
-) -> None:
-    back = curve.mapped(turn_about(centre, angle)).mapped(turn_about(centre, -angle))
-    np.testing.assert_allclose(back.vertices(np.inf), curve.vertices(np.inf), atol=1e-9)
-
-
 @given(st.one_of(arcs, ellipses, st.just(ZIGZAG)), st.floats(0.0, 0.45), st.floats(0.55, 1.0))
 def test_a_part_has_its_length_and_its_ends(curve: Curve, low: float, high: float) -> None:
     cut = curve.part(low * curve.length, high * curve.length)
@@ -155,15 +130,6 @@ def test_parts_of_closed_chains_may_go_over_the_start() -> None:
 def test_a_piece_lies_on_its_carrier(curve: LineSegment | CircularArc | EllipticArc) -> None:
     away = curve.carrier.distances(curve.vertices(curve.length / 9.0))
     np.testing.assert_allclose(away, 0.0, atol=1e-9 * max(1.0, curve.length))
-
-
-def test_closed_curves_are_known() -> None:
-    assert SQUARE.is_closed
-    assert CircularArc((0.0, 0.0), 1.0, 2.0, FULL_TURN).is_closed
-    assert EllipticArc((0, 0), 1.0, 0.5, 0.0, 2.0, FULL_TURN).is_closed
-    assert not ZIGZAG.is_closed
-    assert not CircularArc((0.0, 0.0), 1.0, 0.3, 6.0).is_closed
-    assert not LineSegment((0.0, 0.0), (1.0, 0.0)).is_closed
 
 
 @given(st.one_of(segments, arcs, ellipses, st.just(ZIGZAG)), point)

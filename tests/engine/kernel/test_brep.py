@@ -13,11 +13,9 @@ from gaussiancad_core.errors import UnreadableError, UsageError
 from gaussiancad_core.kernel import brep
 from gaussiancad_core.kernel.brep import (
     bounding_box,
-    edges_of,
     faces_of,
     moved_to_origin,
     soundness,
-    subshapes,
     tessellate,
     volume,
 )
@@ -183,11 +181,6 @@ def test_soundness_sees_an_open_and_an_inverted_solid(bored: object) -> None:
     assert not soundness(bored.Reversed()).valid
     shell = brep.compound_of(faces_of(bored)[:-1])
     assert not soundness(shell).closed
-
-
-def test_subshapes_are_counted_once(bored: object) -> None:
-    assert len(edges_of(bored)) == 12 + 3
-    assert len(subshapes(bored, TopAbs_ShapeEnum.TopAbs_VERTEX)) == 8 + 2
 
 
 @pytest.mark.parametrize("deflection", [1.0, 0.05])

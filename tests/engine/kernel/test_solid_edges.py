@@ -1,23 +1,11 @@
 import numpy as np
-from OCP.TopoDS import TopoDS
 
-from gaussiancad_core.kernel.solid_edges import edge_facts, raw_curve
+from gaussiancad_core.kernel.solid_edges import edge_facts
 from gaussiancad_core.model.axes import Axis, Role
 from sample_parts import sample
-from sample_parts.modelling import box, cone, cylinder, prism
+from sample_parts.modelling import cylinder, prism
 
 LOOKS = {role: np.array(role.frame.look, dtype=float) for role in Role}
-
-
-def test_all_edges_of_a_box_are_sharp() -> None:
-    facts = edge_facts(box((0, 0, 0), (3, 2, 1)))
-    assert len(facts) == 12
-    assert not any(fact.smooth or fact.seam or fact.curved for fact in facts)
-    for fact in facts:
-        assert fact.normals.shape == (2, 5, 3)
-        np.testing.assert_allclose(
-            np.einsum("ijk,ijk->j", fact.normals[:1], fact.normals[1:]), 0.0, atol=1e-12
-        )
 
 
 def test_a_cylinder_s_seam_is_smooth_and_its_rims_are_not() -> None:
@@ -47,15 +35,3 @@ def test_a_dihedral_of_two_degrees_is_sharp_and_of_half_a_degree_smooth() -> Non
         roof = prism(Axis.Y, [(0, 0), (40, 0), (40, 10), (20, 10), (0, 10 - rise)], 0, 5)
         found = [fact.smooth for fact in edge_facts(roof)]
         assert sum(found) == (1 if smooth else 0)
-
-
-def test_the_apex_of_a_cone_is_no_edge() -> None:
-    facts = edge_facts(cone(Axis.Z, (0, 0), (5, 0), 0, 10))
-    assert len(facts) == 2
-
-
-def test_an_edge_and_its_copies_share_their_curve() -> None:
-    facts = edge_facts(box((0, 0, 0), (3, 2, 1)))
-    edge = facts[0].edge
-    assert raw_curve(edge) is raw_curve(TopoDS.Edge(edge.Reversed()))
-    assert raw_curve(edge) is not raw_curve(facts[1].edge)

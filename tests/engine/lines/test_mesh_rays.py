@@ -8,13 +8,6 @@ from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.meshes import TriangleMesh, joined
 
 
-def test_a_grid_covers_its_area() -> None:
-    grid = RayGrid.of_view(Role.LEFT, (-30.0, 0.0, 0.0, 20.0), 0.5)
-    assert (grid.width, grid.height) == (60, 40)
-    corners = grid.plane(np.array([[0.0, 0.0], [60.0, 40.0]]))
-    assert corners == pytest.approx(np.array([[-30.0, 20.0], [0.0, 0.0]]))
-
-
 @pytest.mark.parametrize("role", list(Role))
 def test_depths_of_a_block_are_its_thickness(blind_hole: TriangleMesh, role: Role) -> None:
     """Along every view's rays the block is as thick as its extent, less the hole."""

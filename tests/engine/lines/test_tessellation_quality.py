@@ -1,7 +1,6 @@
 from collections.abc import Callable
 
 import numpy as np
-import pytest
 import trimesh
 
 from gaussiancad_core.lines.tessellation_quality import is_rounded, triangle_normals
@@ -29,13 +28,6 @@ def test_what_is_simplified_stays_rounded(rounded_block: TriangleMesh) -> None:
     assert is_rounded(fewer)
 
 
-def test_normals_are_units_and_point_out(blind_hole: TriangleMesh) -> None:
-    normals = triangle_normals(blind_hole, smoothed=False)
-    assert np.linalg.norm(normals, axis=1) == pytest.approx(np.ones(len(normals)))
-    flat = blind_hole.corners[:, :, 2].max(axis=1) == 0.0
-    assert normals[flat] == pytest.approx(np.tile([0.0, 0.0, -1.0], (int(flat.sum()), 1)))
-
-
 def test_smoothing_lowers_the_noise_of_a_ball() -> None:
     ball = trimesh.creation.icosphere(4)
     rough = ball.vertices * np.random.default_rng(0).normal(1.0, 0.004, (len(ball.vertices), 1))
@@ -46,8 +38,3 @@ def test_smoothing_lowers_the_noise_of_a_ball() -> None:
         for smooth in (False, True)
     ]
     assert errors[1] < 0.5 * errors[0]
-
-
-def test_a_triangle_without_area_has_no_normal() -> None:
-    mesh = make_mesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])
-    assert (triangle_normals(mesh, smoothed=False) == 0.0).all()

@@ -17,11 +17,9 @@ from gaussiancad_core.model.cameras import CameraModel, orthographic_camera, pap
 from gaussiancad_core.splatting.gsplat_draw import draw_gsplat
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
 from gaussiancad_core.splatting.rasterizer import (
-    Backend,
     Parameters,
     RasterSettings,
     Rendering,
-    rasteriser,
 )
 from gaussiancad_core.splatting.reference import draw_reference
 from gaussiancad_core.splatting.tiles import draw_tiles
@@ -158,10 +156,6 @@ def test_limits_that_gsplat_does_not_have_are_refused() -> None:
         draw_gsplat(
             parameters(2, torch.float32), batch, replace(RasterSettings(), largest_alpha=0.9)
         )
-
-
-def test_it_is_found_by_name() -> None:
-    assert rasteriser(Backend.GSPLAT) is draw_gsplat
 
 
 @MODELS

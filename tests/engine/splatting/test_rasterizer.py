@@ -6,27 +6,20 @@ import numba
 import numpy as np
 import pytest
 import torch
-from hypothesis import given
-from hypothesis import strategies as st
 
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.cameras import Camera, CameraModel, orthographic_camera, paper_camera
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
 from gaussiancad_core.splatting.rasterizer import (
-    Backend,
     Parameters,
     RasterSettings,
     Rendering,
     parameters_of,
-    rasteriser,
 )
 from gaussiancad_core.splatting.reference import draw_reference
 from gaussiancad_core.splatting.tiles import (
-    PARTS,
-    TILE_WORK,
     draw_tiles,
-    even_parts,
     warm_up,
 )
 
@@ -232,22 +225,6 @@ def test_the_number_of_threads_does_not_change_a_bit() -> None:
     finally:
         numba.set_num_threads(before)
     assert all(torch.equal(one, other) for one, other in zip(*found, strict=True))
-
-
-@given(st.lists(st.integers(0, 500), min_size=1, max_size=400))
-def test_threads_get_as_much_to_do(counts: list[int]) -> None:
-    starts = np.concatenate([[0], np.cumsum(counts)])
-    parts = even_parts(starts)
-    assert len(parts) == PARTS + 1
-    assert (parts[0], parts[-1]) == (0, len(counts))
-    assert (np.diff(parts) >= 0).all()
-    work = np.diff((starts + TILE_WORK * np.arange(len(starts)))[parts])
-    assert work.max() <= work.sum() / PARTS + max(counts) + TILE_WORK
-
-
-def test_backends_are_found_by_name() -> None:
-    assert rasteriser(Backend.TILES) is draw_tiles
-    assert rasteriser(Backend.REFERENCE) is draw_reference
 
 
 def test_parameters_are_leaves_in_the_unit_of_the_scene() -> None:

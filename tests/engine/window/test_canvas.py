@@ -226,14 +226,6 @@ def test_an_arc_runs_through_its_middle() -> None:
     assert arc_through((0.0, 0.0), (2.0, 0.0), (1.0, 0.0)) is None
 
 
-def test_a_place_belongs_to_the_smallest_view_around_it() -> None:
-    views = (View("a", "front", (0, 0, 100, 100)), View("b", "ignore", (10, 10, 20, 20)))
-    sheet = Sheet((), views, (), "", None)
-    assert sheet.view_at((15.0, 15.0)).id == "b"
-    assert sheet.view_at((50.0, 50.0)).id == "a"
-    assert sheet.view_at((150.0, 50.0)) is None
-
-
 @pytest.mark.parametrize(
     "content",
     [

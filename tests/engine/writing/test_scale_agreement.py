@@ -110,11 +110,6 @@ def test_the_unit_follows_what_is_drawn_and_what_most_texts_name() -> None:
     assert fitting_unit(plain, 7.0 * SCALE) is None
 
 
-def test_nothing_gives_nothing() -> None:
-    assert agree([], MM, None).mm_per_pixel is None
-    assert agree([], MM, SCALE).mm_per_pixel is None
-
-
 @given(
     st.lists(st.integers(15, 400), min_size=4, max_size=9, unique=True),
     st.integers(1, 9),
