@@ -155,10 +155,7 @@ def edit_width(box: QtWidgets.QComboBox) -> int:
     return (
         box.style()
         .subControlRect(
-            style.ComplexControl.CC_ComboBox,
-            option,
-            style.SubControl.SC_ComboBoxEditField,
-            box,
+            style.ComplexControl.CC_ComboBox, option, style.SubControl.SC_ComboBoxEditField, box
         )
         .width()
     )

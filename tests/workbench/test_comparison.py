@@ -21,7 +21,6 @@ from freecad.gaussiancad.objects.comparison import (
     request_of,
     update_comparison,
 )
-from freecad.gaussiancad.objects.comparison_colours import colours_of
 from freecad.gaussiancad.objects.comparison_export import comparison_csv
 from freecad.gaussiancad.objects.legend import (
     HEIGHT,
@@ -284,17 +283,8 @@ class Groups(DocumentCase):
         self.assertIn("protocols.engineering.result_to_reference.rms_mm,0.05", lines)
         self.assertIn("deviation.worst.1.point_mm.2,30.0", lines)
 
-    def test_many_colours_are_quick_tables_and_clipped(self) -> None:
-        colours = colours_of([-9.0, -1.0, 0.0, 1.0, 9.0], 1.0)
-        self.assertEqual((colours[0], colours[-1]), (colours[1], colours[-2]))
-        self.assertEqual(colours[2], tuple(channel / 255.0 for channel in STOPS[2]))
-
 
 class Legends(FolderCase):
-    def test_the_stops_are_met_and_values_beyond_are_clipped(self) -> None:
-        self.assertEqual([colour_at(share) for share in (-1, -0.5, 0, 0.5, 1)], list(STOPS))
-        self.assertEqual((colour_at(-7), colour_at(7)), (STOPS[0], STOPS[-1]))
-
     def test_the_picture_runs_from_the_largest_value_down(self) -> None:
         for signed, lowest in ((True, STOPS[0]), (False, STOPS[2])):
             image = legend_image(DeviationRange(2.0, signed), with_text=False)

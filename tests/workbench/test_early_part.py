@@ -9,7 +9,7 @@ import FreeCAD
 from support import FolderCase, draw_sheet, run_fake
 
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.protocol import EventKind, Status
+from freecad.gaussiancad.engine.protocol import Status
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
 from freecad.gaussiancad.objects.loading import LoadedRun, load_run
@@ -59,17 +59,6 @@ class EarlyParts(FolderCase):
         self.assertEqual(texts_of(group, "Settings")["preset"], "standard")
         self.assertEqual(self.document.UndoNames, [STEP])
 
-    def test_the_rest_comes_in_the_same_step(self) -> None:
-        early = self.show()
-        group = complete(early, self.document, self.finished())
-        self.assertEqual(self.document.UndoNames, [STEP])
-        self.assertEqual(len(self.document.Objects), 7)
-        self.assertEqual((group.Name, find_part(group).Name), ("Reconstruction", "Part"))
-        self.document.undo()
-        self.assertEqual(self.document.Objects, [])
-        self.document.redo()
-        self.assertEqual(len(self.document.Objects), 7)
-
     def test_what_the_user_did_between_is_left_alone(self) -> None:
         early = self.show()
         part = find_part(early.find())
@@ -104,16 +93,6 @@ class EarlyParts(FolderCase):
         self.assertEqual((len(group.Group), len(self.document.Objects)), (6, 7))
         self.assertEqual([child.Name for child in group.Group].count("Part"), 1)
 
-    def test_a_run_that_stops_leaves_the_part_with_a_note(self) -> None:
-        early = self.show()
-        self.assertTrue(leave(early, "The run was cancelled."))
-        group = early.find()
-        self.assertEqual(group.Reasons, ["The run was cancelled."])
-        self.assertEqual(len(group.Group), 1)
-        self.document.undo()
-        self.assertEqual(self.document.Objects, [])
-        self.assertFalse(leave(early, "The run was cancelled."))
-
     def test_where_the_document_is_gone_all_goes_to_the_other_one(self) -> None:
         early = self.show()
         FreeCAD.closeDocument(self.document.Name)
@@ -127,11 +106,3 @@ class EarlyParts(FolderCase):
         with self.assertRaises(WorkbenchError):
             show_early(self.document, self.job, path, Status.VERIFIED)
         self.assertEqual((self.document.Objects, self.document.UndoCount), ([], 0))
-
-    def test_the_engine_tells_its_solid_while_it_works(self) -> None:
-        self.behave("dies-late")
-        result, events, _ = run_fake(self.job.arguments())
-        stated_events = [event for event in events if event.kind is EventKind.SOLID]
-        self.assertEqual([event.text("status") for event in stated_events], ["verified"])
-        self.assertTrue(Path(stated_events[0].text("path")).is_file())
-        self.assertEqual(result.code, "engine-killed")

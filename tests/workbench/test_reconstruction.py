@@ -131,14 +131,12 @@ class Documents(FolderCase):
         front = planes["View front"].Placement
         self.assertLess((front.Base - FreeCAD.Vector(30, 49, 15)).Length, 1e-9)
         self.assertLess(
-            (front.Rotation.multVec(FreeCAD.Vector(0, 1, 0)) - FreeCAD.Vector(0, 0, 1)).Length,
-            1e-9,
+            (front.Rotation.multVec(FreeCAD.Vector(0, 1, 0)) - FreeCAD.Vector(0, 0, 1)).Length, 1e-9
         )
         right = planes["View right"].Placement
         self.assertLess((right.Base - FreeCAD.Vector(-9, 20, 15)).Length, 1e-9)
         self.assertLess(
-            (right.Rotation.multVec(FreeCAD.Vector(1, 0, 0)) - FreeCAD.Vector(0, 1, 0)).Length,
-            1e-9,
+            (right.Rotation.multVec(FreeCAD.Vector(1, 0, 0)) - FreeCAD.Vector(0, 1, 0)).Length, 1e-9
         )
 
     def test_a_document_opens_where_neither_engine_nor_addon_is(self) -> None:

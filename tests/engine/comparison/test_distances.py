@@ -53,10 +53,7 @@ def test_point_to_surface_of_nested_boxes(box: Callable[..., TriangleMesh]) -> N
     small = make_mesh(box(2, 2, 2).vertices - 1.0, box(2, 2, 2).triangles)
     large = make_mesh(box(4, 4, 4).vertices - 2.0, box(4, 4, 4).triangles)
     first, second = random_streams(0, 2)
-    inner, outer = (
-        sample_surface(small, 3000, first),
-        sample_surface(large, 3000, second),
-    )
+    inner, outer = (sample_surface(small, 3000, first), sample_surface(large, 3000, second))
     back = np.linalg.norm(np.maximum(np.abs(outer) - 1.0, 0.0), axis=1).mean()
     found = point_to_surface((SurfaceQueries(small), inner), (SurfaceQueries(large), outer))
     assert found == pytest.approx((1.0 + back) / 2.0)

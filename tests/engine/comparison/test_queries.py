@@ -20,9 +20,7 @@ def _box_distance(point: np.ndarray, half: float) -> float:
 
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(_COORDINATE, _COORDINATE, _COORDINATE), min_size=1, max_size=20))
-def test_distances_from_a_cube_are_exact(
-    points: list[tuple[float, float, float]],
-) -> None:
+def test_distances_from_a_cube_are_exact(points: list[tuple[float, float, float]]) -> None:
     import trimesh
 
     cube = trimesh.creation.box((2, 2, 2))

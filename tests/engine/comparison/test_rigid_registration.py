@@ -6,11 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from gaussiancad_core.comparison.normalise import (
-    inverse,
-    moved_mesh,
-    normalising_matrix,
-)
+from gaussiancad_core.comparison.normalise import inverse, moved_mesh, normalising_matrix
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.rigid_registration import (
     Side,

@@ -4,9 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
-from OCP.BRepBuilderAPI import (
-    BRepBuilderAPI_MakePolygon,
-)
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakePolygon
 from OCP.BRepOffsetAPI import BRepOffsetAPI_ThruSections
 from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Shape, TopoDS_Wire

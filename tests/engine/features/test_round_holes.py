@@ -9,15 +9,7 @@ from gaussiancad_core.features.defeaturing import without_holes
 from gaussiancad_core.features.feature_model import Holes
 from gaussiancad_core.kernel.brep import faces_of, volume
 from gaussiancad_core.model.axes import Axis
-from sample_parts.modelling import (
-    box,
-    cone,
-    cut,
-    cylinder,
-    fuse,
-    leaning_cylinder,
-    slot,
-)
+from sample_parts.modelling import box, cone, cut, cylinder, fuse, leaning_cylinder, slot
 
 _BLOCK = box((0, 0, 0), (60, 40, 20))
 _AT = (30.0, 20.0)

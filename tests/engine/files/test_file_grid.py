@@ -7,12 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gaussiancad_core.files.file_grid import (
-    WrittenPath,
-    line_ends,
-    rounding_step,
-    with_steps,
-)
+from gaussiancad_core.files.file_grid import WrittenPath, line_ends, rounding_step, with_steps
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
@@ -22,8 +17,6 @@ POINT = 200.0 / 72.0
 
 MILLIMETRE = 200.0 / 25.4
 """px"""
-
-STEPS_PX = st.floats(0.02, 0.65)
 
 
 def slanted(lot: np.random.Generator, count: int) -> np.ndarray:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
-from gaussiancad_core.geometry.curves import Curve, bounds
+from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.lines.strokes import Polyline
@@ -82,16 +82,6 @@ def test_a_box_holds_the_samples_and_touches_them(curve: Curve) -> None:
     assert np.all(high >= samples.max(axis=0) - 1e-9)
 
 
-def test_bounds_are_those_of_all_curves() -> None:
-    circle = CircularArc((10, 20), 5, 0, FULL_TURN)
-    assert bounds([circle]) == pytest.approx((5, 15, 15, 25))
-    assert bounds([circle, LineSegment((3, 2), (1, 30))]) == pytest.approx((1, 2, 15, 30))
-    flat = CircularArc((0, 0), 10, -0.3, 0.6)
-    assert bounds([flat]) == pytest.approx(
-        (10 * np.cos(0.3), -10 * np.sin(0.3), 10, 10 * np.sin(0.3))
-    )
-
-
 @given(curves, similarities)
 def test_the_image_of_a_curve_has_the_images_of_its_points(curve: Curve, by: Similarity) -> None:
     image = curve.mapped(by)
@@ -124,12 +114,6 @@ def test_parts_of_open_curves_may_be_prolonged() -> None:
 def test_parts_of_closed_chains_may_go_over_the_start() -> None:
     corner = SQUARE.part(-2.0, 1.0)
     np.testing.assert_allclose(corner.points, [(0.0, 2.0), (0.0, 0.0), (1.0, 0.0)], atol=1e-12)
-
-
-@given(st.one_of(segments.filter(lambda piece: piece.length > 1e-3), arcs, ellipses))
-def test_a_piece_lies_on_its_carrier(curve: LineSegment | CircularArc | EllipticArc) -> None:
-    away = curve.carrier.distances(curve.vertices(curve.length / 9.0))
-    np.testing.assert_allclose(away, 0.0, atol=1e-9 * max(1.0, curve.length))
 
 
 @given(st.one_of(segments, arcs, ellipses, st.just(ZIGZAG)), point)

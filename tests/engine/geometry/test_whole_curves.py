@@ -111,11 +111,6 @@ def test_circles_meet_as_their_distance_says(one: Circle, other: Circle) -> None
         assert found == []
 
 
-@given(_CIRCLE)
-def test_a_circle_does_not_meet_itself(circle: Circle) -> None:
-    assert meetings(circle, circle) == []
-
-
 @given(_CURVE, st.floats(0.0, FULL_TURN, exclude_max=True))
 def test_a_point_of_a_curve_has_its_parameter(curve: LineOrCircle, parameter: float) -> None:
     point = curve.at(parameter)

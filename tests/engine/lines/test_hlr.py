@@ -16,16 +16,7 @@ from gaussiancad_core.lines.strokes import DrawnStroke, Polyline, as_plain_strok
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 from sample_parts import SAMPLES, sample
-from sample_parts.modelling import (
-    box,
-    cone,
-    cut,
-    cylinder,
-    edges_along,
-    filleted,
-    fuse,
-    sphere,
-)
+from sample_parts.modelling import box, cone, cut, cylinder, edges_along, filleted, fuse, sphere
 
 TURN = 2.0 * np.pi
 V, H = "visible", "hidden"
@@ -224,10 +215,7 @@ def test_a_full_round_keeps_its_outline() -> None:
         (V, (100.0, 20.0), 8.0, 270.0, 180.0),
     }
     right = draw_view(part, Role.RIGHT)
-    assert Counter(stroke.linetype for stroke in right) == {
-        Linetype.VISIBLE: 4,
-        Linetype.HIDDEN: 4,
-    }
+    assert Counter(stroke.linetype for stroke in right) == {Linetype.VISIBLE: 4, Linetype.HIDDEN: 4}
 
 
 def test_the_rim_of_a_leaning_bore_is_one_ellipse() -> None:

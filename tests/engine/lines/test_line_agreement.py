@@ -81,10 +81,7 @@ def test_a_hidden_stroke_under_a_visible_one_is_not_asked_for() -> None:
 
 _NUMBER = st.floats(-50, 50)
 _STROKE = st.builds(
-    Segment,
-    st.tuples(_NUMBER, _NUMBER),
-    st.tuples(_NUMBER, _NUMBER),
-    st.sampled_from(Linetype),
+    Segment, st.tuples(_NUMBER, _NUMBER), st.tuples(_NUMBER, _NUMBER), st.sampled_from(Linetype)
 ) | st.builds(
     Arc,
     st.tuples(_NUMBER, _NUMBER),

@@ -162,8 +162,7 @@ def test_what_nobody_knows_the_size_of_has_no_measures(
 
 
 @pytest.mark.parametrize(
-    ("reasons", "warnings"),
-    [(["photographed-at-a-slant"], []), ([], ["views-disagree"])],
+    ("reasons", "warnings"), [(["photographed-at-a-slant"], []), ([], ["views-disagree"])]
 )
 def test_views_that_fit_no_one_scale_have_no_bound(reasons: list[str], warnings: list[str]) -> None:
     stated = {
@@ -256,10 +255,7 @@ def test_the_command_prints_it(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 @pytest.mark.parametrize(
     ("arguments", "code", "exit_code"),
-    [
-        (["--view", "left"], "unknown-view", 2),
-        (["--at", "4"], "wrong-usage", 2),
-    ],
+    [(["--view", "left"], "unknown-view", 2), (["--at", "4"], "wrong-usage", 2)],
 )
 def test_what_cannot_be_asked_is_one_line(
     arguments: list[str],

@@ -16,11 +16,7 @@ from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.cameras import CameraModel, orthographic_camera, paper_camera
 from gaussiancad_core.splatting.gsplat_draw import draw_gsplat
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
-from gaussiancad_core.splatting.rasterizer import (
-    Parameters,
-    RasterSettings,
-    Rendering,
-)
+from gaussiancad_core.splatting.rasterizer import Parameters, RasterSettings, Rendering
 from gaussiancad_core.splatting.reference import draw_reference
 from gaussiancad_core.splatting.tiles import draw_tiles
 from gaussiancad_core.splatting.torch_devices import cuda_problem

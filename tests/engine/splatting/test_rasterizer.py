@@ -9,19 +9,10 @@ import torch
 
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.cameras import Camera, CameraModel, orthographic_camera, paper_camera
-from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
-from gaussiancad_core.splatting.rasterizer import (
-    Parameters,
-    RasterSettings,
-    Rendering,
-    parameters_of,
-)
+from gaussiancad_core.splatting.rasterizer import Parameters, RasterSettings, Rendering
 from gaussiancad_core.splatting.reference import draw_reference
-from gaussiancad_core.splatting.tiles import (
-    draw_tiles,
-    warm_up,
-)
+from gaussiancad_core.splatting.tiles import draw_tiles, warm_up
 
 SIZE = (50.0, 30.0, 40.0)
 THREE = (Role.FRONT, Role.TOP, Role.RIGHT)
@@ -225,15 +216,6 @@ def test_the_number_of_threads_does_not_change_a_bit() -> None:
     finally:
         numba.set_num_threads(before)
     assert all(torch.equal(one, other) for one, other in zip(*found, strict=True))
-
-
-def test_parameters_are_leaves_in_the_unit_of_the_scene() -> None:
-    ones = np.ones((2, 4), np.float32)
-    gaussians = Gaussians(ones[:, :3] * 20, ones, ones[:, :3], ones[:, 0], ones[:, :3], ones[:, :3])
-    found = parameters_of(gaussians, unit=10.0)
-    assert found.means.detach().numpy() == pytest.approx(np.full((2, 3), 2.0))
-    assert found.log_scales.detach().numpy() == pytest.approx(np.full((2, 3), 1.0 - np.log(10.0)))
-    assert all(tensor.is_leaf and tensor.requires_grad for tensor in found.tensors)
 
 
 def test_warming_up_compiles_what_a_run_calls() -> None:

@@ -58,10 +58,7 @@ def test_finer_presets_do_more_work(recipe: Recipe) -> None:
 
 @pytest.mark.parametrize(
     ("recipe", "model"),
-    [
-        (Recipe.ORTHOGRAPHIC, CameraModel.ORTHOGRAPHIC),
-        (Recipe.PAPER, CameraModel.PINHOLE),
-    ],
+    [(Recipe.ORTHOGRAPHIC, CameraModel.ORTHOGRAPHIC), (Recipe.PAPER, CameraModel.PINHOLE)],
 )
 def test_cameras_are_the_recipes_with_the_presets_size(recipe: Recipe, model: CameraModel) -> None:
     settings = training_settings(recipe, Preset.DRAFT)

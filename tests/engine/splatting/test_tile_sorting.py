@@ -6,9 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from gaussiancad_core.splatting.tile_sorting import (
-    depth_order,
-)
+from gaussiancad_core.splatting.tile_sorting import depth_order
 
 # Every float32 but -0.0, which bits tell from 0.0 and comparison does not.
 DEPTHS = st.floats(width=32, allow_nan=False).map(lambda depth: depth + 0.0)

@@ -115,12 +115,7 @@ def test_expressions_are_read_as_spdx_means_them(text: str, allowed: bool) -> No
         (None, None, ["License :: OSI Approved :: ISC License (ISCL)"], "ISC"),
         (None, "UNKNOWN", ["License :: OSI Approved :: MIT License"], "MIT"),
         (None, "The MIT License (MIT)\n\nCopyright (c) someone", [], "MIT"),
-        (
-            None,
-            "Copyright\nlong",
-            ["License :: OSI Approved :: BSD License"],
-            "BSD License",
-        ),
+        (None, "Copyright\nlong", ["License :: OSI Approved :: BSD License"], "BSD License"),
         (None, "GNU GPL\nlong", ["License :: OSI Approved :: " + GPL], GPL),
         (None, "GPL-3.0-only", [], "GPL-3.0-only"),
         (None, None, [], "unknown"),

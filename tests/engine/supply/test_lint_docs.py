@@ -2,7 +2,6 @@
 
 import pytest
 from doc_names import Tree
-from doc_sections import entries
 from doc_texts import CHECKOUT, Kind, Module, Passage, page_passages
 from lint_docs import Reader
 
@@ -151,23 +150,8 @@ def test_only_the_newest_section_of_the_changelog_counts() -> None:
     assert "new" in passage.text and "old" not in passage.text
 
 
-def test_comments_are_told_from_texts_with_their_sign() -> None:
-    source = 'a = "# no"  # one\n# two\n# lines\nb = f"{a:#x} # no"\n'
-    comments = [
-        (passage.line, passage.text)
-        for passage in Module(CHECKOUT / "a.py", source).passages()
-        if passage.kind is Kind.COMMENT
-    ]
-    assert comments == [(1, " one"), (2, " two\n lines")]
-
-
 def test_names_of_another_library_are_not_looked_into() -> None:
     tree = Tree()
     assert tree.leads_somewhere("pathlib.Path.anything")
     assert not tree.leads_somewhere("no_library_at_all.name")
     assert tree.leads_somewhere("gaussiancad.Error.code")
-
-
-def test_an_entry_without_a_name_is_told() -> None:
-    (entry,) = entries("Do.\n\nArgs:\n    whatever is given\n")
-    assert entry.names == ()

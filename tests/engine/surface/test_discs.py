@@ -8,13 +8,7 @@ import trimesh
 
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on, quaternions_to
-from gaussiancad_core.surface.discs import (
-    Creases,
-    Discs,
-    DiscSampling,
-    creases_of,
-    discs_of,
-)
+from gaussiancad_core.surface.discs import Creases, Discs, DiscSampling, creases_of, discs_of
 
 SAMPLING = DiscSampling()
 

@@ -132,18 +132,6 @@ def test_it_ends_with_the_last_sheet(
     assert engine._process is None
 
 
-def test_one_that_does_not_start_is_told(
-    tmp_path: Path, application: QtWidgets.QApplication, wait: Waiting
-) -> None:
-    parent = QtCore.QObject()
-    server = Server(Engine(Program((str(tmp_path / "none"),))), parent)
-    answers: list[dict] = []
-    server.ask("read", answers.append)
-    wait(lambda: answers)
-    assert answers[0]["error"]["code"] == "engine-broke-off"
-    server.close()
-
-
 def test_one_that_does_not_start_keeps_nothing_alive(
     tmp_path: Path, application: QtWidgets.QApplication, wait: Waiting
 ) -> None:

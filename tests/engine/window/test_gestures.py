@@ -15,8 +15,6 @@ from freecad.gaussiancad.canvas.gestures import GestureController
 from freecad.gaussiancad.canvas.hit_test import HitTest
 from freecad.gaussiancad.canvas.sheet import Sheet, Stroke, View
 from freecad.gaussiancad.canvas.tools import (
-    CLICKS,
-    DRAGS,
     TOOLS,
     Boxed,
     Chosen,
@@ -54,11 +52,6 @@ def _with(tool: str) -> GestureController:
     gestures = GestureController()
     gestures.take(tool)
     return gestures
-
-
-def test_every_tool_takes_clicks_or_a_drag() -> None:
-    assert set(CLICKS) | set(DRAGS) == set(TOOLS.values())
-    assert not set(CLICKS) & set(DRAGS)
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,6 @@ from gaussiancad_core.writing.sheet_texts import SheetText
 
 _STILL = Turn(0.0, (0.0, 0.0))
 _HEAD = 12.0
-_TALL = 20.0
 
 
 def _heads(level: bool, at: float, low: float, high: float, inside: bool) -> list[Head]:
@@ -81,9 +80,6 @@ def test_a_turned_sheet_is_measured_upright(angle: float) -> None:
     turn = Turn(angle, (400.0, 300.0))
     tips = turn.to_stored(np.array([(100.0, 50.0), (260.0, 50.0)]))
     way = np.diff(tips, axis=0)[0] / np.hypot(*np.diff(tips, axis=0)[0])
-    heads = [
-        Head(tuple(tips[0]), tuple(-way), _HEAD),
-        Head(tuple(tips[1]), tuple(way), _HEAD),
-    ]
+    heads = [Head(tuple(tips[0]), tuple(-way), _HEAD), Head(tuple(tips[1]), tuple(way), _HEAD)]
     (pair,) = arrow_pairs(heads, [Rule(True, 50.0, 112.0, 248.0)], [], turn)
     assert (pair.low, pair.high, pair.at) == pytest.approx((100.0, 260.0, 50.0), abs=1e-6)
