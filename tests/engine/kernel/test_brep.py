@@ -1,4 +1,5 @@
 import errno
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -104,39 +105,32 @@ def test_missing_and_unreadable_files_are_told(tmp_path: Path) -> None:
         assert caught.value.code == code
 
 
-@pytest.mark.parametrize("share", [0.3, 0.7, 0.99])
-def test_a_step_file_that_was_cut_off_is_damaged(
-    bored: object, tmp_path: Path, share: float
+def _cut_off(share: float) -> Callable[[bytes], bytes]:
+    return lambda content: content[: int(share * len(content))]
+
+
+def _without_lines(content: bytes) -> bytes:
+    lines = content.split(b";\n")
+    return b";\n".join(lines[:60] + lines[70:])
+
+
+def _with_lists(start: bytes) -> Callable[[bytes], bytes]:
+    lists = b"#9999=X(" + start + b"(" * 1000 + b")" * 1000 + b");\n"
+    return lambda content: content.replace(b"ENDSEC;\nEND", lists + b"ENDSEC;\nEND")
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [*map(_cut_off, (0.3, 0.7, 0.99)), _without_lines, *map(_with_lists, (b"", b")" * 1000))],
+)
+def test_a_step_file_that_is_cut_or_lacks_lines_or_has_lists_in_lists_is_damaged(
+    bored: object, tmp_path: Path, damage: Callable[[bytes], bytes]
 ) -> None:
     path = tmp_path / "a.step"
     write_step(bored, path)
     content = path.read_bytes()
-    path.write_bytes(content[: int(share * len(content))])
-    with pytest.raises(UnreadableError) as caught:
-        read_solid(path)
-    assert caught.value.code == "file-damaged"
-
-
-def test_a_step_file_that_lacks_lines_is_damaged(bored: object, tmp_path: Path) -> None:
-    path = tmp_path / "a.step"
-    write_step(bored, path)
-    lines = path.read_bytes().split(b";\n")
-    path.write_bytes(b";\n".join(lines[:60] + lines[70:]))
-    with pytest.raises(UnreadableError) as caught:
-        read_solid(path)
-    assert caught.value.code == "file-damaged"
-
-
-@pytest.mark.parametrize("start", [b"", b")" * 1000])
-def test_a_step_file_of_lists_in_lists_is_damaged(
-    bored: object, tmp_path: Path, start: bytes
-) -> None:
-    path = tmp_path / "a.step"
-    write_step(bored, path)
-    lists = start + b"(" * 1000 + b")" * 1000
-    content = path.read_bytes().replace(b"ENDSEC;\nEND", b"#9999=X(" + lists + b");\nENDSEC;\nEND")
-    assert lists in content
-    path.write_bytes(content)
+    path.write_bytes(damage(content))
+    assert path.read_bytes() != content
     with pytest.raises(UnreadableError) as caught:
         read_solid(path)
     assert caught.value.code == "file-damaged"

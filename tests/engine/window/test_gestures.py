@@ -1,15 +1,11 @@
 """What presses and releases of the mouse mean, without a window."""
 
-import sys
 from dataclasses import replace
 from math import hypot
-from pathlib import Path
 
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from freecad.gaussiancad.canvas.gestures import GestureController
 from freecad.gaussiancad.canvas.hit_test import HitTest
