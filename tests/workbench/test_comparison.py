@@ -13,6 +13,7 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.comparable import comparable_objects, export_geometry
 from freecad.gaussiancad.objects.comparison import (
     CompareRequest,
+    LoadedComparison,
     add_comparison,
     comparison_report,
     is_comparison,
@@ -145,10 +146,13 @@ class Groups(DocumentCase):
         run_fake(CompareJob(str(result), str(reference), str(output)).arguments())
         return output
 
+    def added(self) -> tuple[LoadedComparison, FreeCAD.DocumentObject]:
+        loaded = load_comparison(self.compare(), self.folder)
+        return loaded, add_comparison(self.document, loaded, self.request())
+
     def test_everything_is_there_in_one_undo_step(self) -> None:
         self.document.UndoMode = 1
-        loaded = load_comparison(self.compare(), self.folder)
-        group = add_comparison(self.document, loaded, self.request())
+        _, group = self.added()
         self.assertEqual(self.document.UndoCount, 1)
         self.assertEqual((group.Result, group.Reference), ("Scan", "Model"))
         self.assertEqual((group.Chamfer, group.Hausdorff, group.Emd), (0.0312, 0.12, 0.056))
@@ -162,14 +166,10 @@ class Groups(DocumentCase):
         self.assertAlmostEqual(legend.XSize.Value / legend.YSize.Value, WIDTH / HEIGHT, places=6)
         self.assertGreater(legend.Placement.Base.x, 60.0)
         self.assertEqual((self.scan.Visibility, self.part.Visibility), (False, False))
+        # A coloured mesh is no candidate for the next comparison.
+        self.assertEqual(comparable_objects(self.document), [self.part, self.scan])
         self.document.undo()
         self.assertEqual(len(self.document.Objects), 2)
-
-    def test_a_coloured_mesh_is_no_candidate_for_the_next_comparison(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        add_comparison(self.document, loaded, self.request())
-        names = [candidate.Name for candidate in comparable_objects(self.document)]
-        self.assertEqual(names, ["Model", "Scan"])
 
     def test_damaged_files_are_told(self) -> None:
         output = self.compare()
@@ -182,8 +182,7 @@ class Groups(DocumentCase):
             self.assertIs(caught.exception.code, ErrorCode.RESULT_UNREADABLE)
 
     def test_the_range_recolours_the_mesh(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        group = add_comparison(self.document, loaded, self.request())
+        loaded, group = self.added()
         deviation, _ = group.Group
         self.document.UndoMode = 1
         self.document.openTransaction("Range")
@@ -198,8 +197,7 @@ class Groups(DocumentCase):
         self.assertAlmostEqual(deviation.VertexColors[-1][0], loaded.colours[-1][0], delta=0.01)
 
     def test_a_change_makes_it_stale_and_comparing_again_mends_that(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        group = add_comparison(self.document, loaded, self.request())
+        loaded, group = self.added()
         self.document.recompute()
         self.assertFalse(group.Stale)
         self.assertEqual(request_of(group), self.request())
@@ -260,8 +258,7 @@ class Groups(DocumentCase):
         self.assertEqual(Path(job.result), scratch / "result" / "Scan.stl")
 
     def test_it_is_all_there_after_saving(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        add_comparison(self.document, loaded, self.request())
+        self.added()
         path = self.folder / "saved.FCStd"
         self.document.saveAs(str(path))
         FreeCAD.closeDocument(self.document.Name)

@@ -1,9 +1,10 @@
-"""Turns that are none of the 24 by quarters."""
+"""Turns that are none of the 24 by quarters, and a result that has more than the reference."""
 
 from collections.abc import Callable
 
 import numpy as np
 import pytest
+import trimesh
 from scipy.spatial.transform import Rotation
 
 from gaussiancad_core.comparison.comparing import compare_models
@@ -48,3 +49,27 @@ def test_a_part_in_any_pose_is_compared_as_if_in_place(bracket: TriangleMesh) ->
     placed = moved.vertices @ found.engineering.matrix[:3, :3].T + found.engineering.matrix[:3, 3]
     assert placed == pytest.approx(bracket.vertices, abs=0.01)
     assert np.abs(deviation.distances).max() < 0.02
+
+
+@pytest.fixture(scope="module")
+def bumped(bracket: TriangleMesh) -> TriangleMesh:
+    """The bracket with a pin on top, 3 mm higher than the bracket is; else the same."""
+    pin = trimesh.creation.box((2.0, 2.0, 5.0))
+    pin.apply_translation((5.0, 15.0, 20.5))
+    solid = trimesh.boolean.union([bracket.to_trimesh(), pin])
+    return make_mesh(solid.vertices, solid.faces)
+
+
+@pytest.mark.parametrize("shift", [np.zeros(3), np.array([210.0, -37.0, 55.0])])
+def test_one_pin_does_not_move_the_part(
+    bracket: TriangleMesh, bumped: TriangleMesh, shift: np.ndarray
+) -> None:
+    result = Model(make_mesh(bumped.vertices + shift, bumped.triangles))
+    asked = CompareOptions(points=2000, protocols=(Protocol.ENGINEERING,))
+    found, _ = compare_models(result, Model(bracket), asked)
+    placed = found.engineering
+    assert placed.matrix[:3, 3] == pytest.approx(-shift, abs=2e-3)
+    assert placed.matrix[:3, :3] == pytest.approx(np.eye(3), abs=1e-4)
+    assert placed.result_to_reference.greatest == pytest.approx(3.0, abs=2e-3)
+    assert placed.reference_to_result.rms < 0.2
+    assert placed.agreement > 0.98

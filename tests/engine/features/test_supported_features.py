@@ -214,14 +214,6 @@ def test_a_blind_hole_keeps_its_depth_and_a_counterbore_too() -> None:
     assert gone == pytest.approx(before + pi * 16.0 * 4.0)
 
 
-def test_a_boss_on_a_plate_and_the_hole_in_it_rise_together() -> None:
-    hole = _drilled(30.0, (20, 20), 8.0)
-    _, gone, before = _longer(FeatureList((_PLATE, _BOSS, hole)), 1.2)
-    assert gone == pytest.approx(before)
-    # Where it stays, 2 of its 20 mm are in the plate.
-    assert before == pytest.approx(-20.0 * 20.0 * 20.0 + pi * 9.0 * 8.0)
-
-
 def test_walls_are_told_by_dimensions() -> None:
     values = solid_values(features_of(sample("l-bracket").build()), Numbers(), None)["features"]
     pad, first, second = values

@@ -138,20 +138,15 @@ def test_the_last_decimal_tells_where_lines_are_few(
     assert rounding_step(boxes([box]), POINT) == pytest.approx(step * POINT)
 
 
-@pytest.mark.parametrize("far", [1e6, 1e9, 1e15, 1e300])
-def test_a_line_that_ends_far_off_the_sheet_changes_no_step(far: float) -> None:
+@pytest.mark.parametrize("far", [1e5, 1e6, 1e9, 1e15, 1e300])
+def test_a_line_or_a_copy_of_the_drawing_far_off_the_sheet_changes_no_step(far: float) -> None:
     lot = np.random.default_rng(0)
     ends = np.round(slanted(lot, 60), 1)
+    if far <= 1e6:
+        both = np.concatenate([ends, ends + far])
+        assert rounding_step(both, POINT) == pytest.approx(0.1 * POINT, rel=1e-6)
     ends[3, 0] = far
     assert rounding_step(ends, POINT) == pytest.approx(0.1 * POINT, rel=1e-6)
-
-
-@pytest.mark.parametrize("far", [1e5, 1e6])
-def test_a_copy_of_the_drawing_far_off_the_sheet_changes_no_step(far: float) -> None:
-    lot = np.random.default_rng(0)
-    ends = np.round(slanted(lot, 60), 1)
-    both = np.concatenate([ends, ends + far])
-    assert rounding_step(both, POINT) == pytest.approx(0.1 * POINT, rel=1e-6)
 
 
 def path(ends: np.ndarray, matrix: np.ndarray, *curves: LineSegment | CircularArc) -> WrittenPath:

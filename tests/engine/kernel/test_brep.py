@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
-from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace, BRepBuilderAPI_Transform
-from OCP.gp import gp_Pln, gp_Trsf, gp_Vec
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
+from OCP.gp import gp_Pln
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
@@ -15,7 +15,6 @@ from gaussiancad_core.kernel import brep
 from gaussiancad_core.kernel.brep import (
     bounding_box,
     faces_of,
-    moved_to_origin,
     soundness,
     tessellate,
     volume,
@@ -28,12 +27,6 @@ from sample_parts.modelling import box, cut, cylinder, sphere
 @pytest.fixture
 def bored() -> object:
     return cut(box((0, 0, 0), (40, 30, 20)), cylinder(Axis.Z, (12, 10), 5, -1, 21))
-
-
-def _moved(shape: object, by: tuple[float, float, float]) -> object:
-    motion = gp_Trsf()
-    motion.SetTranslation(gp_Vec(*by))
-    return BRepBuilderAPI_Transform(shape, motion, True).Shape()
 
 
 @pytest.mark.parametrize("name", ["part.step", "孔 板 (1).stp", "ünï cödé.STEP"])
@@ -161,12 +154,6 @@ def test_the_bounding_box_ignores_tolerances_and_triangles() -> None:
     ball = sphere((1, 2, 3), 5)
     tessellate(ball, 2.0)
     np.testing.assert_allclose(bounding_box(ball), [[-4, -3, -2], [6, 7, 8]], atol=1e-6)
-
-
-def test_moving_to_the_origin_keeps_the_size(bored: object) -> None:
-    moved = moved_to_origin(_moved(bored, (-7.5, 100.0, 3.25)))
-    np.testing.assert_allclose(bounding_box(moved), [[0, 0, 0], [40, 30, 20]], atol=1e-9)
-    assert moved_to_origin(moved).IsSame(moved)
 
 
 def test_soundness_sees_an_open_and_an_inverted_solid(bored: object) -> None:

@@ -314,12 +314,8 @@ def _crossings(
 
 
 PLANAR = (
-    "stepped-block",
-    "pocket-block",
-    "t-slot-block",
-    "wedge-block",
-    "dovetail-block",
-    "vee-block",
+    *("stepped-block", "pocket-block", "t-slot-block", "wedge-block"),
+    *("dovetail-block", "vee-block"),
 )
 
 

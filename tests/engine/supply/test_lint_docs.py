@@ -1,68 +1,14 @@
 """The checker of the documentation finds what is planted, and takes what is true."""
 
+from pathlib import Path
+
 import pytest
 from doc_names import Tree
 from doc_texts import CHECKOUT, Kind, Module, Passage, page_passages
 from lint_docs import Reader
 
 PAGE = CHECKOUT / "docs" / "planted.md"
-MODULE = '''
-"""Stands for a module."""
-
-from dataclasses import dataclass
-from gaussiancad_core.errors import UsageError
-
-
-@dataclass
-class Plain:
-    """Has fields.
-
-    Attributes:
-        first, second: as given.
-        third: is not there.
-    """
-
-    first: int
-    second: int
-
-
-class Wider(Plain):
-    """Has more, and those that it inherits.
-
-    Args:
-        fourth: as given.
-        fifth: is not there.
-
-    Attributes:
-        first: inherited.
-        fourth: set by its maker.
-    """
-
-    def __init__(self, fourth: int) -> None:
-        self.fourth = fourth
-
-
-def asked(name: str, *rest: int, by: int = 0, **more: int) -> int:
-    """See :class:`Plain`, :class:`.Reader`, :meth:`.Reader.in_text`, :func:`absent`.
-
-    Args:
-        name: as given.
-        rest: all others,
-            on two lines.
-        by (int): as given.
-        more: as given.
-        other: is not there.
-
-    Raises:
-        UsageError: ``wrong-usage``, ``no-such-code``.
-        ValueError: where ``so-it-says``.
-        AbsentError: is not there.
-    """
-    # ``scripts/absent.py`` begins with "# no comment"
-    return len("# no comment, ``scripts``") + by
-
-
-'''
+MODULE = Path(__file__).with_name("planted_module.txt").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")

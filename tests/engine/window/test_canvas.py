@@ -371,36 +371,8 @@ def test_a_group_of_lines_that_becomes_a_view_is_boxed(window: SheetWindow) -> N
 
 
 def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> None:
-    report = {
-        "status": "approximate",
-        "measures": {"uncertainty_mm": 0.02},
-        "reasons": [{"code": "ambiguous", "message": "two solids"}],
-        "assumptions": [
-            {
-                "code": "hole-through",
-                "message": "a hole",
-                "at": [140, 160, 180, 200],
-                "places": [[140, 160, 180, 200]],
-            },
-            {
-                "code": "hole-through",
-                "message": "another",
-                "at": [240, 160, 260, 180],
-                "places": [[240, 160, 260, 180], [240, 200, 260, 220]],
-            },
-        ],
-        "disagreements": [
-            {"view": "front", "missing": True, "length_mm": 3.0, "at": [200, 120]},
-            {
-                "view": "front",
-                "missing": False,
-                "length_mm": 2.0,
-                "at": [260, 170],
-                "kind": "hidden",
-                "line": [[260, 100], [260, 250]],
-            },
-        ],
-    }
+    path = Path(__file__).with_name("doubted_report.json")
+    report = json.loads(path.read_text(encoding="utf-8"))
     window.session.solved.emit(report, "")
     verdict, reason, assumed, _two, lacks, beyond, *_ = window.problems.lines
     assert verdict.colour and "0.02" in verdict.text

@@ -29,11 +29,6 @@ Waiting = Callable[[Callable[[], object]], None]
 
 
 @pytest.fixture
-def application() -> QtWidgets.QApplication:
-    return QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
-
-
-@pytest.fixture
 def wait(application: QtWidgets.QApplication) -> Waiting:
     def until(condition: Callable[[], object]) -> None:
         end = time.monotonic() + 20.0
