@@ -36,21 +36,6 @@ class SecondRun(WindowCase):
     def report(self) -> QtWidgets.QDialog:
         return open_windows(DIALOG_NAME)[0]
 
-    def test_the_same_objects_change_in_one_step(self) -> None:
-        self.behave("contradicts")
-        self.finish()
-        self.picture("panel-second-run")
-        self.assertEqual(len(self.document.Objects), 7)
-        self.assertEqual(len(self.document.UndoNames), 2)
-        self.assertEqual(self.part.Label, "Part (approximate)")
-        self.assertEqual(self.group.Status, "approximate")
-        self.document.undo()
-        self.assertEqual((self.part.Label, self.group.Status), ("Part", "verified"))
-        self.assertEqual(len(self.group.Group), 6)
-        planes = [o for o in self.group.Group if o.TypeId == "Image::ImagePlane"]
-        self.assertTrue(all(Path(plane.ImageFile).is_file() for plane in planes))
-        self.picture("second-run-undone")
-
     def test_the_view_stays_where_the_user_turned_it(self) -> None:
         view = FreeCADGui.ActiveDocument.ActiveView
         view.setAnimationEnabled(False)

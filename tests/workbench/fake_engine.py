@@ -71,14 +71,14 @@ def watch_stdin(deaf: bool) -> None:
     threading.Thread(target=watch, daemon=True).start()
 
 
-def told(name: str) -> dict[str, Any]:
+def data_of(name: str) -> dict[str, Any]:
     """A file of ``data``, that the engine might write."""
     return json.loads((DATA / name).read_text(encoding="utf-8"))
 
 
 def report(sheet: str, status: str, reasons: list[dict[str, Any]]) -> dict[str, Any]:
     """A report as the contract has it."""
-    values = told("report.json") | {"status": status, "reasons": reasons}
+    values = data_of("report.json") | {"status": status, "reasons": reasons}
     values["engine"]["sheet"] = sheet
     if status == "failed":
         values |= dict.fromkeys(("solid", "surface", "gaussians"))
@@ -172,7 +172,7 @@ def reconstruct(arguments: list[str]) -> int:
         return refuse("one-view", "one view, and no thickness", 4, {"axis": "y"})
     if behaviour != "liar":
         write_models(output, behaviour)
-        reasons = told("reasons.json").get(behaviour, [])
+        reasons = data_of("reasons.json").get(behaviour, [])
         status = "approximate" if reasons else "verified"
         values = report(str(sheet), status, reasons)
         values["settings"] = settings_of(arguments)
@@ -201,7 +201,7 @@ def read(arguments: list[str]) -> int:
         while behaviour == "slow" and index == 2:
             time.sleep(0.05)
     output.mkdir(parents=True, exist_ok=True)
-    values = told("reading.json")
+    values = data_of("reading.json")
     if behaviour == "no-views":
         values["views"] = []
     path = output / "reading.json"
@@ -257,7 +257,7 @@ def features(arguments: list[str]) -> int:
         time.sleep(0.05)
     output = Path(arguments[arguments.index("--output") + 1])
     output.mkdir(parents=True, exist_ok=True)
-    values = told("features/bracket.json")
+    values = data_of("features/bracket.json")
     if behaviour == "differs":
         values["solids"][0]["features"][0]["length"] = -39.0
     (output / "features.json").write_text(json.dumps(values), encoding="utf-8")
