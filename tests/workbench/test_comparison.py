@@ -6,6 +6,7 @@ import fake_part
 import FreeCAD
 import Mesh
 import Part
+from run_cases import RunCase
 from support import FolderCase, run_fake
 
 from freecad.gaussiancad.engine.job import CompareJob
@@ -34,21 +35,15 @@ from freecad.gaussiancad.objects.legend import (
 from freecad.gaussiancad.objects.sources import Source
 
 
-class DocumentCase(FolderCase):
+class DocumentCase(RunCase):
     def setUp(self) -> None:
         super().setUp()
-        self.document = FreeCAD.newDocument("Compared")
-        self.addCleanup(self.close_all)
         self.part = self.document.addObject("Part::Feature", "Model")
         self.part.Shape = Part.read(str(fake_part.STEP_FILE))
         self.scan = self.document.addObject("Mesh::Feature", "Scan")
         stl = self.folder / "scan.stl"
         stl.write_text(fake_part.stl_text())
         self.scan.Mesh = Mesh.Mesh(str(stl))
-
-    def close_all(self) -> None:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
 
 class Candidates(DocumentCase):

@@ -1,37 +1,30 @@
 """The part of a run that goes on: there at once, one undo step with the rest, never taken away."""
 
 import shutil
-import tempfile
-from pathlib import Path
 
 import fake_part
 import FreeCAD
-from support import FolderCase, draw_sheet, run_fake
+from run_cases import RunCase
+from support import draw_sheet
 
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.protocol import Status
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
-from freecad.gaussiancad.objects.loading import LoadedRun, load_run
+from freecad.gaussiancad.objects.loading import LoadedRun
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction_features import find_part
 
 STEP = "Reconstruct from Drawing"
 
 
-class EarlyParts(FolderCase):
+class EarlyParts(RunCase):
     def setUp(self) -> None:
         super().setUp()
         self.job = ReconstructJob(
             str(draw_sheet(self.folder / "bracket.png")), str(self.folder / "out")
         )
-        self.document = FreeCAD.newDocument("Test")
         self.document.UndoMode = 1
-        self.addCleanup(self.close_all)
-
-    def close_all(self) -> None:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
     def show(self, status: Status = Status.VERIFIED) -> EarlyPart:
         path = self.folder / "solid.step"
@@ -43,10 +36,7 @@ class EarlyParts(FolderCase):
 
     def finished(self, behaviour: str = "ok") -> LoadedRun:
         self.behave(behaviour)
-        run_fake(self.job.arguments())
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        return load_run(self.job, Path(scratch.name))
+        return self.loaded(self.job)
 
     def test_the_part_is_there_at_once(self) -> None:
         group = self.show(Status.APPROXIMATE).find()
