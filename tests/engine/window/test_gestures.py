@@ -126,21 +126,6 @@ def test_a_click_with_others_takes_back_what_was_selected() -> None:
     )
 
 
-def test_a_handle_moves_a_stroke_in_one_step() -> None:
-    hits = replace(_HITS, chosen=frozenset({"s2"}))
-    made = _drag(GestureController(), (75.0, 60.0), (90.0, 61.0), hits)
-    erase, draw = made.operations
-    assert (erase["op"], erase["target"]["id"]) == ("erase", "s2")
-    assert (draw["op"], draw["kind"], draw["arc"][:2]) == ("draw", "hidden", (60.0, 60.0))
-    assert draw["arc"][2] > 29.0
-
-
-def test_a_corner_of_a_view_moves_and_the_other_stays() -> None:
-    hits = replace(_HITS, chosen=frozenset({"front"}))
-    (item,) = _drag(GestureController(), (200.0, 100.0), (230.0, 120.0), hits).operations
-    assert item == {"op": "view", "id": "front", "role": "front", "box": [0.0, 0.0, 230.0, 120.0]}
-
-
 @given(st.sampled_from(["", *TOOLS.values()]), _places, _places)
 def test_what_would_be_made_ends_at_the_mouse(tool: str, a: Place, b: Place) -> None:
     assume(hypot(a[0] - b[0], a[1] - b[1]) > 1.0)
