@@ -60,7 +60,7 @@ class Panel(WindowCase):
         self.assertEqual(offered, ["Model", "Scan", "Body", "File…"])
         self.assertEqual((result.currentText(), reference.currentText()), ("Scan", "Model"))
 
-    def test_distances_beside_their_floor_and_a_coloured_mesh(self) -> None:
+    def test_distances_beside_their_floor_millimetres_and_a_coloured_mesh(self) -> None:
         self.compare()
         self.assertEqual(self.boxes(), [])
         table = widget(QtWidgets.QTableWidget, "distances")
@@ -80,6 +80,11 @@ class Panel(WindowCase):
         )
         log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()
         self.assertIn("Hausdorff: 1.44 mm", log)
+        table = widget(QtWidgets.QTableWidget, "engineering")
+        rows = [[table.item(row, k).text() for k in range(2)] for row in range(table.rowCount())]
+        self.assertEqual(rows[:3], [["-0.01", "-0.01"], ["0.05", "0.05"], ["-0.75", "-0.75"]])
+        self.assertEqual(rows[3:], [["0.5", "1"], ["87.5", "87.5"], ["-2", ""], ["–", ""]])
+        self.assertIn("Not closed: the result (open edges: 3).", log)
         shown = {o.Name: o.Visibility for o in self.document.Objects}
         self.assertEqual((shown["Model"], shown["Scan"], shown["Deviation"]), (False, False, True))
         for name in ("Body", "Legend"):
@@ -109,15 +114,6 @@ class Panel(WindowCase):
             widget(QtWidgets.QTableWidget, "distances").item(0, 0).toolTip(),
             "Chamfer distance: 0.0312",
         )
-
-    def test_millimetres_and_what_to_know_are_told(self) -> None:
-        self.compare()
-        table = widget(QtWidgets.QTableWidget, "engineering")
-        rows = [[table.item(row, k).text() for k in range(2)] for row in range(table.rowCount())]
-        self.assertEqual(rows[:3], [["-0.01", "-0.01"], ["0.05", "0.05"], ["-0.75", "-0.75"]])
-        self.assertEqual(rows[3:], [["0.5", "1"], ["87.5", "87.5"], ["-2", ""], ["–", ""]])
-        log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()
-        self.assertIn("Not closed: the result (open edges: 3).", log)
 
     def test_the_view_flies_to_a_worst_point(self) -> None:
         self.compare()
@@ -189,7 +185,9 @@ class Panel(WindowCase):
         spin(200)
         self.assertEqual(self.boxes(), [])
 
-    def test_the_sheet_of_a_reconstruction_is_shown(self) -> None:
+    def test_with_the_sheet_of_a_reconstruction_it_is_shown_and_saved_as_table_json_page_and_pdf(
+        self,
+    ) -> None:
         group = self.document.addObject("App::DocumentObjectGroup", "Reconstruction")
         group.addProperty("App::PropertyFileIncluded", "Overlay")
         group.Overlay = str(self.sheet)
@@ -201,13 +199,6 @@ class Panel(WindowCase):
         spin(200)
         self.assertFalse(widget(QtWidgets.QLabel, "sheetPicture").pixmap().isNull())
         self.picture("compare-sheet")
-
-    def test_it_is_saved_as_table_json_page_and_pdf(self) -> None:
-        group = self.document.addObject("App::DocumentObjectGroup", "Reconstruction")
-        group.addProperty("App::PropertyFileIncluded", "Overlay")
-        group.Overlay = str(self.sheet)
-        group.addObject(self.document.getObject("Scan"))
-        self.compare()
         view = widget(QtWidgets.QPushButton, "saveComparison").parentWidget()
         for name, start in (
             ("a.csv", b"\xef\xbb\xbfmeasure"),

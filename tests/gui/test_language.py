@@ -7,6 +7,13 @@ from window import WindowCase, spin, widget
 from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.qt import QtWidgets
 
+SPOKEN = {
+    "de": "Mit Referenz vergleichen…|Form bestätigt.|Nur Festkörper|Bauteil|"
+    "Aus Zeichnung rekonstruieren",
+    "zh-CN": "与参考比较…|形状已验证。|仅实体|零件|由图纸重建",
+}
+"""An entry of the menu, a verdict, a choice, the part, and the step that makes it."""
+
 
 class Languages(WindowCase):
     def speak(self, language: str) -> None:
@@ -25,27 +32,19 @@ class Languages(WindowCase):
         self.picture(f"panel-{name.lower()}")
         return widget(QtWidgets.QLabel, "stage").text()
 
-    def test_menu_panel_and_result_speak_german(self) -> None:
-        self.speak("de")
-        info = FreeCADGui.Command.get("GaussianCAD_Compare")
-        texts = [action.text().replace("&", "") for action in info.getAction()]
-        self.assertEqual(texts, ["Mit Referenz vergleichen…"])
-        self.assertIn("Form bestätigt.", self.run_the_sheet("German"))
-        self.assertEqual(widget(QtWidgets.QComboBox, "outcome").itemText(1), "Nur Festkörper")
-        document = FreeCAD.ActiveDocument
-        self.assertEqual(document.getObject("Part").Label, "Bauteil")
-        self.assertEqual(document.UndoNames, ["Aus Zeichnung rekonstruieren"])
-
-    def test_menu_panel_and_result_speak_chinese(self) -> None:
-        self.speak("zh-CN")
-        info = FreeCADGui.Command.get("GaussianCAD_Compare")
-        texts = [action.text().replace("&", "") for action in info.getAction()]
-        self.assertEqual(texts, ["与参考比较…"])
-        self.assertIn("形状已验证。", self.run_the_sheet("Chinese"))
-        self.assertEqual(widget(QtWidgets.QComboBox, "outcome").itemText(1), "仅实体")
-        document = FreeCAD.ActiveDocument
-        self.assertEqual(document.getObject("Part").Label, "零件")
-        self.assertEqual(document.UndoNames, ["由图纸重建"])
+    def test_menu_panel_and_result_speak_german_and_chinese(self) -> None:
+        for language, texts in SPOKEN.items():
+            compare, verdict, solid, part, step = texts.split("|")
+            self.speak(language)
+            info = FreeCADGui.Command.get("GaussianCAD_Compare")
+            said = [action.text().replace("&", "") for action in info.getAction()]
+            self.assertEqual(said, [compare])
+            self.assertIn(verdict, self.run_the_sheet(language.partition("-")[0]))
+            self.assertEqual(widget(QtWidgets.QComboBox, "outcome").itemText(1), solid)
+            document = FreeCAD.ActiveDocument
+            self.assertEqual(document.getObject("Part").Label, part)
+            self.assertEqual(document.UndoNames, [step])
+            self.close_all()
 
     def test_what_the_engine_refuses_is_told_in_the_users_language(self) -> None:
         self.speak("de")

@@ -32,6 +32,10 @@ class Panel(WindowCase):
         self.assertFalse(button.isEnabled())
         self.wait_for(button.isEnabled)
 
+    def reconstruct(self) -> None:
+        self.choose_sheet(self.sheet)
+        self.finish()
+
     def test_from_the_button_to_the_part_and_back_in_one_step(self) -> None:
         self.choose_sheet(self.sheet)
         self.picture("panel-ready")
@@ -58,8 +62,7 @@ class Panel(WindowCase):
 
     def test_a_drawing_that_contradicts_itself_is_told_with_the_place(self) -> None:
         self.behave("contradicts")
-        self.choose_sheet(self.sheet)
-        self.finish()
+        self.reconstruct()
         self.assertEqual(self.boxes(), [])
         self.assertIn("Shape not certain", widget(QtWidgets.QLabel, "stage").text())
         log = widget(QtWidgets.QPlainTextEdit, "log")
@@ -76,8 +79,7 @@ class Panel(WindowCase):
         self.assertTrue(preview.has_picture)
 
     def test_saved_and_opened_again(self) -> None:
-        self.choose_sheet(self.sheet)
-        self.finish()
+        self.reconstruct()
         FreeCADGui.Control.closeDialog()
         path = self.folder / "保存.FCStd"
         self.document.saveAs(str(path))
@@ -124,8 +126,7 @@ class Panel(WindowCase):
         FreeCAD.closeDocument(self.document.Name)
         if not FreeCADGui.Control.activeDialog():
             self.open_panel("GaussianCAD_Reconstruct")
-        self.choose_sheet(self.sheet)
-        self.finish()
+        self.reconstruct()
         self.assertEqual(len(FreeCAD.listDocuments()), 1)
         self.assertIsNotNone(FreeCAD.ActiveDocument.getObject("Part"))
 
@@ -209,8 +210,7 @@ class Panel(WindowCase):
 
     def test_an_engine_that_dies_later_leaves_its_part_with_a_note(self) -> None:
         self.behave("dies-late")
-        self.choose_sheet(self.sheet)
-        self.finish()
+        self.reconstruct()
         (box,) = self.boxes()
         self.assertIn("ended from outside", box.text())
         self.assertEqual(
@@ -241,19 +241,6 @@ class Panel(WindowCase):
         kind = QtWidgets.QDialogButtonBox.StandardButton.Close
         return next(box.button(kind) for box in boxes if box.button(kind) and box.isVisible())
 
-    def test_a_killed_engine_is_told_and_leaves_the_document_alone(self) -> None:
-        self.behave("dies")
-        self.choose_sheet(self.sheet)
-        self.finish()
-        (box,) = self.boxes()
-        self.assertIn("ended from outside", box.text())
-        self.picture("engine-killed")
-        self.assertEqual(self.document.Objects, [])
-        box.close()
-        self.behave("ok")
-        self.finish()
-        self.assertEqual(len(self.document.Objects), 7)
-
     def test_what_goes_wrong_is_told_in_a_box(self) -> None:
         text = self.folder / "text.png"
         text.write_text("this is no picture")
@@ -265,6 +252,7 @@ class Panel(WindowCase):
             ("liar", self.sheet, "report.json"),
             ("half", self.sheet, "surface.stl"),
             ("broken", self.sheet, "No module named gaussiancad_core"),
+            ("dies", self.sheet, "ended from outside"),
         )
         for behaviour, sheet, expected in cases:
             self.behave(behaviour)
@@ -276,12 +264,13 @@ class Panel(WindowCase):
             self.assertNotIn("Traceback", box.text())
             box.close()
             self.assertEqual((self.document.Objects, self.document.UndoCount), ([], 0))
+        self.behave("ok")
+        self.finish()
+        self.assertEqual(len(self.document.Objects), 7)
 
     def test_a_refusal_offers_the_canvas(self) -> None:
         self.behave("refuse")
-        self.choose_sheet(self.sheet)
-        button = self.start()
-        self.wait_for(button.isEnabled)
+        self.reconstruct()
         (box,) = self.boxes()
         (correct,) = (
             this_button
@@ -359,8 +348,7 @@ class Panel(WindowCase):
         size.setValue(2)
         widget(QtWidgets.QComboBox, "preset").setCurrentIndex(1)
         self.assertEqual((size.value(), effort.text()[:12]), (2, "960 x 540 px"))
-        self.choose_sheet(self.sheet)
-        self.finish()
+        self.reconstruct()
         settings = texts_of(self.document.getObject("Reconstruction"), "Settings")
         self.assertEqual((settings["recipe"], settings["scale-down"]), ("paper", "2"))
         widget(QtWidgets.QComboBox, "outcome").setCurrentIndex(1)

@@ -31,8 +31,7 @@ class Report(WindowCase):
         self.assertIn("another solid fits the sheet", text)
         why = dialog.findChild(QtWidgets.QPlainTextEdit, "why").toPlainText()
         self.assertEqual(
-            why.splitlines(),
-            ["Why the shape is not certain:", "• another solid fits the sheet"],
+            why.splitlines(), ["Why the shape is not certain:", "• another solid fits the sheet"]
         )
         self.assertTrue(dialog.findChild(QtWidgets.QLabel, "preview").has_picture)
         self.picture("report")

@@ -7,8 +7,7 @@ import FreeCADGui
 from support import draw_sheet
 from window import WindowCase, open_windows, spin, widget
 
-from freecad.gaussiancad.engine.job import ReconstructJob, Scale, ScaleKind
-from freecad.gaussiancad.engine.protocol import Recipe, ResultKind
+from freecad.gaussiancad.engine.job import ScaleKind
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.panels.report import DIALOG_NAME
 from freecad.gaussiancad.qt import QtWidgets
@@ -36,21 +35,6 @@ class SecondRun(WindowCase):
 
     def report(self) -> QtWidgets.QDialog:
         return open_windows(DIALOG_NAME)[0]
-
-    def test_the_same_objects_change_in_one_step(self) -> None:
-        self.behave("contradicts")
-        self.finish()
-        self.picture("panel-second-run")
-        self.assertEqual(len(self.document.Objects), 7)
-        self.assertEqual(len(self.document.UndoNames), 2)
-        self.assertEqual(self.part.Label, "Part (approximate)")
-        self.assertEqual(self.group.Status, "approximate")
-        self.document.undo()
-        self.assertEqual((self.part.Label, self.group.Status), ("Part", "verified"))
-        self.assertEqual(len(self.group.Group), 6)
-        planes = [o for o in self.group.Group if o.TypeId == "Image::ImagePlane"]
-        self.assertTrue(all(Path(plane.ImageFile).is_file() for plane in planes))
-        self.picture("second-run-undone")
 
     def test_the_view_stays_where_the_user_turned_it(self) -> None:
         view = FreeCADGui.ActiveDocument.ActiveView
@@ -149,13 +133,3 @@ class SecondRun(WindowCase):
             self.assertEqual("GaussianCAD_RunAgain" in stated, offered)
             self.assertEqual("GaussianCAD_Report" in stated, offered)
             self.assertIn("GaussianCAD_Compare", stated)
-
-
-class KeptSettings(WindowCase):
-    def test_a_job_comes_back_from_the_texts_of_a_document(self) -> None:
-        for scale in (Scale(), Scale(ScaleKind.LENGTH_Z, 12.5), Scale(ScaleKind.MM_PER_PIXEL, 0.1)):
-            job = ReconstructJob("a.png", "", outcome=ResultKind.SURFACE, recipe=Recipe.PAPER)
-            job = ReconstructJob(**{**job.__dict__, "scale": scale, "scale_down": 3, "page": 2})
-            self.assertEqual(ReconstructJob.kept("a.png", "", job.settings()), job)
-        damaged = ReconstructJob.kept("a.png", "", {"page": "two", "preset": "cake"})
-        self.assertEqual(damaged, ReconstructJob("a.png", ""))

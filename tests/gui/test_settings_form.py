@@ -101,9 +101,7 @@ class Settings(WindowCase):
         self.assertIs(form.choices.projection, usual)
         form.forget_projection()
         self.assertIs(form.projection.mode, usual)
-
-    def test_what_a_person_chose_stands_whatever_a_sheet_tells(self) -> None:
-        form = SettingsForm(starting_choices(read_preferences()))
+        # What a person chose stands whatever a sheet tells.
         form.projection.choose(Projection.THIRD)
         form.projection.activated.emit(form.projection.currentIndex())
         form.tell_projection(Projection.FIRST)
@@ -155,10 +153,7 @@ def edit_width(box: QtWidgets.QComboBox) -> int:
     return (
         box.style()
         .subControlRect(
-            style.ComplexControl.CC_ComboBox,
-            option,
-            style.SubControl.SC_ComboBoxEditField,
-            box,
+            style.ComplexControl.CC_ComboBox, option, style.SubControl.SC_ComboBoxEditField, box
         )
         .width()
     )

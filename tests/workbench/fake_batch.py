@@ -26,15 +26,8 @@ _TOLD = re.compile(r"gaussiancad: (.*) \[([a-z-]+)\]")
 _SUFFIXES = (".png", ".jpg")
 _CSV = {"encoding": "utf-8", "errors": "backslashreplace", "newline": ""}
 _COLUMNS = (
-    "name",
-    "sheet",
-    "folder",
-    "status",
-    "measures_mm",
-    "exit_code",
-    "code",
-    "message",
-    "seconds",
+    *("name", "sheet", "folder", "status", "measures_mm", "exit_code", "code"),
+    *("message", "seconds"),
 )
 
 

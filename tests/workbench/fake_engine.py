@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
@@ -47,6 +48,9 @@ BEHAVIOURS = (
 )
 
 
+DATA = Path(__file__).parent / "data"
+
+
 def send(event: str, **fields: object) -> None:
     """Write one event."""
     line = json.dumps({"event": event, **fields}, ensure_ascii=False) + "\n"
@@ -67,55 +71,18 @@ def watch_stdin(deaf: bool) -> None:
     threading.Thread(target=watch, daemon=True).start()
 
 
-def report(sheet: str, status: str, reasons: list[dict[str, str]]) -> dict[str, object]:
+def data_of(name: str) -> dict[str, Any]:
+    """A file of ``data``, that the engine might write."""
+    return json.loads((DATA / name).read_text(encoding="utf-8"))
+
+
+def report(sheet: str, status: str, reasons: list[dict[str, Any]]) -> dict[str, Any]:
     """A report as the contract has it."""
-    agreement = {
-        "visible_recall": 0.998,
-        "visible_precision": 1.0,
-        "hidden_recall": 0.97,
-        "hidden_precision": 0.99,
-    }
-    failed = status == "failed"
-    solid = {
-        "valid": True,
-        "closed": True,
-        "faces": 8,
-        "volume_mm3": fake_part.VOLUME,
-        "bounding_box_mm": list(fake_part.SIZE),
-        "alternatives": 0,
-    }
-    surface = {
-        "vertices": 12,
-        "triangles": 20,
-        "watertight": True,
-        "volume_mm3": fake_part.VOLUME,
-        "nearer": "hull",
-    }
-    return {
-        "schema": 1,
-        "status": status,
-        "reasons": reasons,
-        "warnings": [{"code": "scale-assumed", "message": "the longest edge was made 100 mm"}],
-        "projection": "third",
-        "projection_source": "inferred",
-        "projection_alternatives": [],
-        "views": {role: {"box": list(box), **agreement} for role, box in fake_part.BOXES.items()},
-        "tolerance_px": 1.5,
-        "scale_mm_per_pixel": fake_part.MM_PER_PIXEL,
-        "scale_source": "given",
-        "solid": None if failed else solid,
-        "surface": None if failed else surface,
-        "gaussians": None if failed else {"count": 600, "iterations": 100, "loss": 0.01},
-        "seconds": {"read": 0.5, "solid": 1.25, "gaussians": 2.0},
-        "peak_memory_mb": 100.0,
-        "engine": {
-            "versions": {"gaussiancad": "0.0", "torch": "none"},
-            "device": "cpu",
-            "seed": 0,
-            "sheet_sha256": "0" * 64,
-            "sheet": sheet,
-        },
-    }
+    values = data_of("report.json") | {"status": status, "reasons": reasons}
+    values["engine"]["sheet"] = sheet
+    if status == "failed":
+        values |= dict.fromkeys(("solid", "surface", "gaussians"))
+    return values
 
 
 def write_models(output: Path, behaviour: str) -> None:
@@ -205,33 +172,7 @@ def reconstruct(arguments: list[str]) -> int:
         return refuse("one-view", "one view, and no thickness", 4, {"axis": "y"})
     if behaviour != "liar":
         write_models(output, behaviour)
-        reasons = {
-            "ambiguous": [{"code": "ambiguous", "message": "another solid fits the sheet"}],
-            "several": [
-                {"code": "ambiguous", "message": "3 different solids have these lines"},
-                {
-                    "code": "search-unfinished",
-                    "message": "the search for solids with these lines was not completed",
-                },
-            ],
-            "sketched": [
-                {
-                    "code": "sketched",
-                    "message": "no solid has all lines as they were read",
-                    "args": {"axis": "z", "percent": 93},
-                }
-            ],
-            "contradicts": [
-                {
-                    "code": "lines-contradict",
-                    "message": "the lines, as they were read, contradict each other, and would "
-                    "agree but for one: a hidden line is missing in the top view from (0.0, 18.0) "
-                    "to (14.0, 18.0) mm",
-                    "args": {"case": "missing", "view": "top", "linetype": "hidden"},
-                }
-            ],
-            "surface": [{"code": "no-solid", "message": "no exact solid was found"}],
-        }.get(behaviour, [])
+        reasons = data_of("reasons.json").get(behaviour, [])
         status = "approximate" if reasons else "verified"
         values = report(str(sheet), status, reasons)
         values["settings"] = settings_of(arguments)
@@ -249,9 +190,6 @@ def reconstruct(arguments: list[str]) -> int:
     return 0
 
 
-READING = Path(__file__).parent / "data" / "reading.json"
-
-
 def read(arguments: list[str]) -> int:
     """What ``gaussiancad read`` does."""
     behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
@@ -263,10 +201,10 @@ def read(arguments: list[str]) -> int:
         while behaviour == "slow" and index == 2:
             time.sleep(0.05)
     output.mkdir(parents=True, exist_ok=True)
-    values = json.loads(READING.read_text(encoding="utf-8"))
+    values = data_of("reading.json")
     if behaviour == "no-views":
         values["views"] = []
-    path = output / READING.name
+    path = output / "reading.json"
     path.write_text(json.dumps(values), encoding="utf-8")
     send("reading", path=str(path))
     send("result", path=str(path), refused=0)
@@ -290,23 +228,6 @@ def refuse(code: str, message: str, exit_code: int, args: dict[str, object] | No
     return exit_code
 
 
-SIDE = {
-    "mean_mm": -0.01,
-    "rms_mm": 0.05,
-    "least_mm": -0.75,
-    "greatest_mm": 0.5,
-    "within_tolerance": 0.875,
-}
-
-ENGINEERING = {
-    "result_to_reference": SIDE,
-    "reference_to_result": {**SIDE, "greatest_mm": 1.0},
-    "agreement": 0.875,
-    "volume_difference_share": -0.02,
-    "area_difference_share": None,
-}
-
-
 def compare(arguments: list[str]) -> int:
     """What ``gaussiancad compare`` does."""
     for path in arguments[:2]:
@@ -317,48 +238,12 @@ def compare(arguments: list[str]) -> int:
         time.sleep(0.05)
     output = Path(arguments[arguments.index("--output") + 1])
     output.mkdir(parents=True, exist_ok=True)
-    values = {
-        "schema": 1,
-        "protocol": "fake",
-        "chamfer": 0.0312,
-        "hausdorff": 0.12,
-        "emd": 0.056,
-        "point_to_surface": 0.004,
-        "floor": {"chamfer": 0.03, "hausdorff": 0.1, "emd": 0.05},
-        "volume_iou": 0.991,
-        "registration": {"matrix": [[1, 0, 0, 0]] * 4, "mirrored": False},
-        "points": 10000,
-        "seed": 0,
-        "unit_mm": 12.0,
-        "deviation": {
-            "signed": True,
-            "range_mm": 1.0,
-            "least_mm": -1.0,
-            "greatest_mm": 1.0,
-            "histogram": {"edges_mm": [-1, -0.5, 0, 0.5, 1], "shares": [0.1, 0.4, 0.4, 0.1]},
-            "worst": [
-                {"of": "reference", "point_mm": [60.0, 40.0, 10.0], "deviation_mm": 1.0},
-                {"of": "result", "point_mm": [0.0, 0.0, 30.0], "deviation_mm": -0.75},
-            ],
-        },
-        "warnings": [
-            {
-                "code": "model-open",
-                "message": "the result is not closed",
-                "args": {"model": "result", "count": 3},
-            }
-        ],
-        "protocols": {"engineering": ENGINEERING},
-    }
     (output / "comparison.html").write_text("<!doctype html><h1>fake</h1>")
     (output / "deviation.ply").write_bytes(fake_part.deviation_bytes())
     (output / "deviation.png").write_bytes(fake_part.picture_bytes())
-    (output / "comparison.json").write_text(json.dumps(values))
+    shutil.copy(DATA / "comparison.json", output)
     sys.stdout.write("chamfer 0.0312\n")
     return 0
-
-
-FEATURES = Path(__file__).parent / "data" / "features" / "bracket.json"
 
 
 def features(arguments: list[str]) -> int:
@@ -372,7 +257,7 @@ def features(arguments: list[str]) -> int:
         time.sleep(0.05)
     output = Path(arguments[arguments.index("--output") + 1])
     output.mkdir(parents=True, exist_ok=True)
-    values = json.loads(FEATURES.read_text(encoding="utf-8"))
+    values = data_of("features/bracket.json")
     if behaviour == "differs":
         values["solids"][0]["features"][0]["length"] = -39.0
     (output / "features.json").write_text(json.dumps(values), encoding="utf-8")

@@ -66,16 +66,8 @@ class Namespace(unittest.TestCase):
     def test_nothing_heavy_and_nothing_of_the_engine_is_imported(self) -> None:
         allowed = set(sys.stdlib_module_names)
         allowed |= {
-            "FreeCAD",
-            "FreeCADGui",
-            "Part",
-            "Mesh",
-            "Points",
-            "Sketcher",
-            "PySide",
-            "PySide6",
-            "pivy",
-            "gaussiancad_protocol",
+            *("FreeCAD", "FreeCADGui", "Part", "Mesh", "Points", "Sketcher", "PySide", "PySide6"),
+            *("pivy", "gaussiancad_protocol"),
         }
         for path in PACKAGE.rglob("*.py"):
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -13,7 +13,6 @@ from test_batch import BatchCase, wait_for_child
 
 from freecad.gaussiancad.batch_bodies import NO_SOLID, NOT_ADDED
 from freecad.gaussiancad.batch_options import parse_options
-from freecad.gaussiancad.batch_report import BodyOutcome
 from freecad.gaussiancad.objects.body_check import check_body
 from freecad.gaussiancad.objects.shown_objects import GUI_FILE
 from freecad.gaussiancad.whole_files import has_body
@@ -60,17 +59,6 @@ class Bodies(BatchCase):
         shown = dict(re.findall(pattern, seen, re.DOTALL))
         names = ("Body", "Pad1", "Part", "Pad1Sketch", "Origin")
         self.assertEqual([shown[name] for name in names], ["true"] * 2 + ["false"] * 3)
-
-    def test_the_report_names_numbers_that_break_the_body(self) -> None:
-        self.assertEqual(self.words("--body"), "")
-        row = self.documents()["a"]
-        self.assertEqual((row["body_breaking"], row["body_untried"]), ([], 0))
-        stated = BodyOutcome("", ("Pad1.Width = 60 mm",), 2).words
-        self.assertEqual(
-            stated,
-            "The body breaks when one of these is changed: Pad1.Width = 60 mm. "
-            "Numbers of the body that were not tried: 2.",
-        )
 
     def test_without_the_option_there_is_none(self) -> None:
         out = ["--output", str(self.output)]
@@ -141,9 +129,3 @@ class Bodies(BatchCase):
                 self.behave("ok")
                 self.assertEqual(self.words("--body", "--resume"), "")
                 self.assertTrue(has_body(self.made))
-
-    def test_what_is_no_document_has_no_body(self) -> None:
-        path = self.folder / "none"
-        self.assertFalse(has_body(path))
-        path.write_text("no archive")
-        self.assertFalse(has_body(path))

@@ -77,32 +77,6 @@ class Samples(BodyCase):
             ((plane, _),) = getattr(sketch, name)
             self.assertIn(plane, body.Origin.OriginFeatures)
 
-    def test_one_step_is_undone_and_done_again(self) -> None:
-        part = self.part(l_bracket())
-        self.document.UndoMode = 1
-        add_bodies(part, read_features(DATA / "l-bracket.json"))
-        self.assertEqual(self.document.UndoNames, ["To Body"])
-        self.document.undo()
-        self.assertEqual([each.Name for each in self.document.Objects], ["Part"])
-        self.assertTrue(part.Visibility)
-        self.document.redo()
-        self.document.recompute()
-        body = next(each for each in self.document.Objects if each.TypeId == "PartDesign::Body")
-        self.assertEqual(check_body(body.Shape, l_bracket()).words, "")
-
-    def test_a_document_that_is_saved_and_opened_again_keeps_it(self) -> None:
-        label = self.sample("boss-plate").body.Label
-        path = str(self.folder / "kept.FCStd")
-        self.document.saveAs(path)
-        self.close()
-        self.document = FreeCAD.openDocument(path)
-        (body,) = (each for each in self.document.Objects if each.Label == label)
-        self.assertEqual(check_body(body.Shape, boss_plate()).words, "")
-        for each in body.Group:
-            each.touch()
-        self.document.recompute()
-        self.assertEqual(check_body(body.Shape, boss_plate()).words, "")
-
 
 class Broken(BodyCase):
     def assert_none(self, *features: dict[str, Any]) -> str:

@@ -87,6 +87,7 @@ class Around(ChangedCase):
         self.assertEqual(self.document.UndoNames, ["To Body"])
         self.document.undo()
         self.assertEqual([each.Name for each in self.document.Objects], ["Part"])
+        self.assertTrue(part.Visibility)
         self.document.redo()
         self.document.recompute()
         self.change("Pad1", "Length", 24.0)

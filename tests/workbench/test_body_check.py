@@ -4,7 +4,6 @@ import Part
 from FreeCAD import Vector
 from support import FolderCase
 
-from freecad.gaussiancad.objects.body_check import _difference
 from freecad.gaussiancad.objects.smooth_faces import count_faces, have_same_faces
 
 
@@ -26,20 +25,3 @@ class Faces(FolderCase):
             moved = shape.copy()
             moved.translate(Vector(0, 0, 0.01))
             self.assertFalse(have_same_faces(both, moved))
-
-
-class Check(FolderCase):
-    def test_solids_that_cannot_be_cut_are_one_where_all_faces_are(self) -> None:
-        class Uncut:
-            """A solid that the kernel makes nothing of."""
-
-            def __init__(self, shape: Part.Shape) -> None:
-                self.Volume, self.Faces = shape.Volume, shape.Faces
-
-            def cut(self, other: object) -> Part.Shape:
-                return other
-
-        box, other = Part.makeBox(2, 3, 4), Part.makeBox(2, 4, 3)
-        self.assertEqual(_difference(Uncut(box), Uncut(box)), 0.0)
-        self.assertGreater(_difference(Uncut(box), Uncut(other)), 0.0)
-        self.assertAlmostEqual(_difference(box, other), 12.0)

@@ -6,6 +6,7 @@ import fake_part
 import FreeCAD
 import Mesh
 import Part
+from run_cases import RunCase
 from support import FolderCase, run_fake
 
 from freecad.gaussiancad.engine.job import CompareJob
@@ -13,6 +14,7 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.comparable import comparable_objects, export_geometry
 from freecad.gaussiancad.objects.comparison import (
     CompareRequest,
+    LoadedComparison,
     add_comparison,
     comparison_report,
     is_comparison,
@@ -21,7 +23,6 @@ from freecad.gaussiancad.objects.comparison import (
     request_of,
     update_comparison,
 )
-from freecad.gaussiancad.objects.comparison_colours import colours_of
 from freecad.gaussiancad.objects.comparison_export import comparison_csv
 from freecad.gaussiancad.objects.legend import (
     HEIGHT,
@@ -34,21 +35,15 @@ from freecad.gaussiancad.objects.legend import (
 from freecad.gaussiancad.objects.sources import Source
 
 
-class DocumentCase(FolderCase):
+class DocumentCase(RunCase):
     def setUp(self) -> None:
         super().setUp()
-        self.document = FreeCAD.newDocument("Compared")
-        self.addCleanup(self.close_all)
         self.part = self.document.addObject("Part::Feature", "Model")
         self.part.Shape = Part.read(str(fake_part.STEP_FILE))
         self.scan = self.document.addObject("Mesh::Feature", "Scan")
         stl = self.folder / "scan.stl"
         stl.write_text(fake_part.stl_text())
         self.scan.Mesh = Mesh.Mesh(str(stl))
-
-    def close_all(self) -> None:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
 
 class Candidates(DocumentCase):
@@ -146,10 +141,13 @@ class Groups(DocumentCase):
         run_fake(CompareJob(str(result), str(reference), str(output)).arguments())
         return output
 
+    def added(self) -> tuple[LoadedComparison, FreeCAD.DocumentObject]:
+        loaded = load_comparison(self.compare(), self.folder)
+        return loaded, add_comparison(self.document, loaded, self.request())
+
     def test_everything_is_there_in_one_undo_step(self) -> None:
         self.document.UndoMode = 1
-        loaded = load_comparison(self.compare(), self.folder)
-        group = add_comparison(self.document, loaded, self.request())
+        _, group = self.added()
         self.assertEqual(self.document.UndoCount, 1)
         self.assertEqual((group.Result, group.Reference), ("Scan", "Model"))
         self.assertEqual((group.Chamfer, group.Hausdorff, group.Emd), (0.0312, 0.12, 0.056))
@@ -163,14 +161,10 @@ class Groups(DocumentCase):
         self.assertAlmostEqual(legend.XSize.Value / legend.YSize.Value, WIDTH / HEIGHT, places=6)
         self.assertGreater(legend.Placement.Base.x, 60.0)
         self.assertEqual((self.scan.Visibility, self.part.Visibility), (False, False))
+        # A coloured mesh is no candidate for the next comparison.
+        self.assertEqual(comparable_objects(self.document), [self.part, self.scan])
         self.document.undo()
         self.assertEqual(len(self.document.Objects), 2)
-
-    def test_a_coloured_mesh_is_no_candidate_for_the_next_comparison(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        add_comparison(self.document, loaded, self.request())
-        names = [candidate.Name for candidate in comparable_objects(self.document)]
-        self.assertEqual(names, ["Model", "Scan"])
 
     def test_damaged_files_are_told(self) -> None:
         output = self.compare()
@@ -183,8 +177,7 @@ class Groups(DocumentCase):
             self.assertIs(caught.exception.code, ErrorCode.RESULT_UNREADABLE)
 
     def test_the_range_recolours_the_mesh(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        group = add_comparison(self.document, loaded, self.request())
+        loaded, group = self.added()
         deviation, _ = group.Group
         self.document.UndoMode = 1
         self.document.openTransaction("Range")
@@ -199,8 +192,7 @@ class Groups(DocumentCase):
         self.assertAlmostEqual(deviation.VertexColors[-1][0], loaded.colours[-1][0], delta=0.01)
 
     def test_a_change_makes_it_stale_and_comparing_again_mends_that(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        group = add_comparison(self.document, loaded, self.request())
+        loaded, group = self.added()
         self.document.recompute()
         self.assertFalse(group.Stale)
         self.assertEqual(request_of(group), self.request())
@@ -261,8 +253,7 @@ class Groups(DocumentCase):
         self.assertEqual(Path(job.result), scratch / "result" / "Scan.stl")
 
     def test_it_is_all_there_after_saving(self) -> None:
-        loaded = load_comparison(self.compare(), self.folder)
-        add_comparison(self.document, loaded, self.request())
+        self.added()
         path = self.folder / "saved.FCStd"
         self.document.saveAs(str(path))
         FreeCAD.closeDocument(self.document.Name)
@@ -284,17 +275,8 @@ class Groups(DocumentCase):
         self.assertIn("protocols.engineering.result_to_reference.rms_mm,0.05", lines)
         self.assertIn("deviation.worst.1.point_mm.2,30.0", lines)
 
-    def test_many_colours_are_quick_tables_and_clipped(self) -> None:
-        colours = colours_of([-9.0, -1.0, 0.0, 1.0, 9.0], 1.0)
-        self.assertEqual((colours[0], colours[-1]), (colours[1], colours[-2]))
-        self.assertEqual(colours[2], tuple(channel / 255.0 for channel in STOPS[2]))
-
 
 class Legends(FolderCase):
-    def test_the_stops_are_met_and_values_beyond_are_clipped(self) -> None:
-        self.assertEqual([colour_at(share) for share in (-1, -0.5, 0, 0.5, 1)], list(STOPS))
-        self.assertEqual((colour_at(-7), colour_at(7)), (STOPS[0], STOPS[-1]))
-
     def test_the_picture_runs_from_the_largest_value_down(self) -> None:
         for signed, lowest in ((True, STOPS[0]), (False, STOPS[2])):
             image = legend_image(DeviationRange(2.0, signed), with_text=False)

@@ -1,37 +1,30 @@
 """The part of a run that goes on: there at once, one undo step with the rest, never taken away."""
 
 import shutil
-import tempfile
-from pathlib import Path
 
 import fake_part
 import FreeCAD
-from support import FolderCase, draw_sheet, run_fake
+from run_cases import RunCase
+from support import draw_sheet
 
 from freecad.gaussiancad.engine.job import ReconstructJob
-from freecad.gaussiancad.engine.protocol import EventKind, Status
+from freecad.gaussiancad.engine.protocol import Status
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
-from freecad.gaussiancad.objects.loading import LoadedRun, load_run
+from freecad.gaussiancad.objects.loading import LoadedRun
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction_features import find_part
 
 STEP = "Reconstruct from Drawing"
 
 
-class EarlyParts(FolderCase):
+class EarlyParts(RunCase):
     def setUp(self) -> None:
         super().setUp()
         self.job = ReconstructJob(
             str(draw_sheet(self.folder / "bracket.png")), str(self.folder / "out")
         )
-        self.document = FreeCAD.newDocument("Test")
         self.document.UndoMode = 1
-        self.addCleanup(self.close_all)
-
-    def close_all(self) -> None:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
     def show(self, status: Status = Status.VERIFIED) -> EarlyPart:
         path = self.folder / "solid.step"
@@ -43,10 +36,7 @@ class EarlyParts(FolderCase):
 
     def finished(self, behaviour: str = "ok") -> LoadedRun:
         self.behave(behaviour)
-        run_fake(self.job.arguments())
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        return load_run(self.job, Path(scratch.name))
+        return self.loaded(self.job)
 
     def test_the_part_is_there_at_once(self) -> None:
         group = self.show(Status.APPROXIMATE).find()
@@ -58,17 +48,6 @@ class EarlyParts(FolderCase):
         self.assertEqual(group.Label, "Reconstruction of bracket")
         self.assertEqual(texts_of(group, "Settings")["preset"], "standard")
         self.assertEqual(self.document.UndoNames, [STEP])
-
-    def test_the_rest_comes_in_the_same_step(self) -> None:
-        early = self.show()
-        group = complete(early, self.document, self.finished())
-        self.assertEqual(self.document.UndoNames, [STEP])
-        self.assertEqual(len(self.document.Objects), 7)
-        self.assertEqual((group.Name, find_part(group).Name), ("Reconstruction", "Part"))
-        self.document.undo()
-        self.assertEqual(self.document.Objects, [])
-        self.document.redo()
-        self.assertEqual(len(self.document.Objects), 7)
 
     def test_what_the_user_did_between_is_left_alone(self) -> None:
         early = self.show()
@@ -104,16 +83,6 @@ class EarlyParts(FolderCase):
         self.assertEqual((len(group.Group), len(self.document.Objects)), (6, 7))
         self.assertEqual([child.Name for child in group.Group].count("Part"), 1)
 
-    def test_a_run_that_stops_leaves_the_part_with_a_note(self) -> None:
-        early = self.show()
-        self.assertTrue(leave(early, "The run was cancelled."))
-        group = early.find()
-        self.assertEqual(group.Reasons, ["The run was cancelled."])
-        self.assertEqual(len(group.Group), 1)
-        self.document.undo()
-        self.assertEqual(self.document.Objects, [])
-        self.assertFalse(leave(early, "The run was cancelled."))
-
     def test_where_the_document_is_gone_all_goes_to_the_other_one(self) -> None:
         early = self.show()
         FreeCAD.closeDocument(self.document.Name)
@@ -127,11 +96,3 @@ class EarlyParts(FolderCase):
         with self.assertRaises(WorkbenchError):
             show_early(self.document, self.job, path, Status.VERIFIED)
         self.assertEqual((self.document.Objects, self.document.UndoCount), ([], 0))
-
-    def test_the_engine_tells_its_solid_while_it_works(self) -> None:
-        self.behave("dies-late")
-        result, events, _ = run_fake(self.job.arguments())
-        stated_events = [event for event in events if event.kind is EventKind.SOLID]
-        self.assertEqual([event.text("status") for event in stated_events], ["verified"])
-        self.assertTrue(Path(stated_events[0].text("path")).is_file())
-        self.assertEqual(result.code, "engine-killed")

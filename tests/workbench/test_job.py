@@ -5,24 +5,25 @@ import unittest
 from freecad.gaussiancad.engine.job import CompareJob, Projection, ReconstructJob, Scale, ScaleKind
 from freecad.gaussiancad.engine.protocol import Preset, Recipe, ResultKind
 
+JOB = ReconstructJob(
+    "a b.png",
+    "out",
+    Projection.FIRST,
+    Preset.FINE,
+    ResultKind.SOLID,
+    Recipe.PAPER,
+    Scale(ScaleKind.LENGTH_Y, 12.5),
+    "#102030",
+    page=2,
+    seed=7,
+    scale_down=4,
+)
+
 
 class Arguments(unittest.TestCase):
     def test_all_settings_become_options(self) -> None:
-        job = ReconstructJob(
-            "a b.png",
-            "out",
-            Projection.FIRST,
-            Preset.FINE,
-            ResultKind.SOLID,
-            Recipe.PAPER,
-            Scale(ScaleKind.LENGTH_Y, 12.5),
-            "#102030",
-            page=2,
-            seed=7,
-            scale_down=4,
-        )
         self.assertEqual(
-            " ".join(job.arguments()),
+            " ".join(JOB.arguments()),
             "reconstruct --output out --projection first --preset fine --result solid "
             "--recipe paper --colour #102030 --page 2 --seed 7 "
             "--scale-down 4 --length y=12.5 --events -- a b.png",
@@ -53,6 +54,11 @@ class Arguments(unittest.TestCase):
             again = ReconstructJob.kept("a", "b", job.settings())
             self.assertEqual(again.options(), job.options())
         self.assertNotIn("thickness", ReconstructJob("a", "b").settings())
+
+    def test_a_job_comes_back_from_the_texts_of_a_document(self) -> None:
+        self.assertEqual(ReconstructJob.kept("a b.png", "out", JOB.settings()), JOB)
+        damaged = ReconstructJob.kept("a.png", "", {"page": "two", "preset": "cake"})
+        self.assertEqual(damaged, ReconstructJob("a.png", ""))
 
     def test_settings_are_texts_for_every_option(self) -> None:
         settings = ReconstructJob("a", "b", scale=Scale(ScaleKind.LENGTH_Z, 3.0)).settings()
@@ -87,20 +93,7 @@ class Told(unittest.TestCase):
             "seed": 7,
             "scale_down": 4,
         }
-        expected = ReconstructJob(
-            "a.png",
-            "out",
-            Projection.FIRST,
-            Preset.FINE,
-            ResultKind.SOLID,
-            Recipe.PAPER,
-            Scale(ScaleKind.LENGTH_Y, 12.5),
-            "#102030",
-            page=2,
-            seed=7,
-            scale_down=4,
-        )
-        self.assertEqual(ReconstructJob.from_report("a.png", "out", settings), expected)
+        self.assertEqual(ReconstructJob.from_report("a b.png", "out", settings), JOB)
         pixels = {**settings, "lengths": {}, "mm_per_pixel": 0.25}
         scale = ReconstructJob.from_report("a.png", "out", pixels).scale
         self.assertEqual(scale, Scale(ScaleKind.MM_PER_PIXEL, 0.25))

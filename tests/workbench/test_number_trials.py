@@ -63,12 +63,6 @@ class Trials(BodyCase):
         self.assertEqual((outcome.tried, outcome.untried), (1, 4))
         self.assertEqual(note_trials(made, outcome).body.NumbersNotTried, 4)
 
-    def test_those_of_the_drawing_come_first(self) -> None:
-        made = self.bracket()
-        with NumberTrials(made.body, made.numbers) as trials:
-            order = [each.on_sheet for each in trials._left]
-        self.assertEqual(order, [True, True, True, False, False])
-
     def test_the_numbers_of_a_second_body_are_its_own(self) -> None:
         self.bracket()
         exact, features = boxes_that_touch()

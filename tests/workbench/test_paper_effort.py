@@ -22,10 +22,6 @@ class Effort(unittest.TestCase):
             self.assertLess(effort.minutes, 10.0)
             self.assertGreaterEqual(effort.width, 240)
 
-    def test_a_draft_starts_from_small_images(self) -> None:
-        effort = paper_effort(Preset.DRAFT, usual_scale_down(Preset.DRAFT))
-        self.assertEqual((effort.width, effort.height), (240, 135))
-
     def test_smaller_images_take_less_time(self) -> None:
         for preset in Preset:
             minutes = [

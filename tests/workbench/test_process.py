@@ -87,14 +87,6 @@ class Runs(FolderCase):
         self.assertEqual((result.exit_code, result.code), (4, "one-view"))
         self.assertEqual(result.message, "only one view was found: draw at least two")
 
-    def test_bad_sheets(self) -> None:
-        text = self.folder / "text.png"
-        text.write_text("no picture")
-        for path, code in ((text, "not-an-image"), (self.folder / "none.png", "sheet-missing")):
-            result, _, _ = run_fake(ReconstructJob(str(path), str(self.output)).arguments())
-            self.assertIs(result.state, RunState.FAILED)
-            self.assertEqual((result.exit_code, result.code), (3, code))
-
     def test_a_module_that_is_missing_means_a_broken_engine(self) -> None:
         self.behave("broken")
         result, _, _ = run_fake(self.job.arguments())

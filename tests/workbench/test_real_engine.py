@@ -19,11 +19,7 @@ from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
 from freecad.gaussiancad.engine.protocol import Event, EventKind, Preset
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
-from freecad.gaussiancad.objects.comparison import (
-    CompareRequest,
-    add_comparison,
-    load_comparison,
-)
+from freecad.gaussiancad.objects.comparison import CompareRequest, add_comparison, load_comparison
 from freecad.gaussiancad.objects.legend import colour_at
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.ply import read_vertices
@@ -188,17 +184,6 @@ class Trouble(FolderCase):
         result, _ = run(job.arguments(), stop_in="lines")
         self.assertIs(result.state, RunState.CANCELLED)
         self.assertEqual(list(output.glob("**/*")) if output.exists() else [], [])
-
-    def test_bad_sheets_are_refused_in_one_sentence(self) -> None:
-        text = self.folder / "text.png"
-        text.write_text("this is no picture")
-        for path in (text, self.folder / "missing.png"):
-            result, _ = run(ReconstructJob(str(path), str(self.folder / "out")).arguments())
-            self.assertIs(result.state, RunState.FAILED)
-            self.assertEqual(result.exit_code, 3)
-            self.assertIn(path.name, result.message)
-            self.assertNotIn("\n", result.message)
-            self.assertNotIn("Traceback", result.log)
 
     def test_a_batch_makes_documents_and_keeps_them(self) -> None:
         sheets = self.folder / "sheets"

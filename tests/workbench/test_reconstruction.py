@@ -3,12 +3,12 @@
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 import fake_part
 import FreeCAD
-from support import FolderCase, draw_sheet, run_fake
+from run_cases import RunCase
+from support import draw_sheet
 
 from freecad.gaussiancad.engine.job import ReconstructJob, Scale, ScaleKind
 from freecad.gaussiancad.engine.sentences import SENTENCES
@@ -40,25 +40,16 @@ os._exit(0)
 """
 
 
-class Documents(FolderCase):
+class Documents(RunCase):
     def setUp(self) -> None:
         super().setUp()
         self.sheet = draw_sheet(self.folder / "bracket.png")
-        self.document = FreeCAD.newDocument("Test")
-        self.addCleanup(self.close_all)
-
-    def close_all(self) -> None:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
     def run_job(self, behaviour: str) -> LoadedRun:
         self.behave(behaviour)
         scale = Scale(ScaleKind.LENGTH_X, 60.0)
         job = ReconstructJob(str(self.sheet), str(self.folder / behaviour), scale=scale)
-        run_fake(job.arguments())
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        return load_run(job, Path(scratch.name))
+        return self.loaded(job)
 
     def test_everything_is_there_in_one_undo_step(self) -> None:
         self.document.UndoMode = 1
@@ -131,14 +122,12 @@ class Documents(FolderCase):
         front = planes["View front"].Placement
         self.assertLess((front.Base - FreeCAD.Vector(30, 49, 15)).Length, 1e-9)
         self.assertLess(
-            (front.Rotation.multVec(FreeCAD.Vector(0, 1, 0)) - FreeCAD.Vector(0, 0, 1)).Length,
-            1e-9,
+            (front.Rotation.multVec(FreeCAD.Vector(0, 1, 0)) - FreeCAD.Vector(0, 0, 1)).Length, 1e-9
         )
         right = planes["View right"].Placement
         self.assertLess((right.Base - FreeCAD.Vector(-9, 20, 15)).Length, 1e-9)
         self.assertLess(
-            (right.Rotation.multVec(FreeCAD.Vector(1, 0, 0)) - FreeCAD.Vector(0, 1, 0)).Length,
-            1e-9,
+            (right.Rotation.multVec(FreeCAD.Vector(1, 0, 0)) - FreeCAD.Vector(0, 1, 0)).Length, 1e-9
         )
 
     def test_a_document_opens_where_neither_engine_nor_addon_is(self) -> None:

@@ -1,19 +1,19 @@
 """A second run of a drawing: the objects of the first one change in place, in one undo step."""
 
 import shutil
-import tempfile
 from pathlib import Path
 
 import fake_part
 import FreeCAD
 import Part
-from support import FolderCase, draw_sheet, run_fake
+from run_cases import RunCase
+from support import draw_sheet
 
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.protocol import ResultKind, Status
 from freecad.gaussiancad.objects.early_part import complete, leave, show_early
 from freecad.gaussiancad.objects.known_sheets import group_of, reconstruction_among, sheet_of
-from freecad.gaussiancad.objects.loading import LoadedRun, load_run
+from freecad.gaussiancad.objects.loading import LoadedRun
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction import put_reconstruction
 from freecad.gaussiancad.objects.reconstruction_features import find_part
@@ -21,19 +21,13 @@ from freecad.gaussiancad.objects.reconstruction_features import find_part
 STEP = "Reconstruct from Drawing"
 
 
-class Repeated(FolderCase):
+class Repeated(RunCase):
     def setUp(self) -> None:
         super().setUp()
         self.sheet = draw_sheet(self.folder / "bracket.png")
-        self.document = FreeCAD.newDocument("Test")
         self.document.UndoMode = 1
-        self.addCleanup(self.close_all)
         self.group = put_reconstruction(self.document, self.finished("ok"))
         self.names = self.all_names()
-
-    def close_all(self) -> None:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
     def all_names(self) -> list[str]:
         return sorted(found.Name for found in self.document.Objects)
@@ -44,10 +38,7 @@ class Repeated(FolderCase):
         folder = str(self.folder / behaviour)
         shutil.rmtree(folder, ignore_errors=True)
         job = ReconstructJob(str(sheet or self.sheet), folder, outcome=outcome, page=page)
-        run_fake(job.arguments())
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        return load_run(job, Path(scratch.name))
+        return self.loaded(job)
 
     def built_on_the_part(self) -> FreeCAD.DocumentObject:
         """A body of the user's that follows the part."""

@@ -1,15 +1,12 @@
 """The choice among solids that all have the drawing's lines."""
 
-import tempfile
-from pathlib import Path
-
 import fake_part
 import FreeCAD
-from support import FolderCase, draw_sheet, run_fake
+from run_cases import RunCase
+from support import draw_sheet
 
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
-from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction
 from freecad.gaussiancad.objects.reconstruction_features import find_part
 from freecad.gaussiancad.objects.solutions import SolutionSet, group_with_choice, has_choice
@@ -17,27 +14,18 @@ from freecad.gaussiancad.objects.solutions import SolutionSet, group_with_choice
 VOLUMES = (fake_part.VOLUME, *fake_part.ALTERNATIVE_VOLUMES)
 
 
-class Solutions(FolderCase):
+class Solutions(RunCase):
     def setUp(self) -> None:
         super().setUp()
-        self.document = FreeCAD.newDocument("Test")
-        self.addCleanup(self.close_all)
         self.group = self.reconstruct("several")
         self.document.UndoMode = 1
         self.solutions = SolutionSet(self.group)
-
-    def close_all(self) -> None:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
     def reconstruct(self, behaviour: str) -> FreeCAD.DocumentObject:
         self.behave(behaviour)
         sheet = draw_sheet(self.folder / "bracket.png")
         job = ReconstructJob(str(sheet), str(self.folder / behaviour))
-        run_fake(job.arguments())
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        return add_reconstruction(self.document, load_run(job, Path(scratch.name)))
+        return add_reconstruction(self.document, self.loaded(job))
 
     def shown(self) -> list[bool]:
         features = map(self.solutions.feature, range(len(self.solutions)))

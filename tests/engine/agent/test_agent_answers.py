@@ -13,7 +13,7 @@ from PIL import Image
 
 from gaussiancad import Reading
 from gaussiancad.agent.agent_pictures import enlarged, scaled
-from gaussiancad.agent.reading_summary import reading_summary, rounded, stroke_entry
+from gaussiancad.agent.reading_summary import reading_summary
 from gaussiancad.agent.stroke_selection import check_ids, selected_box, selected_strokes
 from gaussiancad.agent.tool_arguments import CorrectArguments, LookArguments, decoded
 from gaussiancad_core.errors import UnreadableError, UsageError
@@ -100,15 +100,6 @@ def test_offers_are_operations(reading: Reading) -> None:
     operations = [projection, *(offer for entry in doubts for offer in entry["offers"])]
     arguments = decoded("correct", CorrectArguments, {"reading_id": "r", "operations": operations})
     check_ids(reading, arguments.operations)
-
-
-def test_places_have_a_digit_and_angles_four() -> None:
-    assert rounded([[1.23456, 2.0], [3, 4]]) == [[1.2, 2.0], [3.0, 4.0]]
-    assert rounded([1.23456] * 5) == [1.2, 1.2, 1.2, 1.2346, 1.2346]
-    assert rounded([1.23456] * 7) == [1.2] * 4 + [1.2346] * 3
-    entry = stroke_entry(stroke(1, source="given", why={"by": "file"}))
-    assert (entry["by"], entry["source"]) == ("file", "given")
-    assert "otherwise" not in entry
 
 
 def test_strokes_are_chosen_by_view_box_kind_and_doubt(reading: Reading) -> None:

@@ -142,15 +142,17 @@ def test_two_runs_go_on_at_a_time(wire: Wire) -> None:
     assert becomes(lambda: not wire.seen.children())
 
 
-def test_the_server_and_its_runs_end_with_the_client(wire: Wire) -> None:
+@pytest.mark.parametrize(("by_signal", "code"), [(False, 0), (True, 130)])
+def test_the_server_and_its_runs_end_with_the_client_and_by_a_signal(
+    wire: Wire, by_signal: bool, code: int
+) -> None:
     wire.call(7, "reconstruct", sheet="l-bracket.png")
     assert becomes(lambda: bool(wire.runs()))
     started = wire.runs()
-    assert wire.process.stdin is not None
-    wire.process.stdin.close()
-    assert wire.process.wait(SECONDS) == 0
+    assert wire.process.stdin is not None and wire.process.stderr is not None
+    wire.process.terminate() if by_signal else wire.process.stdin.close()
+    assert wire.process.wait(SECONDS) == code
     assert becomes(lambda: not any(process.is_running() for process in started))
-    assert wire.process.stderr is not None
     assert b"Traceback" not in wire.process.stderr.read()
 
 
@@ -161,15 +163,6 @@ def test_a_client_that_never_reads_does_not_hold_the_server(wire: Wire) -> None:
     assert wire.process.stdin is not None
     wire.process.stdin.close()
     assert wire.process.wait(SECONDS) == 0
-
-
-def test_a_signal_ends_the_server(wire: Wire) -> None:
-    wire.call(7, "reconstruct", sheet="l-bracket.png")
-    assert becomes(lambda: bool(wire.runs()))
-    started = wire.runs()
-    wire.process.terminate()
-    assert wire.process.wait(SECONDS) == 130
-    assert becomes(lambda: not any(process.is_running() for process in started))
 
 
 def test_what_is_no_request_is_answered_or_left_out(wire: Wire) -> None:

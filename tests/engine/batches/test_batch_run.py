@@ -1,33 +1,21 @@
 """Batches that are resumed, stopped, killed, and come too late."""
 
-import csv
 import os
 import shutil
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 import psutil
 import pytest
+from engine.batches.batch_runs import OPTIONS, command, rows
 
 from gaussiancad_core.cli import main
-
-OPTIONS = ("--result", "solid", "--length", "x=80")
-
-
-def _command(*arguments: "str | Path") -> list[str]:
-    return [sys.executable, "-m", "gaussiancad_core", "batch", *map(str, arguments)]
 
 
 def _run(*arguments: "str | Path") -> int:
     return main(["batch", *map(str, arguments)])
-
-
-def _rows(output: Path) -> dict[str, dict[str, str]]:
-    with open(output / "report.csv", encoding="utf-8", newline="") as file:
-        return {row["name"]: row for row in csv.DictReader(file)}
 
 
 @pytest.fixture
@@ -52,15 +40,15 @@ def test_what_is_done_and_whole_is_kept_and_all_else_is_done_again(
     output = tmp_path / "out"
     assert _run(sheets, "--output", output, *OPTIONS, "--workers", "2") == 1
     assert capfd.readouterr().err == ""
-    rows = _rows(output)
-    assert sorted(row["exit_code"] for row in rows.values()) == ["0", "3", "3"]
-    assert rows["block"]["status"] == "verified"
+    found = rows(output)
+    assert sorted(row["exit_code"] for row in found.values()) == ["0", "3", "3"]
+    assert found["block"]["status"] == "verified"
     page = (output / "index.html").read_text("utf-8")
     assert page.count("<tr class") == 3 and "block/preview.png" in page
 
     def again() -> None:
         assert _run(sheets, "--output", output, *OPTIONS, "--resume") == 1
-        assert _rows(output).keys() == rows.keys()
+        assert rows(output).keys() == found.keys()
 
     # A change of time alone says nothing: the content counts.
     os.utime(output / "block" / "report.json", (0, 0))
@@ -74,13 +62,13 @@ def test_what_is_done_and_whole_is_kept_and_all_else_is_done_again(
     again()
     assert (output / "block" / "solid.step").read_bytes() == whole
     assert (output / "manifest.sqlite.damaged-1").read_bytes().startswith(b"no database")
-    assert _rows(output)["block"] | {"seconds": ""} == rows["block"] | {"seconds": ""}
+    assert rows(output)["block"] | {"seconds": ""} == found["block"] | {"seconds": ""}
 
 
 def _started(sheets: Path, output: Path) -> "subprocess.Popen[bytes]":
     """A batch whose first sheet is being worked on."""
     process = subprocess.Popen(
-        _command(sheets / "block.dxf", sheets / "text.png", "--output", output),
+        command(sheets / "block.dxf", sheets / "text.png", "--output", output),
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
     )
@@ -106,9 +94,9 @@ def test_a_signal_ends_all_with_a_report_that_names_every_sheet(
     assert process.wait(timeout=60) == 130
     assert _survivors(family, 60.0) == []
     assert process.stderr.read().count(b"\n") == 1
-    rows = _rows(output)
-    assert rows["block"]["exit_code"] == "130" and "--resume" in rows["block"]["message"]
-    assert len(rows) == 2
+    found = rows(output)
+    assert found["block"]["exit_code"] == "130" and "--resume" in found["block"]["message"]
+    assert len(found) == 2
 
 
 def test_nothing_outlives_a_batch_that_is_killed_and_the_next_one_goes_on(
@@ -124,7 +112,7 @@ def test_nothing_outlives_a_batch_that_is_killed_and_the_next_one_goes_on(
     process.wait()
     assert _survivors(family, 60.0) == []
     assert _run(sheets, "--output", output, *OPTIONS, "--resume") == 1
-    assert _rows(output)["block"]["status"] == "verified"
+    assert rows(output)["block"]["status"] == "verified"
     assert not list(output.glob("block/.gaussiancad-*"))
 
 
@@ -135,5 +123,5 @@ def test_a_sheet_that_takes_too_much_is_ended_and_the_batch_is_not(
     limit: tuple[str, str], text: str, sheets: Path, tmp_path: Path
 ) -> None:
     assert _run(sheets / "block.dxf", "--output", tmp_path / "out", *limit) == 1
-    (row,) = _rows(tmp_path / "out").values()
+    (row,) = rows(tmp_path / "out").values()
     assert row["exit_code"] == "5" and row["status"] == "failed" and text in row["message"]

@@ -1,6 +1,5 @@
 """Batches on a Dask cluster: a scheduler and two workers, as processes of this machine."""
 
-import csv
 import json
 import os
 import shutil
@@ -16,6 +15,7 @@ from pathlib import Path
 
 import psutil
 import pytest
+from engine.batches.batch_runs import OPTIONS, command, rows
 
 from gaussiancad_core.cli import main
 from gaussiancad_core.errors import UsageError
@@ -25,24 +25,14 @@ pytest.importorskip("distributed")
 
 from gaussiancad_core.batches import cluster
 
-OPTIONS = ("--result", "solid", "--length", "x=80")
 _LIMITS = ProcessLimits(1 << 30, 10.0)
 _PATIENCE = 60.0
 
 
-def _batch(*arguments: "str | Path") -> list[str]:
-    return [sys.executable, "-m", "gaussiancad_core", "batch", *map(str, arguments)]
-
-
 def _run(*arguments: "str | Path") -> "subprocess.CompletedProcess[str]":
     return subprocess.run(
-        _batch(*arguments), capture_output=True, encoding="utf-8", check=False, timeout=150
+        command(*arguments), capture_output=True, encoding="utf-8", check=False, timeout=150
     )
-
-
-def _rows(output: Path) -> dict[str, dict[str, str]]:
-    with open(output / "report.csv", encoding="utf-8", newline="") as file:
-        return {row["name"]: row for row in csv.DictReader(file)}
 
 
 @dataclass
@@ -120,7 +110,7 @@ def test_the_results_are_those_of_one_machine(dask: _Dask, sheets: Path, tmp_pat
     ran = _run(sheets, "--output", there, *OPTIONS, "--scheduler", dask.address)
     assert (ran.returncode, ran.stderr) == (1, "")
     assert (there / "one" / "solid.step").read_bytes() == (here / "solid.step").read_bytes()
-    assert {name: (row["status"], row["code"]) for name, row in _rows(there).items()} == {
+    assert {name: (row["status"], row["code"]) for name, row in rows(there).items()} == {
         "one": ("verified", ""),
         "text": ("failed", "not-an-image"),
     }
@@ -132,14 +122,14 @@ def test_a_batch_that_is_stopped_leaves_nothing_running(
 ) -> None:
     output = tmp_path / "out"
     batch = subprocess.Popen(
-        _batch(sheets, "--output", output, *OPTIONS, "--scheduler", dask.address),
+        command(sheets, "--output", output, *OPTIONS, "--scheduler", dask.address),
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
     )
     _children_of(dask)
     batch.send_signal(signal.SIGTERM)
     batch.communicate(timeout=_PATIENCE)
-    assert len(_rows(output)) == 2
+    assert len(rows(output)) == 2
     until = time.monotonic() + _PATIENCE
     while any(psutil.Process(worker.pid).children() for worker in dask.workers):
         assert time.monotonic() < until
@@ -150,14 +140,14 @@ def test_a_worker_that_is_lost_costs_no_sheet(dask: _Dask, sheets: Path, tmp_pat
     """The last one here: the cluster has one worker less afterwards."""
     output = tmp_path / "out"
     batch = subprocess.Popen(
-        _batch(sheets, "--output", output, *OPTIONS, "--scheduler", dask.address),
+        command(sheets, "--output", output, *OPTIONS, "--scheduler", dask.address),
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
     )
     victim, child = _children_of(dask)
     victim.kill()
     batch.communicate(timeout=120)
-    assert sorted(row["exit_code"] for row in _rows(output).values()) == ["0", "3"]
+    assert sorted(row["exit_code"] for row in rows(output).values()) == ["0", "3"]
     assert not psutil.pid_exists(child)
 
 

@@ -180,11 +180,3 @@ def test_a_solid_without_a_face_is_invalid(tmp_path: Path) -> None:
     assert "solid-invalid" in _codes(found)
     assert found.result.volume_mm3 is None
     assert found.deepcad.invalid is not None
-
-
-def test_a_model_against_itself(bracket: TriangleMesh) -> None:
-    found = _compared(Model(bracket), Model(bracket))
-    assert found.warnings == ()
-    assert found.engineering.agreement == 1.0
-    assert found.engineering.volume_iou.value == pytest.approx(1.0, abs=1e-9)
-    assert found.deviation.worst == ()

@@ -14,11 +14,7 @@ from OCP.gp import gp_Pnt, gp_Trsf, gp_Vec
 from OCP.Interface import Interface_Static
 from OCP.Quantity import Quantity_Color, Quantity_TypeOfColor
 from OCP.STEPCAFControl import STEPCAFControl_Writer
-from OCP.STEPControl import (
-    STEPControl_Controller,
-    STEPControl_StepModelType,
-    STEPControl_Writer,
-)
+from OCP.STEPControl import STEPControl_Controller, STEPControl_StepModelType, STEPControl_Writer
 from OCP.TCollection import TCollection_ExtendedString
 from OCP.TDataStd import TDataStd_Name
 from OCP.TDocStd import TDocStd_Document

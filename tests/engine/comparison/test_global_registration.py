@@ -1,14 +1,15 @@
-"""Turns that are none of the 24 by quarters."""
+"""Turns that are none of the 24 by quarters, and a result that has more than the reference."""
 
 from collections.abc import Callable
 
 import numpy as np
 import pytest
+import trimesh
 from scipy.spatial.transform import Rotation
 
 from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.comparison_options import Alignment, CompareOptions, Protocol
-from gaussiancad_core.comparison.global_registration import find_turn, spread_rotations
+from gaussiancad_core.comparison.global_registration import find_turn
 from gaussiancad_core.comparison.model_files import Model
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 
@@ -17,14 +18,6 @@ TURNS = Rotation.from_euler("xyz", [[25, 130, -70], [-160, 40, 77]], degrees=Tru
 
 def _turned(mesh: TriangleMesh, turn: np.ndarray, scale: float = 1.0) -> TriangleMesh:
     return make_mesh(scale * mesh.vertices @ turn.T + [500.0, -20.0, 3.0], mesh.triangles)
-
-
-def test_spread_rotations_leave_no_gap() -> None:
-    rotations = spread_rotations(6000)
-    assert np.linalg.det(rotations) == pytest.approx(np.ones(6000))
-    others = Rotation.random(200, rng=np.random.default_rng(0)).as_matrix()
-    cosines = (np.einsum("aij,bij->ab", others, rotations).max(axis=1) - 1.0) / 2.0
-    assert np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0))).max() < 16.0
 
 
 @pytest.mark.parametrize("turn", TURNS)
@@ -56,3 +49,27 @@ def test_a_part_in_any_pose_is_compared_as_if_in_place(bracket: TriangleMesh) ->
     placed = moved.vertices @ found.engineering.matrix[:3, :3].T + found.engineering.matrix[:3, 3]
     assert placed == pytest.approx(bracket.vertices, abs=0.01)
     assert np.abs(deviation.distances).max() < 0.02
+
+
+@pytest.fixture(scope="module")
+def bumped(bracket: TriangleMesh) -> TriangleMesh:
+    """The bracket with a pin on top, 3 mm higher than the bracket is; else the same."""
+    pin = trimesh.creation.box((2.0, 2.0, 5.0))
+    pin.apply_translation((5.0, 15.0, 20.5))
+    solid = trimesh.boolean.union([bracket.to_trimesh(), pin])
+    return make_mesh(solid.vertices, solid.faces)
+
+
+@pytest.mark.parametrize("shift", [np.zeros(3), np.array([210.0, -37.0, 55.0])])
+def test_one_pin_does_not_move_the_part(
+    bracket: TriangleMesh, bumped: TriangleMesh, shift: np.ndarray
+) -> None:
+    result = Model(make_mesh(bumped.vertices + shift, bumped.triangles))
+    asked = CompareOptions(points=2000, protocols=(Protocol.ENGINEERING,))
+    found, _ = compare_models(result, Model(bracket), asked)
+    placed = found.engineering
+    assert placed.matrix[:3, 3] == pytest.approx(-shift, abs=2e-3)
+    assert placed.matrix[:3, :3] == pytest.approx(np.eye(3), abs=1e-4)
+    assert placed.result_to_reference.greatest == pytest.approx(3.0, abs=2e-3)
+    assert placed.reference_to_result.rms < 0.2
+    assert placed.agreement > 0.98

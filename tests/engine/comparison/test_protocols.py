@@ -16,9 +16,7 @@ from gaussiancad_core.comparison.comparison_options import (
     ScaleRule,
 )
 from gaussiancad_core.comparison.comparison_report import PROTOCOL, Comparison, comparison_dict
-from gaussiancad_core.comparison.deepcad import (
-    squared_chamfer,
-)
+from gaussiancad_core.comparison.deepcad import squared_chamfer
 from gaussiancad_core.comparison.distances import IouMethod
 from gaussiancad_core.comparison.engineering import (
     EngineeringResult,

@@ -6,15 +6,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from gaussiancad_core.comparison.normalise import (
-    inverse,
-    moved_mesh,
-    normalising_matrix,
-)
+from gaussiancad_core.comparison.normalise import inverse, moved_mesh, normalising_matrix
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.rigid_registration import (
     Side,
-    axis_mirrors,
     axis_rotations,
     register,
 )
@@ -33,15 +28,6 @@ def _turned(mesh: TriangleMesh, turn: np.ndarray) -> TriangleMesh:
     return moved if np.linalg.det(turn) > 0 else moved.flipped()
 
 
-def test_there_are_24_rotations_and_24_mirrors() -> None:
-    rotations, mirrors = axis_rotations(), axis_mirrors()
-    assert (rotations[0] == np.eye(3)).all()
-    assert len({matrix.tobytes() for matrix in (m + 0.0 for m in rotations)}) == 24
-    assert len({matrix.tobytes() for matrix in (m + 0.0 for m in mirrors)}) == 24
-    assert np.linalg.det(rotations) == pytest.approx(np.ones(24))
-    assert np.linalg.det(mirrors) == pytest.approx(-np.ones(24))
-
-
 @pytest.mark.parametrize("number", range(24))
 def test_each_rotation_is_recovered(bracket: TriangleMesh, number: int) -> None:
     turn = axis_rotations()[number]
@@ -50,14 +36,6 @@ def test_each_rotation_is_recovered(bracket: TriangleMesh, number: int) -> None:
     assert found.pose[:3, 3] == pytest.approx(np.zeros(3), abs=1e-9)
     assert found.distance < 1e-5
     assert not found.mirrored
-
-
-@pytest.mark.parametrize("number", [0, 7, 23])
-def test_a_mirrored_part_is_flagged_and_turned_only(bracket: TriangleMesh, number: int) -> None:
-    found = register(_side(_turned(bracket, axis_mirrors()[number])), _side(bracket, 1))
-    assert found.mirrored
-    assert np.linalg.det(found.pose[:3, :3]) == pytest.approx(1.0)
-    assert found.distance > 0.03
 
 
 def test_a_symmetric_part_stays_where_it_is(box: Callable[..., TriangleMesh]) -> None:
@@ -98,9 +76,3 @@ def test_missing_material_does_not_pull(
     cut = moved_mesh(make_mesh(half.vertices, half.faces), shift)
     found = register(_side(cut, box=False), _side(reference, 1, False))
     assert found.pose[:3, 3] == pytest.approx(-0.02 * np.ones(3), abs=5e-3)
-
-
-def test_registration_is_deterministic(bracket: TriangleMesh) -> None:
-    tilted = _turned(bracket, Rotation.from_euler("z", 3.0, degrees=True).as_matrix())
-    poses = [register(_side(tilted), _side(bracket, 1)).pose for _ in range(2)]
-    assert (poses[0] == poses[1]).all()

@@ -79,16 +79,6 @@ def test_a_fillet_around_a_plate_with_rounded_corners_is_one_group(found: Find) 
     assert features.is_whole and kinds == ["pad", "fillet"]
 
 
-def test_a_chamfer_around_a_plate_is_one_group(found: Find) -> None:
-    plate = box((0, 0, 0), (60, 40, 12))
-    part = chamfered(plate, _at_height(plate, 12.0), 2.0)
-    (group,) = _groups(part)
-    assert [blend.size for blend in group] == pytest.approx([2.0] * 4)
-    assert not any(blend.is_round for blend in group)
-    features, kinds = found(part)
-    assert features.is_whole and kinds == ["pad", "chamfer"]
-
-
 def test_a_face_between_two_chamfers_is_none(found: Find) -> None:
     """The top of a bar with two broken edges lies at 45 degrees between planes at right angles,
     as they do."""

@@ -79,25 +79,16 @@ def _bulging(start: Point, end: Point, height: float) -> OutlineEdge:
 
 @settings(max_examples=50)
 @given(_outlines())
-def test_nothing_is_free_and_nothing_is_fixed_twice(loops: tuple[Loop, ...]) -> None:
+def test_nothing_is_free_nor_fixed_twice_and_the_outlines_are_what_is_demanded(
+    loops: tuple[Loop, ...],
+) -> None:
     constraints = constraints_of(loops, Numbers())
     assert freedom(loops, constraints) == Freedom(0, 0)
     for number in range(0, len(constraints), 5):
         rest = [each for k, each in enumerate(constraints) if k != number]
         assert freedom(loops, rest).left > 0
-
-
-@settings(max_examples=50)
-@given(_outlines())
-def test_the_outlines_are_what_the_constraints_demand(loops: tuple[Loop, ...]) -> None:
-    again = solved(loops, constraints_of(loops, Numbers()))
+    again = solved(loops, constraints)
     assert sum(map(enclosed_area, again)) == pytest.approx(sum(map(enclosed_area, loops)), abs=1e-5)
-
-
-def test_a_rectangle_at_the_origin_has_two_dimensions() -> None:
-    found = constraints_of([_polygon((0, 0), (60, 0), (60, 40), (0, 40))], Numbers())
-    dimensions = {each.kind: each.value for each in found if each.value is not None}
-    assert dimensions == {Kind.DISTANCE_X: 60.0, Kind.DISTANCE_Y: 40.0}
 
 
 def test_equal_circles_in_a_row_have_one_diameter() -> None:

@@ -8,15 +8,9 @@ from gaussiancad_core.features.difference import difference
 from gaussiancad_core.kernel.booleans import common
 from gaussiancad_core.kernel.brep import compound_of, exact_volume
 from gaussiancad_core.model.axes import Axis
-from sample_parts import SAMPLES
 from sample_parts.modelling import box, cut, cylinder, fuse, prism
 
 _BLOCK = box((0, 0, 0), (20, 10, 10))
-
-
-@pytest.mark.parametrize("part", SAMPLES[::4], ids=lambda part: part.name)
-def test_a_solid_built_twice_does_not_differ(part) -> None:  # noqa: ANN001
-    assert difference(part.build(), part.build()).is_none
 
 
 def test_a_solid_that_is_moved_differs_on_both_sides() -> None:

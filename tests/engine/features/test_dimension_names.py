@@ -1,5 +1,7 @@
 """Names of dimensions: what an engineer would call them, each its own in its sketch."""
 
+import pytest
+
 from gaussiancad_core.features.constraints import Numbers, constraints_of
 from gaussiancad_core.features.dimension_names import dimension_names
 from gaussiancad_core.features.loops import Loop
@@ -26,27 +28,26 @@ def _names(*loops: Loop) -> dict[str, float]:
     }
 
 
-def test_what_spans_a_sketch_is_its_width_and_its_height() -> None:
-    assert _names(_polygon((0, 0), (60, 0), (60, 40), (0, 40))) == {"Width": 60.0, "Height": 40.0}
-    profile = _polygon((0, 0), (60, 0), (60, 10), (15, 10), (15, 30), (0, 30))
-    names = {"Width": 60.0, "Height": 30.0, "DistanceX": 15.0, "DistanceY": 10.0}
-    assert _names(profile) == names
-
-
-def test_what_leads_to_a_sketch_from_the_origin_is_an_offset() -> None:
-    names = {"Diameter": 10.0, "OffsetX": 52.0, "OffsetY": 25.0}
-    assert _names(_circle(52.0, 25.0, 5.0)) == names
-
-
-def test_what_there_is_several_times_has_a_number() -> None:
-    names = _names(_circle(10.0, 10.0, 3.0), _circle(30.0, 10.0, 2.0))
-    assert names == {
-        "Diameter1": 6.0,
-        "Diameter2": 4.0,
-        "OffsetX1": 10.0,
-        "OffsetX2": 30.0,
-        "OffsetY": 10.0,
-    }
+@pytest.mark.parametrize(
+    ("loops", "names"),
+    [
+        # What spans a sketch, and what is between its edges.
+        ([_polygon((0, 0), (60, 0), (60, 40), (0, 40))], {"Width": 60.0, "Height": 40.0}),
+        (
+            [_polygon((0, 0), (60, 0), (60, 10), (15, 10), (15, 30), (0, 30))],
+            {"Width": 60.0, "Height": 30.0, "DistanceX": 15.0, "DistanceY": 10.0},
+        ),
+        # What leads to it from the origin, and what there is several times.
+        ([_circle(52.0, 25.0, 5.0)], {"Diameter": 10.0, "OffsetX": 52.0, "OffsetY": 25.0}),
+        (
+            [_circle(10.0, 10.0, 3.0), _circle(30.0, 10.0, 2.0)],
+            {"Diameter1": 6.0, "Diameter2": 4.0}
+            | {"OffsetX1": 10.0, "OffsetX2": 30.0, "OffsetY": 10.0},
+        ),
+    ],
+)
+def test_dimensions_are_called_what_they_measure(loops: list[Loop], names: dict) -> None:
+    assert _names(*loops) == names
 
 
 def test_a_distance_between_centres_is_no_width() -> None:

@@ -48,12 +48,9 @@ def test_holes_at_equal_distances_are_a_row() -> None:
     assert [member.centre for member in row.members] == sorted(m.centre for m in row.members)
 
 
-def test_a_hole_that_is_off_by_a_hundredth_is_in_no_row() -> None:
-    assert _patterns(cut(_PLATE, *_bores([(x, 20.0) for x in (10.0, 30.01, 50.0)]))) == ()
-
-
-def test_two_holes_are_no_row() -> None:
-    assert _patterns(cut(_PLATE, *_bores([(10.0, 20.0), (35.0, 20.0)]))) == ()
+@pytest.mark.parametrize("places", [(10.0, 30.01, 50.0), (10.0, 35.0)])
+def test_two_holes_and_one_that_is_off_by_a_hundredth_are_no_row(places: Sequence[float]) -> None:
+    assert _patterns(cut(_PLATE, *_bores([(x, 20.0) for x in places]))) == ()
 
 
 def test_rows_of_rows_are_a_grid() -> None:
@@ -125,12 +122,6 @@ def test_pockets_of_one_sketch_and_depth_repeat() -> None:
     (row,) = patterns_of(found.features)
     assert isinstance(row, Row) and len(row.members) == 4
     assert row.steps[0].distance == 15.0
-
-
-def test_pads_are_mirrored_in_a_plane_that_mirrors_the_part() -> None:
-    ears = [box((x, 10, 10), (x + 10, 50, 20)) for x in (10.0, 80.0)]
-    (mirror,) = _patterns(fuse(_PLATE, *ears))
-    assert isinstance(mirror, Mirror) and mirror.height == 50.0
 
 
 def _values(solid: TopoDS_Shape, *numbers: float) -> dict[str, Any]:

@@ -55,13 +55,6 @@ def test_a_plate_with_a_boss_is_two_pads_the_larger_first(found: Find) -> None:
     assert (plate.sketch.height, boss.sketch.height) == pytest.approx((0.0, 0.0))
 
 
-def test_a_plate_of_any_thickness_is_sketched_on_its_largest_face(found: Find) -> None:
-    features, _ = found(box((0, 0, 0), (60, 40, 8)))
-    (plate,) = features.features
-    assert isinstance(plate, Extrusion)
-    assert plate.sketch.frame.name == "XY" and plate.length == pytest.approx(8.0)
-
-
 def test_a_blind_pocket_is_a_pad_less_a_pocket(
     found: Find, edges_in: Callable[[Feature], list[int]]
 ) -> None:

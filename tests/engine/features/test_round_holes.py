@@ -9,15 +9,7 @@ from gaussiancad_core.features.defeaturing import without_holes
 from gaussiancad_core.features.feature_model import Holes
 from gaussiancad_core.kernel.brep import faces_of, volume
 from gaussiancad_core.model.axes import Axis
-from sample_parts.modelling import (
-    box,
-    cone,
-    cut,
-    cylinder,
-    fuse,
-    leaning_cylinder,
-    slot,
-)
+from sample_parts.modelling import box, cone, cut, cylinder, fuse, leaning_cylinder, slot
 
 _BLOCK = box((0, 0, 0), (60, 40, 20))
 _AT = (30.0, 20.0)
@@ -30,14 +22,6 @@ def _holes(*tools: TopoDS_Shape) -> tuple[Holes, ...]:
         assert volume(filled) == pytest.approx(volume(_BLOCK))
         assert len(faces_of(filled)) == 6
     return holes
-
-
-def test_a_through_hole_has_no_depth() -> None:
-    (hole,) = _holes(cylinder(Axis.Z, _AT, 4.0, 0.0, 20.0))
-    assert hole.diameter == pytest.approx(8.0)
-    assert (hole.depth, hole.tip, hole.sink) == (None, 0.0, None)
-    (centre,) = hole.centres
-    assert centre == pytest.approx(_AT)
 
 
 def test_a_blind_hole_ends_flat_or_in_a_tip() -> None:
@@ -62,6 +46,7 @@ def test_a_sink_is_at_either_end(is_up: bool) -> None:
     if not is_up:
         slope = (3.0, 6.0), 17.0, 20.0
     (hole,) = _holes(bore, cone(Axis.Z, _AT, *slope))
+    assert hole.centres == (pytest.approx(_AT),)
     assert hole.sink is not None and hole.is_downward is not is_up
     assert (hole.sink.diameter, hole.sink.angle) == pytest.approx((12.0, 90.0))
     assert (hole.diameter, hole.depth) == (pytest.approx(6.0), None)
@@ -75,13 +60,6 @@ def test_a_hole_with_sinks_at_both_ends_is_drilled_from_both() -> None:
     )
     assert sorted(hole.is_downward for hole in holes) == [False, True]
     assert all(hole.sink is not None for hole in holes)
-
-
-def test_like_holes_that_enter_one_plane_are_one_feature() -> None:
-    drills = [cylinder(Axis.Z, (x, 12.0), 3.0, 0.0, 20.0) for x in (10.0, 25.0, 40.0)]
-    other = cylinder(Axis.Z, (50.0, 30.0), 2.0, 0.0, 20.0)
-    holes = _holes(*drills, other)
-    assert sorted(len(hole.centres) for hole in holes) == [1, 3]
 
 
 def test_cross_bores_that_meet_are_closed_one_after_the_other() -> None:
@@ -99,16 +77,10 @@ def test_a_hole_on_a_slanted_axis_is_found() -> None:
     assert hole.frame.name not in ("XY", "XZ", "YZ")
 
 
-def test_the_end_of_a_slot_is_no_hole() -> None:
+def test_the_end_of_a_slot_a_bore_wider_inside_and_a_round_outside_are_no_holes() -> None:
     assert _holes(slot(Axis.Z, ((20.0, 20.0), (40.0, 20.0)), 5.0, 0.0, 20.0)) == ()
-
-
-def test_a_bore_that_is_wider_inside_is_none() -> None:
     narrow = cylinder(Axis.Z, _AT, 3.0, 0.0, 20.0)
     assert _holes(narrow, cylinder(Axis.Z, _AT, 6.0, 6.0, 14.0)) == ()
-
-
-def test_a_round_outside_is_no_hole() -> None:
     pin = cylinder(Axis.Z, _AT, 8.0, 0.0, 30.0)
     assert without_holes(fuse(_BLOCK, pin), 500.0)[1] == ()
 

@@ -21,7 +21,6 @@ from gaussiancad_core.features.feature_model import (
 from gaussiancad_core.features.feature_search import features_of
 from gaussiancad_core.features.frames import MAIN_FRAMES
 from gaussiancad_core.features.loops import Loop
-from gaussiancad_core.features.support_values import dimensions_to
 from gaussiancad_core.features.supported_features import Side, Standing, Support, standing
 from gaussiancad_core.features.supporting_faces import beginning_on_faces, standing_of
 from gaussiancad_core.geometry.outline_edges import OutlineEdge
@@ -215,14 +214,6 @@ def test_a_blind_hole_keeps_its_depth_and_a_counterbore_too() -> None:
     assert gone == pytest.approx(before + pi * 16.0 * 4.0)
 
 
-def test_a_boss_on_a_plate_and_the_hole_in_it_rise_together() -> None:
-    hole = _drilled(30.0, (20, 20), 8.0)
-    _, gone, before = _longer(FeatureList((_PLATE, _BOSS, hole)), 1.2)
-    assert gone == pytest.approx(before)
-    # Where it stays, 2 of its 20 mm are in the plate.
-    assert before == pytest.approx(-20.0 * 20.0 * 20.0 + pi * 9.0 * 8.0)
-
-
 def test_walls_are_told_by_dimensions() -> None:
     values = solid_values(features_of(sample("l-bracket").build()), Numbers(), None)["features"]
     pad, first, second = values
@@ -242,27 +233,6 @@ def test_walls_are_told_by_dimensions() -> None:
     support = found[-1]["stands_on"]
     assert (support["feature"], support["side"]) == ("Revolution1", "wall")
     assert list(support["dimensions"].values()) == [1]
-
-
-def test_dimensions_that_lead_to_a_coordinate() -> None:
-    def distance(name: str, *of: tuple[int, str | None]) -> dict:
-        return {"kind": "distance-x", "of": [list(each) for each in of], "name": name}
-
-    edges = [{"kind": "line", "start": (x, 0.0), "end": (x + 5.0, 0.0)} for x in (10.0, 30.0, 24.0)]
-    constraints = [
-        distance("OffsetX", (-1, "start"), (0, "start")),
-        distance("A", (0, "start"), (1, "start")),
-        distance("B", (2, "start"), (1, "start")),
-        distance("C", (2, None)),
-        {"kind": "horizontal", "of": [[0, None]]},
-    ]
-    sketch = {"geometry": edges, "constraints": constraints}
-    assert dimensions_to(0.0, 0, sketch) == {}
-    assert dimensions_to(10.0, 0, sketch) == {"OffsetX": 1}
-    assert dimensions_to(24.0, 0, sketch) == {"OffsetX": 1, "A": 1, "B": -1}
-    assert dimensions_to(29.0, 0, sketch) == {"OffsetX": 1, "A": 1, "B": -1, "C": 1}
-    assert dimensions_to(7.0, 0, sketch) is None
-    assert dimensions_to(10.0, 1, sketch) is None
 
 
 def _script(*features: Feature) -> list[str]:

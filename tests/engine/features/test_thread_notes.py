@@ -4,8 +4,6 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
-import pytest
-
 from gaussiancad_core.features.as_json import solid_values
 from gaussiancad_core.features.build123d_script import script_of
 from gaussiancad_core.features.constraints import Numbers
@@ -23,20 +21,12 @@ _CORES = Holes(MAIN_FRAMES[0], 0.0, _FOUR, True, 5.0, 12.0)
 _BORE = Holes(MAIN_FRAMES[0], 0.0, ((50.0, 50.0),), True, 20.0, None)
 
 
-@pytest.mark.parametrize(
-    ("text", "name"),
-    [
-        ("M6", "M6"),
-        ("4x M6 \u21a7 12", "M6"),
-        ("M8 x 1", "M8x1"),
-        ("M3 THRU", "M3"),
-        ("1/4-20 UNC", "1/4-20 UNC"),
-        ("\u00d86", None),
-        ("R6", None),
-    ],
-)
-def test_a_note_names_a_thread(text: str, name: str | None) -> None:
-    assert thread_name(text) == name
+_NAMES = {"M6": "M6", "4x M6 \u21a7 12": "M6", "M8 x 1": "M8x1", "M3 THRU": "M3"}
+_NAMES |= {"1/4-20 UNC": "1/4-20 UNC", "\u00d86": None, "R6": None}
+
+
+def test_a_note_names_a_thread() -> None:
+    assert {text: thread_name(text) for text in _NAMES} == _NAMES
 
 
 def test_a_thread_is_of_as_many_holes_as_its_note_says() -> None:

@@ -32,19 +32,6 @@ def test_a_stepped_shaft_is_one_revolution(axis: Axis, found: Find) -> None:
     np.testing.assert_allclose(bounding_box(body), bounding_box(shaft), atol=1e-5)
 
 
-def test_the_sketch_lies_on_one_side_of_the_axis(found: Find) -> None:
-    (turning,) = found(revolved(_SHAFT, Axis.X, (3.0, 4.0)))[0].features
-    assert isinstance(turning, Turning)
-    (x, y), (dx, dy) = turning.point, turning.direction
-    away = [
-        (edge.start[0] - x) * dy - (edge.start[1] - y) * dx
-        for loop in turning.sketch.loops
-        for edge in loop
-    ]
-    assert min(away) > -1e-9 or max(away) < 1e-9
-    assert np.hypot(dx, dy) == pytest.approx(1.0)
-
-
 def test_a_round_notch_in_a_block_is_a_groove(found: Find) -> None:
     notch = revolved([(10, 10), (16, 14), (10, 18)], Axis.Z, (30.0, 20.0))
     features, kinds = found(cut(box((0, 0, 0), (60, 40, 16)), notch))

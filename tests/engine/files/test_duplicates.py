@@ -55,13 +55,6 @@ def test_what_differs_stays(other: dict[str, object]) -> None:
     assert distinct_strokes(pair) == pair
 
 
-def test_arcs_with_the_same_ends_are_told_apart_by_their_way() -> None:
-    centre = (50.0, 50.0)
-    upper, lower = (CircularArc(centre, 20.0, start, np.pi) for start in (0.0, np.pi))
-    pair = tuple(VectorStroke(item, None) for item in (upper, lower))
-    assert distinct_strokes(pair) == pair
-
-
 @pytest.mark.parametrize("waves", [1, 2, 4, 8])
 def test_free_curves_with_the_same_ends_middle_and_length_are_told_apart(waves: int) -> None:
     x = np.linspace(0.0, 200.0, 161)
@@ -79,16 +72,22 @@ def test_a_free_curve_that_is_drawn_back_is_one() -> None:
     assert distinct_strokes([there, back]) == (there,)
 
 
-def test_ellipses_with_the_same_ends_and_middle_are_told_apart() -> None:
-    pair = tuple(
-        VectorStroke(EllipticArc((150.0, 90.0), 40.0, 40.0 * item, 0.0, 0.0, FULL_TURN), None)
-        for item in (0.5, 0.6)
-    )
-    assert distinct_strokes(pair) == pair
-    pair = tuple(
-        VectorStroke(EllipticArc((150.0, 90.0), 40.0, 20.0, tilt, 0.0, FULL_TURN), None)
-        for tilt in (0.3, -0.3)
-    )
+_HALVES = [CircularArc((50.0, 50.0), 20.0, start, np.pi) for start in (0.0, np.pi)]
+_FLAT, _OTHER = ((20.0, 0.0), (24.0, 0.0)), ((20.0, 0.3), (20.0, -0.3))
+
+
+@pytest.mark.parametrize(
+    "curves",
+    [
+        _HALVES,
+        *(
+            [EllipticArc((150.0, 90.0), 40.0, minor, tilt, 0.0, FULL_TURN) for minor, tilt in pair]
+            for pair in (_FLAT, _OTHER)
+        ),
+    ],
+)
+def test_arcs_and_ellipses_with_the_same_ends_are_told_apart(curves: list) -> None:
+    pair = tuple(VectorStroke(curve, None) for curve in curves)
     assert distinct_strokes(pair) == pair
 
 

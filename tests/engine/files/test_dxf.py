@@ -484,21 +484,6 @@ def test_a_drawing_may_reach_over_its_paper_a_little(read: Read) -> None:
     assert content.grey[int(stroke.curve.start[1]), int(50 * MM)] < 128
 
 
-def test_the_picture_lies_under_the_curves(read: Read, ink_offsets: Callable) -> None:
-    doc = _framed(_a4())
-    model = doc.modelspace()
-    model.add_line((10, 20.13), (280, 20.13))
-    model.add_circle((80.03, 100.1), 40.7)
-    model.add_ellipse((200, 100), (60, 10), 0.4)
-    model.add_open_spline([(100, 10), (120, 60), (140, -30), (180, 20)])
-    model.add_line((50, 150), (250, 150), dxfattribs={"linetype": "HIDDEN", "ltscale": 0.3})
-    content = read(doc)
-    for stroke in content.vectors.strokes:
-        offsets = ink_offsets(content.grey, stroke)
-        assert len(offsets) > 50
-        assert abs(float(np.median(offsets))) < 0.08
-
-
 def test_paper_layouts_are_pages(tmp_path: Path) -> None:
     doc = _a4()
     doc.modelspace().add_circle((100, 100), 50)

@@ -11,36 +11,19 @@ HATCH = StrokeRole.HATCH
 @pytest.mark.parametrize(
     ("name", "role"),
     [
-        ("HIDDEN2", HIDDEN),
-        ("DASHEDX2", HIDDEN),
-        ("ACAD_ISO02W100", HIDDEN),
-        ("JIS_02_1.0", HIDDEN),
-        ("VERDECKT", HIDDEN),
-        ("Strichlinie", HIDDEN),
-        ("INVISIBLE EDGES", HIDDEN),
-        ("虚线层", HIDDEN),
-        ("CENTERX2", CENTRE),
-        ("Centre", CENTRE),
-        ("DASHDOT2", CENTRE),
-        ("STRICHPUNKT", CENTRE),
-        ("ACAD_ISO04W100", CENTRE),
-        ("AXES", CENTRE),
-        ("中心线层", CENTRE),
-        ("PHANTOM2", OTHER),
-        ("双点划线层", OTHER),
-        ("ACAD_ISO05W100", OTHER),
-        ("DIM", OTHER),
-        ("标注层", OTHER),
-        ("Hatching", HATCH),
-        ("Schraffur", HATCH),
-        ("剖面线层", HATCH),
-        ("Штриховка", HATCH),
-        ("Штриховая", HIDDEN),
-        ("VISIBLE (ISO)", VISIBLE),
-        ("轮廓实线层", VISIBLE),
-        ("Continuous", None),
-        ("0", None),
-        ("", None),
+        (text, said)
+        for said, texts in {
+            HIDDEN: (
+                "HIDDEN2|DASHEDX2|ACAD_ISO02W100|JIS_02_1.0|VERDECKT|Strichlinie|INVISIBLE EDGES|"
+                "虚线层|Штриховая"
+            ),
+            CENTRE: "CENTERX2|Centre|DASHDOT2|STRICHPUNKT|ACAD_ISO04W100|AXES|中心线层",
+            OTHER: "PHANTOM2|双点划线层|ACAD_ISO05W100|DIM|标注层",
+            HATCH: "Hatching|Schraffur|剖面线层|Штриховка",
+            VISIBLE: "VISIBLE (ISO)|轮廓实线层",
+            None: "Continuous|0|",
+        }.items()
+        for text in texts.split("|")
     ],
 )
 def test_names(name: str, role: StrokeRole | None) -> None:

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.files.fitting import circle_through, curve_along
+from gaussiancad_core.files.fitting import curve_along
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 
@@ -44,12 +44,3 @@ def test_polygons_and_waves_are_neither() -> None:
     assert isinstance(curve_along(np.stack([x, 30 * np.sin(x / 50)], 1)), Chain)
     hyperbola = np.stack([x + 10, 1000 / (x + 10)], 1)
     assert isinstance(curve_along(hyperbola), Chain)
-
-
-def test_circle_through_scattered_points() -> None:
-    rng = np.random.default_rng(1)
-    t = rng.uniform(0, 2 * np.pi, 500)
-    points = np.stack([np.cos(t), np.sin(t)], 1) * (50 + rng.normal(0, 0.1, 500))[:, None]
-    centre, radius = circle_through(points + np.array([1e4, 2e4]))
-    assert np.allclose(centre, (1e4, 2e4), atol=0.03)
-    assert radius == pytest.approx(50, abs=0.03)

@@ -1,11 +1,9 @@
 from collections.abc import Callable
-from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 import pytest
 from msgspec.msgpack import encode
-from PIL import Image
 
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.files.answer import content_bytes, error_bytes, outcome_of
@@ -91,15 +89,6 @@ def test_the_child_reads_the_same(pdf: type, pdf_circle: Callable, save: Callabl
     assert np.array_equal(read.grey, direct.grey)
     assert read.vectors == direct.vectors
     assert read.pixels_per_inch == direct.pixels_per_inch
-
-
-def test_pictures_are_read_in_the_child_too(save: Callable) -> None:
-    levels = np.arange(120 * 160, dtype=np.uint32).reshape(120, 160) % 251
-    picture = Image.fromarray(levels.astype(np.uint8))
-    file = BytesIO()
-    picture.save(file, "PNG", dpi=(300, 300))
-    read = read_isolated(FileKind.RASTER, save("a.png", file.getvalue()), 1)
-    assert np.array_equal(read.grey, np.asarray(picture))
 
 
 def test_errors_come_back_with_the_name_that_was_given(

@@ -9,7 +9,7 @@ from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableErro
 from gaussiancad_core.files.pdf import read_pdf
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
-from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.chains import LineSegment
 
 SCALE = 200.0 / 72.0
 HEIGHT = 841.89
@@ -69,24 +69,6 @@ def test_stretched_circles_are_ellipses(
     assert stroke.curve.semi_major == pytest.approx(60 * SCALE, abs=2e-3)
     assert stroke.curve.semi_minor == pytest.approx(30 * SCALE, abs=2e-3)
     assert stroke.curve.sweep == TURN
-
-
-def test_free_curves_are_chains(pdf: type, save: Save) -> None:
-    content = b"100 100 m 150 300 300 -100 400 200 c S"
-    (stroke,) = read_pdf(save("a.pdf", pdf(content).to_bytes()), 1).vectors.strokes
-    assert isinstance(stroke.curve, Chain)
-    t = np.linspace(0, 1, 501)[:, None]
-    controls = np.array([(100, 100), (150, 300), (300, -100), (400, 200)]) * SCALE
-    exact = (
-        (1 - t) ** 3 * controls[0]
-        + 3 * (1 - t) ** 2 * t * controls[1]
-        + 3 * (1 - t) * t**2 * controls[2]
-        + t**3 * controls[3]
-    )
-    exact[:, 1] = HEIGHT * SCALE - exact[:, 1]
-    sampled = stroke.curve.sample(0.05)
-    nearest = np.sqrt(((exact[:, None] - sampled[None]) ** 2).sum(axis=2).min(axis=1))
-    assert nearest.max() < 0.05
 
 
 def test_forms_are_walked_through_with_their_matrices(
@@ -346,14 +328,6 @@ def test_pages_are_chosen(save: Save, tmp_path: Path) -> None:
         with pytest.raises(UnreadableError, match="3 page") as caught:
             read_pdf(tmp_path / "a.pdf", page)
         assert caught.value.code == "page-missing"
-
-
-def test_lines_inside_the_sheet_only(pdf: type, save: Save) -> None:
-    (stroke,) = read_pdf(
-        save("a.pdf", pdf(b"-500 5 m -100 5 l S 50 50 m 90 50 l S").to_bytes()), 1
-    ).vectors.strokes
-    assert isinstance(stroke.curve, LineSegment)
-    assert stroke.curve.start[0] == pytest.approx(50 * SCALE, abs=1e-3)
 
 
 def _encrypted(pdf: type) -> bytes:

@@ -131,13 +131,6 @@ def test_ink_has_its_colour_on_paper_of_any_colour(
     assert (rest > 0).mean() < 1e-4
 
 
-def test_black_ink_on_yellowed_paper_has_no_colour(tmp_path: Path, picture: Image.Image) -> None:
-    paper = np.array((214, 196, 150)) / 255.0
-    yellowed = np.asarray(picture)[..., None] * paper
-    Image.fromarray(yellowed.astype(np.uint8)).save(tmp_path / "a.png")
-    assert read_raster(tmp_path / "a.png", 1).tint is None
-
-
 @pytest.mark.parametrize("dpi", [(204, 98), (204, 391), (98, 204), (200, 100)])
 @pytest.mark.parametrize("turned", [False, True])
 def test_unequal_pixels_are_made_square(tmp_path: Path, dpi: tuple[int, int], turned: bool) -> None:

@@ -34,8 +34,3 @@ def test_each_corner_is_that_of_scikit_image(seed: int, slack: float) -> None:
 def test_no_point_is_further_off_than_asked(seed: int) -> None:
     points = chain(seed)
     assert chain_distances(points, simplified(points, 0.4)).max() <= 0.4 + 1e-9
-
-
-def test_a_straight_chain_has_two_ends() -> None:
-    points = np.stack([np.arange(9.0), 2.0 * np.arange(9.0)], axis=1)
-    assert simplified(points, 1e-6).tolist() == [[0.0, 0.0], [8.0, 16.0]]

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
-from gaussiancad_core.geometry.curves import Curve, bounds
+from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import FULL_TURN
-from gaussiancad_core.geometry.similarities import Similarity, turn_about
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.lines.strokes import Polyline
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 
@@ -53,16 +53,6 @@ def test_samples_and_vertices_follow_the_curve(curve: Curve, length: float) -> N
         assert steps.sum() == pytest.approx(length, rel=1e-3)
 
 
-def test_a_chain_samples_itself_evenly_and_has_its_points_as_vertices() -> None:
-    assert ZIGZAG.length == pytest.approx(5.0 + 6.0 + 10.0)
-    samples = ZIGZAG.sample(0.5)
-    assert len(samples) == 43
-    np.testing.assert_allclose(samples[[0, -1]], [(0.0, 0.0), (9.0, 2.0)])
-    assert np.hypot(*np.diff(samples, axis=0).T).max() <= 0.5 + 1e-12
-    assert {tuple(corner) for corner in ZIGZAG.vertices(1.7).tolist()} >= set(ZIGZAG.points)
-    np.testing.assert_array_equal(ZIGZAG.vertices(np.inf), ZIGZAG.points)
-
-
 @given(ellipses)
 def test_samples_of_an_ellipse_are_even_and_lie_on_it(ellipse: EllipticArc) -> None:
     points = ellipse.sample(ellipse.length / 500.0)
@@ -81,13 +71,6 @@ def test_samples_of_an_ellipse_are_even_and_lie_on_it(ellipse: EllipticArc) -> N
     assert ellipse.vertices(ellipse.length)[[0, -1]] == pytest.approx(ends, abs=1e-9)
 
 
-def test_a_round_ellipse_is_the_circle() -> None:
-    ellipse = EllipticArc((3.0, 4.0), 5.0, 5.0, 0.7, 0.2, 1.5)
-    arc = CircularArc((3.0, 4.0), 5.0, 0.9, 1.5)
-    assert ellipse.length == pytest.approx(arc.length)
-    assert ellipse.sample(0.1) == pytest.approx(arc.sample(0.1))
-
-
 @given(st.one_of(arcs, ellipses, st.just(ZIGZAG)))
 def test_a_box_holds_the_samples_and_touches_them(curve: Curve) -> None:
     samples = curve.vertices(curve.length / 3000.0)
@@ -97,16 +80,6 @@ def test_a_box_holds_the_samples_and_touches_them(curve: Curve) -> None:
     np.testing.assert_allclose(high, samples.max(axis=0), atol=slack)
     assert np.all(low <= samples.min(axis=0) + 1e-9)
     assert np.all(high >= samples.max(axis=0) - 1e-9)
-
-
-def test_bounds_are_those_of_all_curves() -> None:
-    circle = CircularArc((10, 20), 5, 0, FULL_TURN)
-    assert bounds([circle]) == pytest.approx((5, 15, 15, 25))
-    assert bounds([circle, LineSegment((3, 2), (1, 30))]) == pytest.approx((1, 2, 15, 30))
-    flat = CircularArc((0, 0), 10, -0.3, 0.6)
-    assert bounds([flat]) == pytest.approx(
-        (10 * np.cos(0.3), -10 * np.sin(0.3), 10, 10 * np.sin(0.3))
-    )
 
 
 @given(curves, similarities)
@@ -119,14 +92,6 @@ def test_the_image_of_a_curve_has_the_images_of_its_points(curve: Curve, by: Sim
     if by.flip and isinstance(curve, CircularArc | EllipticArc):
         expected = expected[::-1]
     np.testing.assert_allclose(image.vertices(np.inf), expected, atol=1e-7 * by.scale)
-
-
-@given(curves, st.floats(-3.0, 3.0), point)
-def test_turning_there_and_back_changes_nothing(
-    curve: Curve, angle: float, centre: tuple[float, float]
-) -> None:
-    back = curve.mapped(turn_about(centre, angle)).mapped(turn_about(centre, -angle))
-    np.testing.assert_allclose(back.vertices(np.inf), curve.vertices(np.inf), atol=1e-9)
 
 
 @given(st.one_of(arcs, ellipses, st.just(ZIGZAG)), st.floats(0.0, 0.45), st.floats(0.55, 1.0))
@@ -149,21 +114,6 @@ def test_parts_of_open_curves_may_be_prolonged() -> None:
 def test_parts_of_closed_chains_may_go_over_the_start() -> None:
     corner = SQUARE.part(-2.0, 1.0)
     np.testing.assert_allclose(corner.points, [(0.0, 2.0), (0.0, 0.0), (1.0, 0.0)], atol=1e-12)
-
-
-@given(st.one_of(segments.filter(lambda piece: piece.length > 1e-3), arcs, ellipses))
-def test_a_piece_lies_on_its_carrier(curve: LineSegment | CircularArc | EllipticArc) -> None:
-    away = curve.carrier.distances(curve.vertices(curve.length / 9.0))
-    np.testing.assert_allclose(away, 0.0, atol=1e-9 * max(1.0, curve.length))
-
-
-def test_closed_curves_are_known() -> None:
-    assert SQUARE.is_closed
-    assert CircularArc((0.0, 0.0), 1.0, 2.0, FULL_TURN).is_closed
-    assert EllipticArc((0, 0), 1.0, 0.5, 0.0, 2.0, FULL_TURN).is_closed
-    assert not ZIGZAG.is_closed
-    assert not CircularArc((0.0, 0.0), 1.0, 0.3, 6.0).is_closed
-    assert not LineSegment((0.0, 0.0), (1.0, 0.0)).is_closed
 
 
 @given(st.one_of(segments, arcs, ellipses, st.just(ZIGZAG)), point)

@@ -46,8 +46,5 @@ def test_an_arc_over_zero_stays_one() -> None:
     assert unite_on_circle([(TURN - 0.5, TURN + 0.25), (0.2, 0.75)], 1e-9) == [
         (TURN - 0.5, TURN + 0.75)
     ]
-
-
-def test_nothing_stays_nothing() -> None:
     assert unite_on_circle([], 0.1) == []
     assert subtract([(0.0, 1.0)], [(0.0, 1.0)]) == []

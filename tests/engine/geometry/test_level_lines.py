@@ -30,13 +30,6 @@ def test_each_line_is_that_of_scikit_image(seed: int) -> None:
     assert all(np.array_equal(one, other) for one, other in zip(found, expected, strict=True))
 
 
-def test_a_circle_is_one_closed_line() -> None:
-    x, y = np.mgrid[0:41, 0:41]
-    (line,) = zero_lines(np.hypot(x - 20.0, y - 20.0) - 12.3)
-    assert np.array_equal(line[0], line[-1])
-    assert np.abs(np.hypot(*(line - 20.0).T) - 12.3).max() < 0.02
-
-
 def test_a_field_of_one_sign_has_none() -> None:
     assert zero_lines(np.ones((4, 5))) == []
     assert zero_lines(np.full((4, 5), np.nan)) == []

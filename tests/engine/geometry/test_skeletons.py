@@ -40,20 +40,3 @@ def test_all_that_nine_pixels_can_be() -> None:
     for pattern in range(512):
         ink = np.array([bool(pattern >> place & 1) for place in range(9)]).reshape(3, 3)
         assert np.array_equal(skeleton(ink), skeletonize(ink)), pattern
-
-
-@pytest.mark.parametrize("width", [1, 3, 5, 9])
-def test_of_a_stroke_its_middle_is_left(width: int) -> None:
-    ink = np.zeros((31, 60), dtype=bool)
-    ink[15 - width // 2 : 16 + width // 2, 5:55] = True
-    # At its ends the line may lean towards a corner.
-    inner = skeleton(ink)[:, 5 + width : 55 - width]
-    assert inner[15].all() and inner.sum() == inner.shape[1]
-
-
-def test_blank_paper_and_the_ink_stay_as_they_are() -> None:
-    blank = np.zeros((0, 7), dtype=bool)
-    assert skeleton(blank).shape == (0, 7)
-    ink = np.ones((9, 9), dtype=bool)
-    skeleton(ink)
-    assert ink.all()

@@ -37,9 +37,3 @@ def test_a_column_tells_depth_normal_and_face() -> None:
     assert neighbour.face[0] != through.face[0]
     assert len(outside.depth) == 0
     assert outside.sound
-
-
-def test_an_inverted_solid_is_not_sound() -> None:
-    shape = sample("pocket-block").build().Reversed()
-    (column,) = SolidRays(shape, Role.TOP.frame, 1e-6).crossings_at(np.array([[5.0, 5.0]]))
-    assert not column.sound

@@ -19,6 +19,7 @@ from sample_parts import sample
 
 # A block of 80 x 44 x 28 with two holes of diameter 12 that are bored to 22 down to 10.
 PART = "counterbored-block"
+_KINDS = (SectionKind.FULL, SectionKind.HALF, SectionKind.BROKEN_OUT)
 
 
 @pytest.fixture(scope="module")
@@ -39,17 +40,11 @@ def test_a_full_section_is_the_part_without_its_holes(solid) -> None:  # noqa: A
     assert bounds(cut.strokes) == pytest.approx((0, 0, 80, 28))
 
 
-def test_half_a_section_is_hatched_on_one_side(solid) -> None:  # noqa: ANN001
-    full = _cut(solid, SectionKind.FULL)
-    half = _cut(solid, SectionKind.HALF)
+def test_half_a_section_is_hatched_on_one_side_and_a_broken_out_one_in_a_corner(solid) -> None:  # noqa: ANN001
+    full, half, part = (_cut(solid, kind) for kind in _KINDS)
     assert half.areas.area == pytest.approx(full.areas.area / 2, rel=1e-6)
     assert half.areas.bounds[0] == pytest.approx(40.0)
     assert bounds(half.strokes) == pytest.approx((0, 0, 80, 28))
-
-
-def test_a_broken_out_section_is_hatched_in_a_corner(solid) -> None:  # noqa: ANN001
-    full = _cut(solid, SectionKind.FULL)
-    part = _cut(solid, SectionKind.BROKEN_OUT)
     assert 0.1 < part.areas.area / full.areas.area < 0.35
     assert full.areas.buffer(1e-6).covers(part.areas)
 

@@ -17,22 +17,30 @@ def _lines(*strokes: Stroke) -> Lines:
     return lines_of_strokes(strokes, 0.1)
 
 
-def test_equal_drawings_agree() -> None:
-    found = match_lines(_SHEET, _lines(*_SHEET), 1.0).agreement
-    assert found == Agreement(1.0, 1.0, 1.0, 1.0)
-    assert found.worst == 1.0
+_VISIBLE = Segment((0, 0), (10, 0), Linetype.VISIBLE)
+_HIDDEN = Segment((0, 0), (10, 0), Linetype.HIDDEN)
 
 
-def test_nothing_agrees_with_nothing() -> None:
-    assert match_lines([], _lines(), 1.0).agreement == Agreement(1.0, 1.0, 1.0, 1.0)
-
-
-def test_a_blank_result_misses_all_and_invents_nothing() -> None:
-    assert match_lines(_SHEET, _lines(), 1.0).agreement == Agreement(0.0, 1.0, 0.0, 1.0)
-
-
-def test_a_blank_sheet_explains_nothing() -> None:
-    assert match_lines([], _lines(*_SHEET), 1.0).agreement == Agreement(1.0, 0.0, 1.0, 0.0)
+@pytest.mark.parametrize(
+    ("sheet", "result", "shares"),
+    [
+        (_SHEET, _SHEET, (1.0, 1.0, 1.0, 1.0)),
+        ((), (), (1.0, 1.0, 1.0, 1.0)),
+        (_SHEET, (), (0.0, 1.0, 0.0, 1.0)),
+        ((), _SHEET, (1.0, 0.0, 1.0, 0.0)),
+        # Visible for hidden is no agreement.
+        ((_HIDDEN,), (_VISIBLE,), (1.0, 0.0, 0.0, 1.0)),
+        # What is hidden under what is visible is explained, and not asked for.
+        ((_VISIBLE,), (_VISIBLE, _HIDDEN), (1.0, 1.0, 1.0, 1.0)),
+        ((_VISIBLE, _HIDDEN), (_VISIBLE,), (1.0, 1.0, 1.0, 1.0)),
+    ],
+)
+def test_what_is_missing_lowers_recall_and_what_is_invented_precision(
+    sheet: tuple[Stroke, ...], result: tuple[Stroke, ...], shares: tuple[float, ...]
+) -> None:
+    found = match_lines(sheet, _lines(*result), 1.0).agreement
+    assert found == Agreement(*shares)
+    assert found.worst == min(shares)
 
 
 def test_recall_is_a_share_of_length() -> None:
@@ -61,30 +69,9 @@ def test_the_tolerance_is_a_distance(shift: float, share: float) -> None:
     assert (found.visible_recall, found.visible_precision) == (share, share)
 
 
-def test_visible_for_hidden_is_no_agreement() -> None:
-    sheet = [Segment((0, 0), (10, 0), Linetype.HIDDEN)]
-    result = _lines(Segment((0, 0), (10, 0), Linetype.VISIBLE))
-    assert match_lines(sheet, result, 1.0).agreement == Agreement(1.0, 0.0, 0.0, 1.0)
-
-
-def test_a_hidden_line_under_a_visible_one_counts_as_explained() -> None:
-    sheet = [Segment((0, 0), (10, 0), Linetype.VISIBLE)]
-    result = _lines(*sheet, Segment((0, 0), (10, 0), Linetype.HIDDEN))
-    assert match_lines(sheet, result, 1.0).agreement == Agreement(1.0, 1.0, 1.0, 1.0)
-
-
-def test_a_hidden_stroke_under_a_visible_one_is_not_asked_for() -> None:
-    visible = Segment((0, 0), (10, 0), Linetype.VISIBLE)
-    sheet = [visible, Segment((0, 0), (10, 0), Linetype.HIDDEN)]
-    assert match_lines(sheet, _lines(visible), 1.0).agreement == Agreement(1.0, 1.0, 1.0, 1.0)
-
-
 _NUMBER = st.floats(-50, 50)
 _STROKE = st.builds(
-    Segment,
-    st.tuples(_NUMBER, _NUMBER),
-    st.tuples(_NUMBER, _NUMBER),
-    st.sampled_from(Linetype),
+    Segment, st.tuples(_NUMBER, _NUMBER), st.tuples(_NUMBER, _NUMBER), st.sampled_from(Linetype)
 ) | st.builds(
     Arc,
     st.tuples(_NUMBER, _NUMBER),

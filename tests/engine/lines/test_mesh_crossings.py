@@ -93,11 +93,6 @@ def test_a_wide_rule_finds_an_edge_that_bends_slowly() -> None:
     assert len(found) and found.mean() == pytest.approx(6.0, abs=1.0)
 
 
-def test_a_wide_rule_draws_no_steps() -> None:
-    rays = [_slab(0, 10)] * 4 + [_slab(5, 10)] * 4
-    assert not compare_rows(_layers(rays, 8), Rule(3, 0.9, False)).any()
-
-
 def test_warming_up_compiles_what_drawing_needs() -> None:
     from gaussiancad_core.lines import mesh_crossings
 

@@ -8,32 +8,6 @@ from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.meshes import TriangleMesh, joined
 
 
-def test_a_grid_covers_its_area() -> None:
-    grid = RayGrid.of_view(Role.LEFT, (-30.0, 0.0, 0.0, 20.0), 0.5)
-    assert (grid.width, grid.height) == (60, 40)
-    corners = grid.plane(np.array([[0.0, 0.0], [60.0, 40.0]]))
-    assert corners == pytest.approx(np.array([[-30.0, 20.0], [0.0, 0.0]]))
-
-
-@pytest.mark.parametrize("role", list(Role))
-def test_depths_of_a_block_are_its_thickness(blind_hole: TriangleMesh, role: Role) -> None:
-    """Along every view's rays the block is as thick as its extent, less the hole."""
-    frame = role.frame
-    across, along = blind_hole.vertices @ frame.right, blind_hole.vertices @ frame.up
-    area = (across.min(), along.min(), across.max(), along.max())
-    grid = RayGrid.of_view(role, tuple(map(float, area)), 0.5)
-    hits = RayCaster(blind_hole).all_hits(grid)
-    counts = np.diff(hits.splits)
-    thickness = np.zeros(len(counts))
-    ray = np.repeat(np.arange(len(counts)), counts)
-    np.add.at(thickness, ray, np.where(hits.entering, -hits.depth, hits.depth))
-    assert (counts % 2 == 0).all() and counts.min() >= 2
-    volume = thickness.sum() * grid.pitch**2
-    assert volume == pytest.approx(blind_hole.volume, rel=2e-3)
-    extent = np.ptp(blind_hole.vertices @ frame.look)
-    assert np.median(thickness) == pytest.approx(extent, rel=1e-5)
-
-
 def test_first_hits_agree_with_all_hits(blind_hole: TriangleMesh) -> None:
     grid = RayGrid.of_view(Role.TOP, (-2.0, -2.0, 42.0, 32.0), 0.4)
     caster = RayCaster(blind_hole)

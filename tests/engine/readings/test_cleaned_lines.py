@@ -71,10 +71,7 @@ def test_each_view_is_a_block_in_millimetres_with_a_layer_for_each_kind() -> Non
     drawing = _opened(lines_dxf(_known()))
     assert drawing.units == ezdxf.units.MM
     placed = {item.dxf.name: tuple(item.dxf.insert)[:2] for item in drawing.modelspace()}
-    assert placed == {
-        "FRONT": (100.0 * _MM, 300.0 * _MM),
-        "SECTION": (200.0 * _MM, 50.0 * _MM),
-    }
+    assert placed == {"FRONT": (100.0 * _MM, 300.0 * _MM), "SECTION": (200.0 * _MM, 50.0 * _MM)}
     line, arc, circle = drawing.blocks.get("FRONT")
     assert [item.dxf.layer for item in (line, arc, circle)] == ["VISIBLE", "HIDDEN", "VISIBLE"]
     assert tuple(line.dxf.start)[:2] == (0.0, 0.0)

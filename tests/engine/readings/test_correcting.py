@@ -1,6 +1,7 @@
 """What a person says of a reading, one operation after another."""
 
 import json
+from pathlib import Path
 
 import msgspec
 import pytest
@@ -12,49 +13,11 @@ from gaussiancad_core.readings.correction_operations import (
     Corrections,
     ScaleOperation,
 )
-from gaussiancad_core.readings.reading_schema import SCHEMA, SheetReading
+from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_protocol.reading_kinds import StrokeKind, ViewRole
 
-_LINE = [[10.0, 10.0], [110.0, 10.0]]
-
-_READING = msgspec.convert(
-    {
-        "schema": SCHEMA,
-        "sheet": {"sha256": "0"},
-        "projection": {"value": "third", "source": "default", "alternatives": ["first"]},
-        "unit": {},
-        "scale": {"source": "dimension", "mm_per_px": 0.5},
-        "views": [
-            {"id": "front", "role": "front", "box": [10, 10, 110, 60]},
-            {"id": "top", "role": "top", "box": [10, 210, 110, 260]},
-            {
-                "id": "lines-1",
-                "role": "ignore",
-                "kind": "lines",
-                "box": [300, 10, 350, 60],
-                "used": False,
-            },
-        ],
-        "strokes": [
-            {"id": "s1", "view": "front", "kind": "visible", "line": _LINE},
-            {"id": "s2", "view": "front", "kind": "hidden", "line": [[10, 30], [110, 30]]},
-            {"id": "s3", "view": None, "kind": "centre", "line": [[60, 12], [60, 58]]},
-            {"id": "s4", "view": None, "kind": "visible", "arc": [325, 35, 20, 0, 6.28]},
-        ],
-        "dimensions": [
-            {
-                "id": "d1",
-                "text": "50",
-                "value_mm": 50.0,
-                "box": [50, 0, 70, 8],
-                "measures": {"span": [[10, 4], [110, 4]]},
-                "told_mm": 50.0,
-                "digit_mm": 1.0,
-            }
-        ],
-    },
-    SheetReading,
-)
+_FILE = Path(__file__).with_name("two_views.json")
+_READING = msgspec.json.decode(_FILE.read_bytes(), type=SheetReading)
 
 
 def _with(*operations: dict) -> tuple[SheetReading, tuple[int, ...]]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image, ImageDraw
 
 from gaussiancad_core.cli import main
 
@@ -114,15 +115,19 @@ def test_corrections_beside_a_sheet_are_taken_and_those_without_a_place_are_told
     assert report["status"] == "approximate"
 
 
-def test_reading_never_fails_for_geometry(tmp_path: Path) -> None:
-    from PIL import Image, ImageDraw
-
+def _boxes(path: Path, *boxes: tuple[int, int, int, int]) -> Path:
+    """A sheet of rectangles."""
     picture = Image.new("L", (600, 400), 255)
-    for box in ((60, 60, 260, 160), (360, 210, 540, 360)):
+    for box in boxes:
         ImageDraw.Draw(picture).rectangle(box, outline=0, width=3)
-    picture.save(tmp_path / "apart.png")
+    picture.save(path)
+    return path
+
+
+def test_reading_never_fails_for_geometry(tmp_path: Path) -> None:
+    path = _boxes(tmp_path / "apart.png", (60, 60, 260, 160), (360, 210, 540, 360))
     output = tmp_path / "out"
-    assert main(["read", str(tmp_path / "apart.png"), "--output", str(output)]) == 0
+    assert main(["read", str(path), "--output", str(output)]) == 0
     values = _json(output / "reading.json")
     (refused,) = [item for item in values["problems"] if item["severity"] == "refused"]
     assert refused["offers"] and values["strokes"] == []
@@ -130,12 +135,7 @@ def test_reading_never_fails_for_geometry(tmp_path: Path) -> None:
 
 
 def test_a_plate_in_one_view_is_read_and_told_its_thickness_and_scale(tmp_path: Path) -> None:
-    from PIL import Image, ImageDraw
-
-    picture = Image.new("L", (600, 400), 255)
-    ImageDraw.Draw(picture).rectangle((100, 100, 300, 250), outline=0, width=3)
-    path, output = tmp_path / "one.png", tmp_path / "out"
-    picture.save(path)
+    path, output = _boxes(tmp_path / "one.png", (100, 100, 300, 250)), tmp_path / "out"
 
     def refused() -> list[dict[str, Any]]:
         assert main(["read", str(path), "--output", str(output)]) == 0
@@ -160,12 +160,8 @@ def test_a_plate_in_one_view_is_read_and_told_its_thickness_and_scale(tmp_path: 
 
 
 def test_a_scale_is_told_in_one_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    from PIL import Image, ImageDraw
-
-    picture = Image.new("L", (600, 400), 255)
-    ImageDraw.Draw(picture).rectangle((100, 100, 300, 250), outline=0, width=3)
-    picture.save(tmp_path / "one.png")
-    words = ["read", str(tmp_path / "one.png"), "--output", str(tmp_path), "--mm-per-pixel", "0.4"]
+    path = _boxes(tmp_path / "one.png", (100, 100, 300, 250))
+    words = ["read", str(path), "--output", str(tmp_path), "--mm-per-pixel", "0.4"]
     assert main([*words, "--length", "y=5"]) == 0
     assert main([*words, "--length", "x=80"]) == 2
     assert "[wrong-usage]" in capsys.readouterr().err

@@ -8,121 +8,8 @@ import pytest
 from gaussiancad_core.cli import main
 from gaussiancad_core.report.explanation import explained, explained_place, explained_view, verdict
 
-_REPORT = {
-    "schema": 2,
-    "status": "approximate",
-    "reasons": [{"code": "lines-unexplained", "message": "the solid does not show a line"}],
-    "assumptions": [{"message": "nothing lies inside", "alternative": "bores"}],
-    "views": {
-        "front": {
-            "box": [10, 20, 210, 120],
-            "hidden_lines": "none",
-            "visible_recall": 0.99999,
-            "visible_precision": 1.0,
-            "hidden_recall": 0.5,
-            "hidden_precision": 1.0,
-        },
-        "top": {"box": [10, 220, 210, 320], "hidden_lines": "drawn"},
-    },
-    "projection": "third",
-    "projection_source": "inferred",
-    "scale_mm_per_pixel": 0.2,
-    "scale_source": "given",
-    "unused": [{"kind": "section", "box": [400, 20, 500, 120], "why": "it shows more"}],
-    "measures": {"uncertainty_mm": 0.0812, "source": "drawing"},
-    "solid": {"faces": 12},
-    "trace": [
-        {
-            "model": "as-drawn",
-            "outcome": "contradictory",
-            "taken": False,
-            "rules": 120,
-            "cells": 30,
-            "given_up_mm": 0.0,
-            "given_up": [],
-            "faces": 0,
-            "agreement": 0.0,
-            "disagreements": 0,
-            "others": 0,
-            "open_at_mm": [],
-        },
-        {
-            "model": "followed-curves",
-            "outcome": "deviates",
-            "taken": True,
-            "rules": 140,
-            "cells": 33,
-            "given_up_mm": 4.2,
-            "given_up": [{"view": "front", "at": [50, 60], "length_mm": 4.2, "drawn": None}],
-            "faces": 12,
-            "agreement": 0.98,
-            "disagreements": 1,
-            "others": 2,
-            "open_at_mm": [[1.0, 2.0, 3.0]],
-        },
-    ],
-    "disagreements": [{"view": "front", "at": [52, 61], "length_mm": 4.1, "missing": True}],
-    "conflict": [
-        {
-            "view": "top",
-            "drawn": "hidden",
-            "suspect": True,
-            "fitting": None,
-            "box": [20, 230, 90, 231],
-        }
-    ],
-}
-
-_READING = {
-    "schema": "gaussiancad-reading/1",
-    "strokes": [
-        {
-            "id": "s1",
-            "view": "front",
-            "kind": "visible",
-            "line": [[10, 20], [210, 20]],
-            "confidence": 1,
-        },
-        {
-            "id": "s2",
-            "view": "front",
-            "kind": "hidden",
-            "arc": [100, 70, 20, 0.0, 3.1416],
-            "confidence": 0.8,
-        },
-        {
-            "id": "s3",
-            "view": "top",
-            "kind": "visible",
-            "ellipse": [100, 270, 40, 10, 0.0, 0.0, 6.2832],
-            "confidence": 1,
-        },
-        {"id": "s4", "view": None, "kind": "text", "box": [300, 20, 340, 40]},
-        {
-            "id": "s5",
-            "view": "front",
-            "kind": "visible",
-            "line": [[600, 20], [640, 20]],
-            "confidence": 0.52,
-            "why": {"by": "network", "otherwise": "dimension", "margin": 0.08},
-        },
-        {
-            "id": "s6",
-            "view": None,
-            "kind": "centre",
-            "line": [[600, 80], [640, 80]],
-            "confidence": 0.9,
-            "why": {"by": "pen", "otherwise": "hidden", "margin": 2.2},
-        },
-        {
-            "id": "s7",
-            "view": "front",
-            "kind": "hidden",
-            "line": [[600, 140], [640, 140]],
-            "source": "given",
-        },
-    ],
-}
+_RUN = Path(__file__).with_name("explained_run.json")
+_REPORT, _READING = json.loads(_RUN.read_text(encoding="utf-8")).values()
 
 
 @pytest.mark.parametrize(
@@ -162,8 +49,7 @@ def test_what_nobody_knows_the_size_of_has_no_measures(
 
 
 @pytest.mark.parametrize(
-    ("reasons", "warnings"),
-    [(["photographed-at-a-slant"], []), ([], ["views-disagree"])],
+    ("reasons", "warnings"), [(["photographed-at-a-slant"], []), ([], ["views-disagree"])]
 )
 def test_views_that_fit_no_one_scale_have_no_bound(reasons: list[str], warnings: list[str]) -> None:
     stated = {
@@ -256,10 +142,7 @@ def test_the_command_prints_it(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 @pytest.mark.parametrize(
     ("arguments", "code", "exit_code"),
-    [
-        (["--view", "left"], "unknown-view", 2),
-        (["--at", "4"], "wrong-usage", 2),
-    ],
+    [(["--view", "left"], "unknown-view", 2), (["--at", "4"], "wrong-usage", 2)],
 )
 def test_what_cannot_be_asked_is_one_line(
     arguments: list[str],

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from gaussiancad_core.messages import Message
-from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.axes import Role
 from gaussiancad_core.processes.events import Progress
 from gaussiancad_core.report.report_entries import Assumption
 from gaussiancad_core.report.run_notes import RunNotes
@@ -31,26 +31,6 @@ def heard() -> Heard:
 @pytest.fixture
 def notes(heard: Heard) -> RunNotes:
     return RunNotes(Report("", {}), Progress(heard, 2))
-
-
-def test_fields_are_told_and_others_stay(notes: RunNotes) -> None:
-    notes.tell(sheet_sha256="abc")
-    notes.tell(projection=Projection.FIRST)
-    assert (notes.report.sheet_sha256, notes.report.projection) == ("abc", Projection.FIRST)
-    with pytest.raises(TypeError):
-        notes.tell(nobody_knows_this=1)
-
-
-def test_a_warning_is_in_the_report_and_sent_but_a_doubt_is_in_the_report_only(
-    notes: RunNotes, heard: Heard
-) -> None:
-    notes.warn("scale-assumed", "one")
-    notes.doubt("two-views", "two")
-    assert heard.events == [("warning", {"code": "scale-assumed", "message": "one"})]
-    assert [(note.code, note.message) for note in notes.report.warnings] == [
-        ("scale-assumed", "one")
-    ]
-    assert [(note.code, note.message) for note in notes.report.reasons] == [("two-views", "two")]
 
 
 def test_values_go_with_a_message_into_the_event_and_the_report(

@@ -1,58 +1,29 @@
 """The exact solid of a sheet, and what it says about first and third angle."""
 
 import gc
-import itertools
 from dataclasses import replace
 from types import FunctionType, ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
+from engine.run.stroke_sheets import SIZE, chain, reading, rectangle
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading, drawn_views
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.part_model import PartModel
 from gaussiancad_core.model.axes import Axis, Projection, Role
-from gaussiancad_core.model.views import Linetype, Segment, View, ViewSet
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.run.exact_stage import ExactModel, find_exact, find_for_hull
 from gaussiancad_core.sheet.registration.axis_residuals import Residual
 from gaussiancad_core.sheet.registration.view_registration import AxisExtents
-from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, StrokesSource
+from gaussiancad_core.sheet.sheet_stages import StrokesSource
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_protocol.modes import Status
 
 Strokes = dict[Role, list[Segment]]
 
-_SIZE = (40.0, 30.0, 20.0)
 _OPPOSITE = {Role.FRONT: Role.FRONT, Role.TOP: Role.BOTTOM, Role.RIGHT: Role.LEFT}
-
-
-def _chain(*points: tuple[float, float], linetype: Linetype = Linetype.VISIBLE) -> list[Segment]:
-    return [Segment(a, b, linetype) for a, b in itertools.pairwise(points)]
-
-
-def _rectangle(width: float, height: float) -> list[Segment]:
-    return _chain((0, 0), (width, 0), (width, height), (0, height), (0, 0))
-
-
-def _reading(strokes: Strokes, projection: Projection) -> ProjectedReading:
-    views = tuple(
-        View(
-            role,
-            (0.0, 0.0, 100.0, 100.0),
-            tuple(stroke),
-            np.zeros((2, 2), bool),
-            np.zeros((2, 2, 3), np.uint8),
-            (0.0, 0.0),
-            1.0,
-        )
-        for role, stroke in strokes.items()
-    )
-    drawn = tuple(
-        SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=(), step=0.0) for _ in views
-    )
-    registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
-    return ProjectedReading(registered, projection)
 
 
 def _both(strokes: Strokes) -> tuple[ProjectedReading, ProjectedReading]:
@@ -62,32 +33,32 @@ def _both(strokes: Strokes) -> tuple[ProjectedReading, ProjectedReading]:
     """
     moved: Strokes = {}
     for role, stroke in strokes.items():
-        right = -_SIZE[1] if role is Role.RIGHT else 0.0
-        up = -_SIZE[1] if role is Role.TOP else 0.0
+        right = -SIZE[1] if role is Role.RIGHT else 0.0
+        up = -SIZE[1] if role is Role.TOP else 0.0
         moved[_OPPOSITE[role]] = [
             Segment(
                 (s.start[0] + right, s.start[1] + up), (s.end[0] + right, s.end[1] + up), s.linetype
             )
             for s in stroke
         ]
-    return _reading(strokes, Projection.THIRD), _reading(moved, Projection.FIRST)
+    return reading(strokes, Projection.THIRD), reading(moved, Projection.FIRST)
 
 
 def _step() -> Strokes:
     """A step that rises to the back: only third angle fits."""
     return {
-        Role.FRONT: _rectangle(40, 20) + _chain((0, 8), (40, 8)),
-        Role.TOP: _rectangle(40, 30) + _chain((0, 12), (40, 12)),
-        Role.RIGHT: _chain((0, 0), (30, 0), (30, 20), (12, 20), (12, 8), (0, 8), (0, 0)),
+        Role.FRONT: rectangle(40, 20) + chain((0, 8), (40, 8)),
+        Role.TOP: rectangle(40, 30) + chain((0, 12), (40, 12)),
+        Role.RIGHT: chain((0, 0), (30, 0), (30, 20), (12, 20), (12, 8), (0, 8), (0, 0)),
     }
 
 
 def _wedge() -> Strokes:
     """A prism over a triangle: its slope faces the front in third angle, and the back in first."""
     return {
-        Role.FRONT: _rectangle(40, 20),
-        Role.TOP: _rectangle(40, 30),
-        Role.RIGHT: _chain((0, 0), (30, 0), (30, 20), (0, 0)),
+        Role.FRONT: rectangle(40, 20),
+        Role.TOP: rectangle(40, 30),
+        Role.RIGHT: chain((0, 0), (30, 0), (30, 20), (0, 0)),
     }
 
 
@@ -95,20 +66,20 @@ def _back_pocket(off: float) -> Strokes:
     """A pocket in the back; two views have its floor at places that are so many mm apart."""
 
     def dashes(*points: tuple[float, float]) -> list[Segment]:
-        return _chain(*points, linetype=Linetype.HIDDEN)
+        return chain(*points, linetype=Linetype.HIDDEN)
 
     return {
-        Role.FRONT: _rectangle(40, 20) + dashes((10, 5), (25, 5), (25, 12), (10, 12), (10, 5)),
-        Role.TOP: _rectangle(40, 30) + dashes((10, 30), (10, 22), (25, 22), (25, 30)),
-        Role.RIGHT: _rectangle(30, 20) + dashes((30, 5), (22 + off, 5), (22 + off, 12), (30, 12)),
+        Role.FRONT: rectangle(40, 20) + dashes((10, 5), (25, 5), (25, 12), (10, 12), (10, 5)),
+        Role.TOP: rectangle(40, 30) + dashes((10, 30), (10, 22), (25, 22), (25, 30)),
+        Role.RIGHT: rectangle(30, 20) + dashes((30, 5), (22 + off, 5), (22 + off, 12), (30, 12)),
     }
 
 
 def _block() -> Strokes:
     return {
-        Role.FRONT: _rectangle(40, 20),
-        Role.TOP: _rectangle(40, 30),
-        Role.RIGHT: _rectangle(30, 20),
+        Role.FRONT: rectangle(40, 20),
+        Role.TOP: rectangle(40, 30),
+        Role.RIGHT: rectangle(30, 20),
     }
 
 
@@ -125,13 +96,32 @@ def test_a_told_projection_is_not_doubted() -> None:
     assert soundness(found.result.shape).volume_mm3 == pytest.approx(40 * 30 * 20 / 2)
 
 
-@pytest.mark.parametrize("swap", [False, True])
-def test_the_reading_that_has_a_solid_is_right_whichever_was_assumed(swap: bool) -> None:
-    third, first = _both(_step())
-    found = find_exact(first, third) if swap else find_exact(third, first)
-    assert found.reading is third and found.decided
-    assert _codes(found) == ["sketched", "assumed"]
-    assert soundness(found.result.shape).volume_mm3 == pytest.approx(40 * (30 * 8 + 18 * 12))
+_STEP_MM3 = 40 * (30 * 8 + 18 * 12)
+
+
+@pytest.mark.parametrize(
+    ("strokes", "is_swapped", "by_symbol", "is_decided", "volume"),
+    [
+        # The reading that has a solid is right, whichever was assumed or told by a symbol.
+        (_step(), False, False, True, _STEP_MM3),
+        (_step(), True, False, True, _STEP_MM3),
+        (_step(), False, True, True, _STEP_MM3),
+        (_step(), True, True, True, _STEP_MM3),
+        # A symbol decides where both have one, and nothing where it is the same solid.
+        (_wedge(), False, True, True, 40 * 30 * 20 / 2),
+        (_block(), False, False, False, 40 * 30 * 20),
+    ],
+)
+def test_of_two_readings_one_is_taken(
+    strokes: Strokes, is_swapped: bool, by_symbol: bool, is_decided: bool, volume: float
+) -> None:
+    third, first = _both(strokes)
+    asked = (first, third) if is_swapped else (third, first)
+    found = find_exact(*asked, by_symbol=by_symbol)
+    assert found.reading is third and found.decided is is_decided and found.result.explains
+    if not (is_swapped and by_symbol):
+        assert _codes(found) == ["sketched", "assumed"] and found.result.alternatives == ()
+    assert soundness(found.result.shape).volume_mm3 == pytest.approx(volume)
 
 
 @pytest.mark.parametrize("off", [0.0, 0.007])
@@ -157,33 +147,12 @@ def test_two_readings_with_different_solids_are_ambiguous() -> None:
     assert same_solid(other, find_exact(first, None).result.shape)
 
 
-@pytest.mark.parametrize("strokes", [_wedge(), _step()])
-def test_a_symbol_decides_where_its_reading_has_a_solid(strokes: Strokes) -> None:
-    third, first = _both(strokes)
-    found = find_exact(third, first, by_symbol=True)
-    assert found.reading is third and found.decided
-    assert _codes(found) == ["sketched", "assumed"] and found.result.alternatives == ()
-
-
-def test_lines_that_only_the_other_reading_explains_contradict_a_symbol() -> None:
-    third, first = _both(_step())
-    found = find_exact(first, third, by_symbol=True)
-    assert found.reading is third and found.decided and found.result.explains
-
-
-def test_two_readings_of_one_solid_are_not() -> None:
-    third, first = _both(_block())
-    found = find_exact(third, first)
-    assert found.reading is third and not found.decided
-    assert _codes(found) == ["sketched", "assumed"] and found.result.alternatives == ()
-
-
 def _scribbled() -> ProjectedReading:
     """A block with strokes in its front that bound nothing and that no other view has."""
     strokes = _block()
     for k in range(4):
-        strokes[Role.FRONT] += _chain((3.0 + 8.0 * k, 2.0), (6.0 + 8.0 * k, 18.0))
-    return _reading(strokes, Projection.THIRD)
+        strokes[Role.FRONT] += chain((3.0 + 8.0 * k, 2.0), (6.0 + 8.0 * k, 18.0))
+    return reading(strokes, Projection.THIRD)
 
 
 def test_where_no_solid_has_all_lines_the_part_is_sketched() -> None:
@@ -203,11 +172,10 @@ def test_a_part_whose_lines_all_agree_needs_no_sketch() -> None:
 
 
 def test_sheets_of_many_lines_are_not_searched_for_the_hull() -> None:
-    reading = _scribbled()
-    assert isinstance(find_for_hull(reading, None), ExactModel)
+    assert isinstance(find_for_hull(_scribbled(), None), ExactModel)
     many = _block()
-    many[Role.FRONT] += [s for k in range(80) for s in _rectangle(1.0 + 0.3 * k, 1.0 + 0.1 * k)]
-    assert find_for_hull(_reading(many, Projection.THIRD), None) is None
+    many[Role.FRONT] += [s for k in range(80) for s in rectangle(1.0 + 0.3 * k, 1.0 + 0.1 * k)]
+    assert find_for_hull(reading(many, Projection.THIRD), None) is None
 
 
 def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> None:
@@ -286,7 +254,7 @@ def test_a_file_is_known_as_well_as_the_grid_to_which_it_was_rounded(
 def test_of_two_readings_without_a_solid_the_one_that_explains_more_is_taken() -> None:
     # A stroke across the front view that no other view has.
     odd = _step()
-    odd[Role.FRONT] += _chain((5, 3), (33, 11))
+    odd[Role.FRONT] += chain((5, 3), (33, 11))
     third, first = _both(odd)
     for item, other in ((third, first), (first, third)):
         found = find_exact(item, other)
@@ -295,7 +263,7 @@ def test_of_two_readings_without_a_solid_the_one_that_explains_more_is_taken() -
 
 def test_where_sketches_explain_as_much_the_reading_as_named_stays_and_nothing_is_told() -> None:
     odd = _block()
-    odd[Role.FRONT] += _chain((5, 3), (33, 11))
+    odd[Role.FRONT] += chain((5, 3), (33, 11))
     for item, other in (_both(odd), _both(odd)[::-1]):
         found = find_exact(item, other)
         assert found.reading is item
@@ -307,7 +275,7 @@ def test_a_symbol_stays_unless_the_other_reading_plainly_explains_more(plain: bo
     odd = _step()
     strokes = 1 if plain else 12
     for k in range(strokes):
-        odd[Role.FRONT] += _chain((2 + 3 * k, 9), (3 + 3 * k, 19))
+        odd[Role.FRONT] += chain((2 + 3 * k, 9), (3 + 3 * k, 19))
     third, first = _both(odd)
     found = find_exact(first, third, by_symbol=True)
     assert found.contradicted and found.decided is plain
@@ -330,6 +298,6 @@ def _holds(root: object, kind: type) -> bool:
 
 
 def test_the_models_of_the_search_are_not_kept_with_what_it_found() -> None:
-    found = find_exact(_reading(_back_pocket(0.0), Projection.THIRD), None)
+    found = find_exact(reading(_back_pocket(0.0), Projection.THIRD), None)
     assert _holds(found, ExactResult)
     assert not _holds(found, PartModel)

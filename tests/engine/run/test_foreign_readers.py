@@ -87,11 +87,7 @@ def test_nerfstudio_finds_the_same_pictures_from_the_same_places(
         x, y, z, _ = local
         assert (z < 0.0).all()
         pixels = np.stack(
-            [
-                frame["cx"] + frame["fl_x"] * x / -z,
-                frame["cy"] - frame["fl_y"] * y / -z,
-            ],
-            axis=1,
+            [frame["cx"] + frame["fl_x"] * x / -z, frame["cy"] - frame["fl_y"] * y / -z], axis=1
         )
         assert pixels == pytest.approx(camera.project(POINTS), abs=1e-5)
     cloud = trimesh.load(folder / content["ply_file_path"])

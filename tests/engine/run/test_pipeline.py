@@ -41,17 +41,8 @@ from gaussiancad_protocol.modes import Preset, ResultKind, SolidWay, Status
 from sample_parts import SAMPLES
 
 FILES = {
-    "report.json",
-    "reading.json",
-    "solid.step",
-    "surface.stl",
-    "surface.ply",
-    "surface.step",
-    "hull.stl",
-    "gaussians.ply",
-    "cameras",
-    "overlay.png",
-    "preview.png",
+    *("report.json", "reading.json", "solid.step", "surface.stl", "surface.ply", "surface.step"),
+    *("hull.stl", "gaussians.ply", "cameras", "overlay.png", "preview.png"),
 }
 
 
@@ -95,10 +86,6 @@ def run(sheet: Path) -> tuple[Path, list[dict]]:
     return output, _events(lines)
 
 
-def test_every_file_is_there_and_nothing_else(run: tuple) -> None:
-    assert {path.name for path in run[0].iterdir()} == FILES
-
-
 def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     report = json.loads((run[0] / "report.json").read_text("utf-8"))
     assert report["schema"] == 2 and report["status"] == "verified"
@@ -138,7 +125,7 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     assert len(report["engine"]["sheet_sha256"]) == 64 and report["engine"]["seed"] == 0
 
 
-def test_events_tell_the_stages_in_order(run: tuple) -> None:
+def test_events_tell_the_stages_in_order_and_the_solid_before_any_gaussian(run: tuple) -> None:
     output, events = run
     assert events[0]["event"] == "hello" and events[0]["protocol"] == 1
     stages = [event for event in events if event["event"] == "stage"]
@@ -150,18 +137,14 @@ def test_events_tell_the_stages_in_order(run: tuple) -> None:
     assert any("loss" in event for event in progress)
     assert events[-1]["event"] == "result"
     assert Path(events[-1]["path"]) == (output / "report.json").resolve()
-
-
-def test_the_solid_is_told_before_any_gaussian(run: tuple) -> None:
-    output, events = run
     at = next(i for i, event in enumerate(events) if event["event"] == "solid")
-    stages = [event["name"] for event in events[:at] if event["event"] == "stage"]
-    assert stages[-1] == "solid"
+    before = [event["name"] for event in events[:at] if event["event"] == "stage"]
+    assert before[-1] == "solid"
     assert Path(events[at]["path"]) == (output / "solid.step").resolve()
     assert events[at]["status"] == "verified" == events[-1]["status"]
 
 
-def test_the_surface_is_made_of_the_gaussians(run: tuple) -> None:
+def test_the_surface_is_made_of_the_gaussians_and_is_the_part_in_its_own_axes(run: tuple) -> None:
     surface, hull = (load_model(run[0] / name) for name in ("surface.stl", "hull.stl"))
     centres = np.asarray(trimesh.load(run[0] / "gaussians.ply").vertices)
     truth = next(sample for sample in SAMPLES if sample.name == "l-bracket").build()
@@ -172,19 +155,13 @@ def test_the_surface_is_made_of_the_gaussians(run: tuple) -> None:
     for mesh in (surface, hull):
         assert mesh.watertight
         assert mesh.volume == pytest.approx(expected, rel=0.03)
-
-
-def test_the_surface_is_the_part_in_its_own_axes(run: tuple) -> None:
-    surface = load_model(run[0] / "surface.stl")
-    assert surface.watertight
     # Along edges Poisson stands out by a hundredth of the longest one.
     assert surface.bounds == pytest.approx(np.array([[0, 0, 0], [80, 50, 60]]), abs=1.0)
-    part = next(sample for sample in SAMPLES if sample.name == "l-bracket")
-    truth = TriangleMesh(*tessellate(moved_to_origin(part.build()), 0.02))
+    part = TriangleMesh(*tessellate(moved_to_origin(truth), 0.02))
     streams = random_streams(0, 3)
     sides = [
         (SurfaceQueries(mesh), sample_surface(mesh, 4000, stream))
-        for mesh, stream in zip((surface, truth), streams, strict=False)
+        for mesh, stream in zip((surface, part), streams, strict=False)
     ]
     assert volume_iou(sides[0][0], sides[1][0], streams[2]).value > 0.97
     assert point_to_surface(*sides) < 0.01 * 80 / 5
@@ -233,7 +210,8 @@ def test_the_step_file_is_a_sound_solid_of_few_faces(run: tuple) -> None:
     assert (run[0] / "surface.step").read_text("utf-8").count("ADVANCED_FACE") <= 3000
 
 
-def test_pictures_show_something(run: tuple) -> None:
+def test_every_file_is_there_and_pictures_show_something(run: tuple) -> None:
+    assert {path.name for path in run[0].iterdir()} == FILES
     for name in ("overlay.png", "preview.png", "cameras/images/front.png"):
         image = cv2.imdecode(np.fromfile(run[0] / name, np.uint8), cv2.IMREAD_COLOR)
         assert image is not None and image.std() > 5
@@ -422,10 +400,7 @@ def test_a_way_in_which_the_kernel_breaks_down_is_left_out(
 def test_where_the_kernel_breaks_down_in_all_ways_nothing_is_made(
     plain_sheet: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def find_exact(*_: ProjectedReading, **__: object) -> ExactModel:
-        raise Standard_NullObject("no shape")
-
-    monkeypatch.setattr(exact_stage, "find_exact", find_exact)
+    monkeypatch.setattr(exact_stage, "find_exact", _raising(Standard_NullObject("no shape")))
     with pytest.raises(EngineError) as caught:
         reconstruct(Job(plain_sheet, tmp_path, result=ResultKind.SOLID), Silence())
     assert caught.value.code == "unforeseen"

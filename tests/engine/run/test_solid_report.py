@@ -1,68 +1,49 @@
 """What the report says of other solids, and of lines that contradict each other."""
 
-import itertools
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
+from engine.run.stroke_sheets import chain, reading, rectangle
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.model.views import Linetype, Segment, View, ViewSet
+from gaussiancad_core.model.views import Segment
 from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.run.solid_report import with_solid_facts
 from gaussiancad_core.sheet.image.deskew import Turn
-from gaussiancad_core.sheet.registration.view_registration import AxisExtents
-from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, StrokesSource
+from gaussiancad_core.sheet.sheet_stages import StrokesSource
 
-_SIZE = (40.0, 30.0, 20.0)
 _BOX = (100.0, 200.0, 500.0, 600.0)
 _LEVEL = Turn(0.0, (300.0, 300.0))
 
 
-def _chain(*points: tuple[float, float]) -> list[Segment]:
-    return [Segment(a, b, Linetype.VISIBLE) for a, b in itertools.pairwise(points)]
-
-
-def _rectangle(x: float, y: float, width: float, height: float) -> list[Segment]:
-    return _chain((x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y))
-
-
-def _reading(projection: Projection, strokes: dict[Role, list[Segment]]) -> ProjectedReading:
-    mask, colour = np.zeros((2, 2), bool), np.zeros((2, 2, 3), np.uint8)
-    views = tuple(
-        View(role, _BOX, tuple(stroke), mask, colour, (0.0, 0.0), 1.0)
-        for role, stroke in strokes.items()
-    )
-    drawn = tuple(SimpleNamespace(source=StrokesSource.VECTOR, step=0.0) for _ in views)
-    registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
-    return ProjectedReading(registered, projection)
+def _sheet(projection: Projection, strokes: dict[Role, list[Segment]]) -> ProjectedReading:
+    return reading(strokes, projection, StrokesSource.VECTOR, _BOX)
 
 
 def _step(*top: Segment) -> ProjectedReading:
-    profile = _chain((0, 0), (30, 0), (30, 20), (12, 20), (12, 8), (0, 8), (0, 0))
-    return _reading(
+    profile = chain((0, 0), (30, 0), (30, 20), (12, 20), (12, 8), (0, 8), (0, 0))
+    return _sheet(
         Projection.THIRD,
         {
-            Role.FRONT: _rectangle(0, 0, 40, 20) + _chain((0, 8), (40, 8)),
-            Role.TOP: [*_rectangle(0, 0, 40, 30), *top],
+            Role.FRONT: rectangle(40, 20) + chain((0, 8), (40, 8)),
+            Role.TOP: [*rectangle(40, 30), *top],
             Role.RIGHT: profile,
         },
     )
 
 
 def test_alternatives_are_told_with_the_projection_that_they_are_read_in() -> None:
-    outlines = {Role.FRONT: _rectangle(0, 0, 40, 20)}
+    outlines = {Role.FRONT: rectangle(40, 20)}
     third = outlines | {
-        Role.TOP: _rectangle(0, 0, 40, 30),
-        Role.RIGHT: _chain((0, 0), (30, 0), (30, 20), (0, 0)),
+        Role.TOP: rectangle(40, 30),
+        Role.RIGHT: chain((0, 0), (30, 0), (30, 20), (0, 0)),
     }
     first = outlines | {
-        Role.BOTTOM: _rectangle(0, -30, 40, 30),
-        Role.LEFT: _chain((-30, 0), (0, 0), (0, 20), (-30, 0)),
+        Role.BOTTOM: rectangle(40, 30, y=-30),
+        Role.LEFT: chain((-30, 0), (0, 0), (0, 20), (-30, 0)),
     }
-    model = find_exact(_reading(Projection.THIRD, third), _reading(Projection.FIRST, first))
+    model = find_exact(_sheet(Projection.THIRD, third), _sheet(Projection.FIRST, first))
     report = with_solid_facts(Report("", {}), model, _LEVEL)
     (other,) = report.as_json()["alternatives"]
     assert other["volume_mm3"] == pytest.approx(40 * 30 * 20 / 2)
@@ -74,7 +55,7 @@ def test_alternatives_are_told_with_the_projection_that_they_are_read_in() -> No
 
 def test_a_drawing_that_agrees_has_nothing_to_tell() -> None:
     report = with_solid_facts(
-        Report("", {}), find_exact(_step(*_chain((0, 12), (40, 12))), None), _LEVEL
+        Report("", {}), find_exact(_step(*chain((0, 12), (40, 12))), None), _LEVEL
     )
     assert (report.alternatives, report.conflict, report.reasons) == ((), (), ())
 

@@ -12,11 +12,10 @@ from gaussiancad_core.model.views import ViewSet
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.report_entries import HullReport
 from gaussiancad_core.run.exact_stage import ExactModel
-from gaussiancad_core.run.pipeline import STAGES, stages_of
 from gaussiancad_core.run.surface_stage import hull_report, make_hull
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import verify
-from gaussiancad_protocol.modes import Recipe, ResultKind, Status
+from gaussiancad_protocol.modes import Recipe, Status
 from sample_parts.modelling import box, cut
 
 BLOCK = box((0, 0, 0), (40, 30, 20))
@@ -44,16 +43,6 @@ def test_no_solid_and_the_papers_recipe_leave_the_hull_plain(
     viewed: Callable[..., ViewSet],
 ) -> None:
     views = viewed(POCKETED)
-    for recipe, model in (
-        (Recipe.ORTHOGRAPHIC, None),
-        (Recipe.PAPER, _model(views, POCKETED)),
-    ):
+    for recipe, model in ((Recipe.ORTHOGRAPHIC, None), (Recipe.PAPER, _model(views, POCKETED))):
         hull = make_hull(_job(recipe), views, model)
         assert hull_report(hull) == HullReport(None, 0, 0, "")
-
-
-def test_a_surface_is_searched_a_solid_for_but_the_papers_is_not() -> None:
-    assert "solid" in stages_of(ResultKind.SURFACE)
-    assert "solid" not in stages_of(ResultKind.SURFACE, Recipe.PAPER)
-    assert stages_of(ResultKind.BOTH) == stages_of(ResultKind.BOTH, Recipe.PAPER) == STAGES
-    assert "hull" not in stages_of(ResultKind.SOLID)

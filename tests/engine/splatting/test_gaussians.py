@@ -30,11 +30,6 @@ def test_the_third_axis_turns_to_the_normal(vector: tuple[float, float, float]) 
     assert np.linalg.det(rotation) == pytest.approx(1.0)
 
 
-def test_straight_up_and_straight_down_are_no_exception() -> None:
-    ends = np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
-    assert rotation_matrices(quaternions_to(ends))[:, :, 2] == pytest.approx(ends)
-
-
 def test_start_is_flat_on_the_surface_and_as_wide_as_asked() -> None:
     surface = sphere()
     start = Start(count=700, spread=0.5, thickness=0.1, opacity=0.9, colour=(0.1, 0.2, 0.3))

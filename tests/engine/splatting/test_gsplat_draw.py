@@ -11,35 +11,16 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import torch
+from engine.splatting.gaussian_scenes import SIZE, cameras, gradients
 
-from gaussiancad_core.model.axes import Role
-from gaussiancad_core.model.cameras import CameraModel, orthographic_camera, paper_camera
+from gaussiancad_core.model.cameras import CameraModel
 from gaussiancad_core.splatting.gsplat_draw import draw_gsplat
-from gaussiancad_core.splatting.projection import CameraBatch, batch_of
-from gaussiancad_core.splatting.rasterizer import (
-    Backend,
-    Parameters,
-    RasterSettings,
-    Rendering,
-    rasteriser,
-)
+from gaussiancad_core.splatting.rasterizer import Parameters, RasterSettings
 from gaussiancad_core.splatting.reference import draw_reference
 from gaussiancad_core.splatting.tiles import draw_tiles
 from gaussiancad_core.splatting.torch_devices import cuda_problem
 
-SIZE = (50.0, 30.0, 40.0)
-ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 MODELS = pytest.mark.parametrize("model", list(CameraModel))
-
-
-def cameras(model: CameraModel, pixels: int, dtype: torch.dtype) -> CameraBatch:
-    made = (
-        orthographic_camera(role, SIZE, pixels)
-        if model is CameraModel.ORTHOGRAPHIC
-        else paper_camera(role, SIZE, pixels / 1920)
-        for role in ROLES
-    )
-    return batch_of(tuple(made), unit=10.0, dtype=dtype)
 
 
 def parameters(count: int, dtype: torch.dtype, device: str = "cpu") -> Parameters:
@@ -53,17 +34,6 @@ def parameters(count: int, dtype: torch.dtype, device: str = "cpu") -> Parameter
     )
     tensors = (torch.tensor(array, dtype=dtype, device=device) for array in arrays)
     return Parameters(*(tensor.requires_grad_() for tensor in tensors))
-
-
-def gradients(rendering: Rendering, of: tuple[torch.Tensor, ...]) -> tuple[torch.Tensor, ...]:
-    """Gradients of a fixed random combination of all images."""
-    generator = torch.Generator().manual_seed(1)
-    total = torch.zeros((), dtype=rendering.colours.dtype, device=rendering.colours.device)
-    for image in (rendering.colours, rendering.alphas, rendering.depths):
-        weights = torch.randn(image.shape, generator=generator, dtype=torch.float64)
-        total = total + (image * weights.to(image)).sum()
-    total.backward()
-    return tuple(tensor.grad for tensor in of)
 
 
 def _rotations(quaternions: torch.Tensor) -> torch.Tensor:
@@ -158,10 +128,6 @@ def test_limits_that_gsplat_does_not_have_are_refused() -> None:
         draw_gsplat(
             parameters(2, torch.float32), batch, replace(RasterSettings(), largest_alpha=0.9)
         )
-
-
-def test_it_is_found_by_name() -> None:
-    assert rasteriser(Backend.GSPLAT) is draw_gsplat
 
 
 @MODELS

@@ -8,7 +8,6 @@ from gaussiancad_core.splatting.losses import (
     ALPHA_MARGIN,
     LossWeights,
     Targets,
-    composed,
     fast_compared,
     mask_entropy,
     plain_compared,
@@ -20,13 +19,6 @@ from gaussiancad_core.splatting.rasterizer import Rendering
 def rendering(alpha: float = 0.25, colour: float = 0.1) -> Rendering:
     shape = (2, 4, 5)
     return Rendering(torch.full((2, 3, 4, 5), colour), torch.full(shape, alpha), torch.zeros(shape))
-
-
-def test_background_shines_through_what_is_left() -> None:
-    images = composed(rendering(), (1.0, 0.5, 0.0))
-    assert images[:, 0] == pytest.approx(0.1 + 0.75)
-    assert images[:, 1] == pytest.approx(0.1 + 0.375)
-    assert images[:, 2] == pytest.approx(0.1)
 
 
 def test_entropy_is_that_of_the_formula() -> None:

@@ -12,11 +12,6 @@ from gaussiancad_core.errors import UsageError
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.ply import SH_CONSTANT, write_gaussians
 
-FIELDS = [
-    *("x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2", "opacity"),
-    *("scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"),
-]
-
 
 def gaussians(table: np.ndarray) -> Gaussians:
     """17 numbers a row, spread over the fields; the normals are made unit vectors."""
@@ -58,17 +53,6 @@ def test_nothing_is_rounded(tmp_path_factory: pytest.TempPathFactory, table: np.
     assert np.array_equal(rows[:, 9], written.logit_opacities)
     assert np.array_equal(rows[:, 10:13], written.log_scales)
     assert np.array_equal(rows[:, 13:], written.quaternions)
-
-
-def test_layout_is_what_viewers_expect(tmp_path: Path) -> None:
-    path = tmp_path / "g.ply"
-    written = some(3)
-    write_gaussians(written, path)
-    header, body = path.read_bytes().split(b"end_header\n", 1)
-    lines = header.decode().splitlines()
-    assert lines[:3] == ["ply", "format binary_little_endian 1.0", "element vertex 3"]
-    assert lines[3:] == [f"property float {name}" for name in FIELDS]
-    assert len(body) == 3 * 17 * 4
 
 
 def test_a_missing_folder_is_told(tmp_path: Path) -> None:

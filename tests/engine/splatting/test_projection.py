@@ -7,7 +7,7 @@ import torch
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.cameras import Camera, orthographic_camera, paper_camera
 from gaussiancad_core.splatting.gaussians import rotation_matrices
-from gaussiancad_core.splatting.projection import batch_of, conics, project
+from gaussiancad_core.splatting.projection import batch_of, project
 
 SIZE = (50.0, 30.0, 40.0)
 ROLES = tuple(Role)
@@ -62,30 +62,6 @@ def test_pinhole_covariance_is_that_of_projected_samples() -> None:
         assert found[[0, 0, 1], [0, 1, 1]] == pytest.approx(
             expected, rel=0.05, abs=0.02 * expected.max()
         )
-
-
-def test_the_unit_of_length_does_not_matter() -> None:
-    means, quaternions, log_scales = random_gaussians(20, 1.0)
-    for camera in (orthographic_camera(Role.TOP, SIZE, 200), paper_camera(Role.TOP, SIZE, 0.25)):
-        plain = project(means, quaternions, log_scales, batch_of((camera,), dtype=DOUBLE), 0.3)
-        scaled = project(
-            means / 7.0,
-            quaternions,
-            log_scales - np.log(7.0),
-            batch_of((camera,), unit=7.0, dtype=DOUBLE),
-            0.3,
-        )
-        assert torch.allclose(scaled.means, plain.means)
-        assert torch.allclose(scaled.covariances, plain.covariances)
-        assert torch.allclose(scaled.depths * 7.0, plain.depths)
-
-
-def test_conics_are_inverses() -> None:
-    random = np.random.default_rng(1).standard_normal((10, 2, 2))
-    matrices = random @ random.transpose(0, 2, 1) + 0.1 * np.eye(2)
-    packed = conics(torch.tensor(matrices[:, [0, 0, 1], [0, 1, 1]])).numpy()
-    inverse = np.linalg.inv(matrices)[:, [0, 0, 1], [0, 1, 1]]
-    assert packed == pytest.approx(inverse, rel=1e-9)
 
 
 def test_cameras_of_different_kinds_are_refused() -> None:

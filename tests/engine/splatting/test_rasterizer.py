@@ -6,46 +6,18 @@ import numba
 import numpy as np
 import pytest
 import torch
-from hypothesis import given
-from hypothesis import strategies as st
+from engine.splatting.gaussian_scenes import SIZE, cameras, gradients
 
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.model.cameras import Camera, CameraModel, orthographic_camera, paper_camera
-from gaussiancad_core.splatting.gaussians import Gaussians
-from gaussiancad_core.splatting.projection import CameraBatch, batch_of
-from gaussiancad_core.splatting.rasterizer import (
-    Backend,
-    Parameters,
-    RasterSettings,
-    Rendering,
-    parameters_of,
-    rasteriser,
-)
+from gaussiancad_core.model.cameras import CameraModel, orthographic_camera
+from gaussiancad_core.splatting.projection import batch_of
+from gaussiancad_core.splatting.rasterizer import Parameters, RasterSettings
 from gaussiancad_core.splatting.reference import draw_reference
-from gaussiancad_core.splatting.tiles import (
-    PARTS,
-    TILE_WORK,
-    draw_tiles,
-    even_parts,
-    warm_up,
-)
+from gaussiancad_core.splatting.tiles import draw_tiles, warm_up
 
-SIZE = (50.0, 30.0, 40.0)
-THREE = (Role.FRONT, Role.TOP, Role.RIGHT)
 BOTH = pytest.mark.parametrize("draw", [draw_tiles, draw_reference])
 MODELS = pytest.mark.parametrize("model", list(CameraModel))
 SMOOTH = RasterSettings(smallest_alpha=0.0, largest_alpha=0.9999, smallest_transmittance=0.0)
-
-
-def cameras(
-    model: CameraModel, pixels: int, dtype: torch.dtype, roles: tuple[Role, ...] = THREE
-) -> CameraBatch:
-    def camera(role: Role) -> Camera:
-        if model is CameraModel.ORTHOGRAPHIC:
-            return orthographic_camera(role, SIZE, pixels)
-        return paper_camera(role, SIZE, pixels / 1920)
-
-    return batch_of(tuple(camera(role) for role in roles), unit=10.0, dtype=dtype)
 
 
 def parameters(count: int, sigma: float, dtype: torch.dtype, seed: int = 0) -> Parameters:
@@ -68,16 +40,6 @@ def parameters(count: int, sigma: float, dtype: torch.dtype, seed: int = 0) -> P
             )
         )
     )
-
-
-def gradients(rendering: Rendering, of: Parameters) -> tuple[torch.Tensor, ...]:
-    """Gradients of a fixed random combination of all images."""
-    generator = torch.Generator().manual_seed(1)
-    total = torch.zeros((), dtype=rendering.colours.dtype)
-    for image in (rendering.colours, rendering.alphas, rendering.depths):
-        weights = torch.randn(image.shape, generator=generator, dtype=torch.float64)
-        total = total + (image * weights.to(image.dtype)).sum()
-    return torch.autograd.grad(total, of.tensors)
 
 
 def one_gaussian(dtype: torch.dtype = torch.float64) -> Parameters:
@@ -138,7 +100,9 @@ def test_tiles_draw_and_differentiate_as_the_reference_does(
         one, other = getattr(fast, name), getattr(plain, name)
         assert one.dtype == dtype
         assert (one - other).abs().max() <= tolerance * other.abs().max(), name
-    for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
+    for one, other in zip(
+        gradients(fast, some.tensors), gradients(plain, some.tensors), strict=True
+    ):
         assert (one - other).abs().max() <= tolerance * other.abs().max()
 
 
@@ -155,7 +119,9 @@ def test_thin_slanting_gaussians_lose_no_pixel(model: CameraModel) -> None:
     for name in ("colours", "alphas", "depths"):
         one, other = getattr(fast, name), getattr(plain, name)
         assert (one - other).abs().max() <= 1e-12 * other.abs().max(), name
-    for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
+    for one, other in zip(
+        gradients(fast, some.tensors), gradients(plain, some.tensors), strict=True
+    ):
         assert (one - other).abs().max() <= 1e-11 * other.abs().max()
 
 
@@ -185,7 +151,9 @@ def test_an_opaque_pile_ends_the_drawing_in_both_back_ends(model: CameraModel) -
     fast, plain = (draw(some, batch, RasterSettings()) for draw in (draw_tiles, draw_reference))
     assert float((1.0 - plain.alphas).min().detach()) < 1e-4
     assert torch.allclose(fast.colours, plain.colours, atol=1e-12)
-    for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
+    for one, other in zip(
+        gradients(fast, some.tensors), gradients(plain, some.tensors), strict=True
+    ):
         assert (one - other).abs().max() <= 1e-9 * other.abs().max()
 
 
@@ -205,7 +173,7 @@ def test_what_lies_outside_or_behind_draws_nothing_and_gets_no_gradient(
     rendering = draw(some, batch, RasterSettings())
     alone = Parameters(*(tensor.detach()[4:].requires_grad_() for tensor in some.tensors))
     assert torch.allclose(rendering.alphas, draw(alone, batch, RasterSettings()).alphas, atol=1e-12)
-    for gradient in gradients(rendering, some):
+    for gradient in gradients(rendering, some.tensors):
         assert torch.isfinite(gradient).all()
         assert (gradient[:4] == 0.0).all()
 
@@ -216,7 +184,7 @@ def test_no_gaussians_draw_blank_images(draw: object) -> None:
     rendering = draw(none, cameras(CameraModel.ORTHOGRAPHIC, 20, torch.float64), RasterSettings())
     assert rendering.colours.shape == (3, 3, 20, 20)
     assert (rendering.alphas == 0.0).all()
-    assert all(gradient.numel() == 0 for gradient in gradients(rendering, none))
+    assert all(gradient.numel() == 0 for gradient in gradients(rendering, none.tensors))
 
 
 def test_the_number_of_threads_does_not_change_a_bit() -> None:
@@ -228,35 +196,10 @@ def test_the_number_of_threads_does_not_change_a_bit() -> None:
         for threads in (1, before):
             numba.set_num_threads(threads)
             rendering = draw_tiles(some, batch, RasterSettings())
-            found.append((rendering.colours.detach(), *gradients(rendering, some)))
+            found.append((rendering.colours.detach(), *gradients(rendering, some.tensors)))
     finally:
         numba.set_num_threads(before)
     assert all(torch.equal(one, other) for one, other in zip(*found, strict=True))
-
-
-@given(st.lists(st.integers(0, 500), min_size=1, max_size=400))
-def test_threads_get_as_much_to_do(counts: list[int]) -> None:
-    starts = np.concatenate([[0], np.cumsum(counts)])
-    parts = even_parts(starts)
-    assert len(parts) == PARTS + 1
-    assert (parts[0], parts[-1]) == (0, len(counts))
-    assert (np.diff(parts) >= 0).all()
-    work = np.diff((starts + TILE_WORK * np.arange(len(starts)))[parts])
-    assert work.max() <= work.sum() / PARTS + max(counts) + TILE_WORK
-
-
-def test_backends_are_found_by_name() -> None:
-    assert rasteriser(Backend.TILES) is draw_tiles
-    assert rasteriser(Backend.REFERENCE) is draw_reference
-
-
-def test_parameters_are_leaves_in_the_unit_of_the_scene() -> None:
-    ones = np.ones((2, 4), np.float32)
-    gaussians = Gaussians(ones[:, :3] * 20, ones, ones[:, :3], ones[:, 0], ones[:, :3], ones[:, :3])
-    found = parameters_of(gaussians, unit=10.0)
-    assert found.means.detach().numpy() == pytest.approx(np.full((2, 3), 2.0))
-    assert found.log_scales.detach().numpy() == pytest.approx(np.full((2, 3), 1.0 - np.log(10.0)))
-    assert all(tensor.is_leaf and tensor.requires_grad for tensor in found.tensors)
 
 
 def test_warming_up_compiles_what_a_run_calls() -> None:
@@ -268,5 +211,5 @@ def test_warming_up_compiles_what_a_run_calls() -> None:
     some = parameters(10, 0.2, torch.float32)
     for model in CameraModel:
         rendering = draw_tiles(some, cameras(model, 32, torch.float32), RasterSettings())
-        gradients(rendering, some)
+        gradients(rendering, some.tensors)
     assert [len(kernel.signatures) for kernel in kernels] == before

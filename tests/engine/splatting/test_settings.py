@@ -47,16 +47,6 @@ def test_images_are_scaled_down_and_nothing_else_is(recipe: Recipe) -> None:
         assert one.height == other.height // 4
 
 
-@pytest.mark.parametrize("preset", list(Preset))
-def test_default_recipe_holds_the_hull(preset: Preset) -> None:
-    settings = training_settings(Recipe.ORTHOGRAPHIC, preset)
-    assert settings.anchor == 5.0
-    assert settings.thin_axis_locked
-    assert settings.optics.dilation == 0.02
-    assert settings.rates.position == pytest.approx(8e-4 / 5)
-    assert settings.density is None and not settings.one_view
-
-
 @pytest.mark.parametrize("recipe", list(Recipe))
 def test_finer_presets_do_more_work(recipe: Recipe) -> None:
     # The paper's is as printed at two of the presets, with more Gaussians at the finer one.
@@ -68,10 +58,7 @@ def test_finer_presets_do_more_work(recipe: Recipe) -> None:
 
 @pytest.mark.parametrize(
     ("recipe", "model"),
-    [
-        (Recipe.ORTHOGRAPHIC, CameraModel.ORTHOGRAPHIC),
-        (Recipe.PAPER, CameraModel.PINHOLE),
-    ],
+    [(Recipe.ORTHOGRAPHIC, CameraModel.ORTHOGRAPHIC), (Recipe.PAPER, CameraModel.PINHOLE)],
 )
 def test_cameras_are_the_recipes_with_the_presets_size(recipe: Recipe, model: CameraModel) -> None:
     settings = training_settings(recipe, Preset.DRAFT)

@@ -9,14 +9,11 @@ from gaussiancad_core.storage.plain_files import check_plain, plain_bytes
 from gaussiancad_core.storage.resume_check import sha256
 
 
-def test_a_file_is_read_and_what_is_missing_is_told_as_that(tmp_path: Path) -> None:
+def test_a_file_is_read_and_what_is_missing_or_a_folder_is_told_as_that(tmp_path: Path) -> None:
     (tmp_path / "plain").write_bytes(b"content")
     assert plain_bytes(tmp_path / "plain") == b"content"
     with pytest.raises(FileNotFoundError):
         plain_bytes(tmp_path / "missing")
-
-
-def test_a_folder_is_no_file(tmp_path: Path) -> None:
     with pytest.raises(IsADirectoryError):
         check_plain(tmp_path)
 

@@ -1,10 +1,8 @@
 """What is missing in an environment, but for what the locks leave out."""
 
-import tomllib
-
 import check_environment
 import pytest
-from check_environment import PROJECT, excluded, problems
+from check_environment import problems
 
 INSTALLED = {"a": "1.0", "b": "2.0", "c": "3.0rc1"}
 
@@ -31,11 +29,6 @@ def test_each_requirement_of_here_is_looked_for(requirement: str, expected: list
 def test_what_may_be_missing_must_still_fit_where_it_is() -> None:
     found = problems({"left-out": "1"}, {"a": ["left-out>=2"]}, frozenset({"left-out"}))
     assert found == ["a requires left-out>=2, but 1 is installed"]
-
-
-def test_what_is_left_out_is_what_the_locks_leave_out() -> None:
-    project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))
-    assert excluded() == frozenset(project["tool"]["uv"]["exclude-dependencies"])
 
 
 def test_this_environment_is_complete(

@@ -1,69 +1,14 @@
 """The checker of the documentation finds what is planted, and takes what is true."""
 
+from pathlib import Path
+
 import pytest
 from doc_names import Tree
-from doc_sections import entries
 from doc_texts import CHECKOUT, Kind, Module, Passage, page_passages
 from lint_docs import Reader
 
 PAGE = CHECKOUT / "docs" / "planted.md"
-MODULE = '''
-"""Stands for a module."""
-
-from dataclasses import dataclass
-from gaussiancad_core.errors import UsageError
-
-
-@dataclass
-class Plain:
-    """Has fields.
-
-    Attributes:
-        first, second: as given.
-        third: is not there.
-    """
-
-    first: int
-    second: int
-
-
-class Wider(Plain):
-    """Has more, and those that it inherits.
-
-    Args:
-        fourth: as given.
-        fifth: is not there.
-
-    Attributes:
-        first: inherited.
-        fourth: set by its maker.
-    """
-
-    def __init__(self, fourth: int) -> None:
-        self.fourth = fourth
-
-
-def asked(name: str, *rest: int, by: int = 0, **more: int) -> int:
-    """See :class:`Plain`, :class:`.Reader`, :meth:`.Reader.in_text`, :func:`absent`.
-
-    Args:
-        name: as given.
-        rest: all others,
-            on two lines.
-        by (int): as given.
-        more: as given.
-        other: is not there.
-
-    Raises:
-        UsageError: ``wrong-usage``, ``no-such-code``.
-        ValueError: where ``so-it-says``.
-        AbsentError: is not there.
-    """
-    # ``scripts/absent.py`` begins with "# no comment"
-    return len("# no comment, ``scripts``") + by
-
-
-'''
+MODULE = Path(__file__).with_name("planted_module.txt").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
@@ -72,32 +17,19 @@ def reader() -> Reader:
     return Reader()
 
 
-@pytest.mark.parametrize(
-    "span",
-    [
-        "docs/solid.md",
-        "readings.md",
-        "engine/locate.py",
-        "gaussiancad_core/storage/extras.py",
-        "benchmarks/*/__init__.py",
-        "core/locks/NAME.txt",
-        "make lint",
-        "make lock UPGRADE=1",
-        ".venv/bin/gaussiancad reconstruct SHEET --output DIR --length x=80",
-        "gaussiancad COMMAND --help",
-        ".venv/bin/python -m benchmarks --list",
-        "python -m learning --out build/labels --steps 3",
-        "python3 resources/scripts/gaussiancad_batch.py sheets --output models",
-        "--numprocesses",
-        "sheet.tracing",
-        "gaussiancad.reconstruct()",
-        "solid.step",
-        "no-exact-solid",
-        "sheet.png.corrections.json",
-        "kind",
-        "page_passages",
-    ],
+_TRUE = (
+    "docs/solid.md | readings.md | engine/locate.py | gaussiancad_core/storage/extras.py | "
+    "benchmarks/*/__init__.py | core/locks/NAME.txt | make lint | make lock UPGRADE=1 | "
+    ".venv/bin/gaussiancad reconstruct SHEET --output DIR --length x=80 | "
+    "gaussiancad COMMAND --help | .venv/bin/python -m benchmarks --list | "
+    "python -m learning --out build/labels --steps 3 | "
+    "python3 resources/scripts/gaussiancad_batch.py sheets --output models | --numprocesses | "
+    "sheet.tracing | gaussiancad.reconstruct() | solid.step | no-exact-solid | "
+    "sheet.png.corrections.json | kind | page_passages"
 )
+
+
+@pytest.mark.parametrize("span", _TRUE.split(" | "))
 def test_what_is_there_is_taken(reader: Reader, span: str) -> None:
     assert list(reader.in_text(Passage(PAGE, 1, f"See `{span}`.", Kind.PAGE))) == []
 
@@ -105,29 +37,25 @@ def test_what_is_there_is_taken(reader: Reader, span: str) -> None:
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
-        ("[page](absent.md)", "link"),
-        ("[place](solid.md#no-such-heading)", "link"),
-        ("`docs/absent.md`", "path"),
-        ("plain core/absent.py", "path"),
-        ("`engine/absent.py`", "path"),
-        ("`absent_module.py`", "path"),
-        ("`make absent`", "command"),
-        ("`gaussiancad absent SHEET`", "command"),
-        ("`gaussiancad read SHEET --absent 3`", "command"),
-        ("`python -m benchmarks absent`", "command"),
-        ("`python -m learning\n--absent`", "command"),
-        ("`--absent-everywhere`", "command"),
-        ("    .venv/bin/gaussiancad explain model --absent  # why", "command"),
-        ("`gaussiancad_core.run.absent`", "name"),
-        ("gaussiancad.absent", "name"),
-        ("`sheet.absent`", "name"),
-        ("`absent_name`", "name"),
-        ("`AbsentName`", "name"),
-        ("`absent-code`", "name"),
-        ("`SheetImage.absent`", "name"),
-        ("`absent_call()`", "name"),
-        ("`absentword`", "name"),
-        ("`absent.json`", "name"),
+        (text, said)
+        for said, texts in {
+            "link": "[page](absent.md) | [place](solid.md#no-such-heading)",
+            "path": (
+                "`docs/absent.md` | plain core/absent.py | `engine/absent.py` | `absent_module.py`"
+            ),
+            "command": (
+                "`make absent` | `gaussiancad absent SHEET` | "
+                "`gaussiancad read SHEET --absent 3` | `python -m benchmarks absent` | "
+                "`python -m learning\n--absent` | `--absent-everywhere` | "
+                "    .venv/bin/gaussiancad explain model --absent  # why"
+            ),
+            "name": (
+                "`gaussiancad_core.run.absent` | gaussiancad.absent | `sheet.absent` | "
+                "`absent_name` | `AbsentName` | `absent-code` | `SheetImage.absent` | "
+                "`absent_call()` | `absentword` | `absent.json`"
+            ),
+        }.items()
+        for text in texts.split(" | ")
     ],
 )
 def test_what_is_planted_in_a_page_is_found(reader: Reader, text: str, kind: str) -> None:
@@ -168,23 +96,8 @@ def test_only_the_newest_section_of_the_changelog_counts() -> None:
     assert "new" in passage.text and "old" not in passage.text
 
 
-def test_comments_are_told_from_texts_with_their_sign() -> None:
-    source = 'a = "# no"  # one\n# two\n# lines\nb = f"{a:#x} # no"\n'
-    comments = [
-        (passage.line, passage.text)
-        for passage in Module(CHECKOUT / "a.py", source).passages()
-        if passage.kind is Kind.COMMENT
-    ]
-    assert comments == [(1, " one"), (2, " two\n lines")]
-
-
 def test_names_of_another_library_are_not_looked_into() -> None:
     tree = Tree()
     assert tree.leads_somewhere("pathlib.Path.anything")
     assert not tree.leads_somewhere("no_library_at_all.name")
     assert tree.leads_somewhere("gaussiancad.Error.code")
-
-
-def test_an_entry_without_a_name_is_told() -> None:
-    (entry,) = entries("Do.\n\nArgs:\n    whatever is given\n")
-    assert entry.names == ()

@@ -8,14 +8,7 @@ import trimesh
 
 from gaussiancad_core.model.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on, quaternions_to
-from gaussiancad_core.surface.discs import (
-    Creases,
-    Discs,
-    DiscSampling,
-    creases_of,
-    disc_normals,
-    discs_of,
-)
+from gaussiancad_core.surface.discs import Creases, Discs, DiscSampling, creases_of, discs_of
 
 SAMPLING = DiscSampling()
 
@@ -23,37 +16,6 @@ SAMPLING = DiscSampling()
 @pytest.fixture(scope="module")
 def creases(bracket_gaussians: Gaussians) -> Creases:
     return creases_of(discs_of(bracket_gaussians, SAMPLING), SAMPLING)
-
-
-def test_normals_are_the_thin_axes_on_the_side_of_the_start(bracket_gaussians: Gaussians) -> None:
-    assert disc_normals(bracket_gaussians) == pytest.approx(bracket_gaussians.normals, abs=1e-6)
-    turned = replace(
-        bracket_gaussians,
-        log_scales=bracket_gaussians.log_scales[:, [2, 0, 1]],
-        normals=-bracket_gaussians.rotations[:, :, 0].astype(np.float32),
-    )
-    assert disc_normals(turned) == pytest.approx(turned.normals, abs=1e-6)
-
-
-def test_discs_are_as_wide_as_their_gaussians_but_for_their_share(
-    bracket_gaussians: Gaussians,
-) -> None:
-    small = replace(bracket_gaussians, log_scales=bracket_gaussians.log_scales - np.float32(1.0))
-    discs = discs_of(small, SAMPLING)
-    assert len(discs) == len(small)
-    assert discs.sigmas == pytest.approx(np.exp(small.log_scales[:, 0]), rel=1e-5)
-    # However large they become, together they cover the surface about once.
-    large = replace(bracket_gaussians, log_scales=bracket_gaussians.log_scales + np.float32(1.0))
-    discs = discs_of(large, SAMPLING)
-    covered = np.pi * (SAMPLING.reach * discs.sigmas) ** 2
-    assert covered.sum() == pytest.approx(bracket_area(), rel=0.3)
-    assert np.abs(np.einsum("nij,ni->nj", discs.axes, discs.normals)).max() < 1e-6
-
-
-def bracket_area() -> float:
-    """Of the bracket's surface, mm^2."""
-    outline, section = 2 * (20.0 + 16.0), 20.0 * 5.0 + 6.0 * 11.0
-    return outline * 12.0 + 2.0 * section
 
 
 def test_a_disc_that_faces_as_none_around_it_is_left_out(bracket_gaussians: Gaussians) -> None:
@@ -90,16 +52,6 @@ def test_beside_the_rims_of_a_thin_pin_the_surface_bends() -> None:
     assert len(rims) > 50
     assert np.median(rims.bends) > 3.0
     assert len(rims.between_planes(3.0)) < 0.2 * len(rims)
-
-
-def test_a_ball_and_few_discs_have_no_creases(
-    ball: TriangleMesh, bracket_gaussians: Gaussians
-) -> None:
-    many = discs_of(gaussians_on(ball, Start(count=500)), SAMPLING)
-    assert len(creases_of(many, SAMPLING)) == 0
-    names = bracket_gaussians.__dataclass_fields__
-    few = Gaussians(*(getattr(bracket_gaussians, name)[:3] for name in names))
-    assert len(creases_of(discs_of(few, SAMPLING), SAMPLING)) == 0
 
 
 def bevelled_box(bevel: float) -> TriangleMesh:

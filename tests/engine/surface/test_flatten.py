@@ -55,12 +55,6 @@ def test_a_bulge_in_a_gap_between_discs_goes(bracket: TriangleMesh, discs: Discs
     assert distances(bracket, found.vertices).max() < 1e-5
 
 
-def test_what_lies_farther_than_that_stays(bracket: TriangleMesh, discs: Discs) -> None:
-    before = uneven(bracket, 1)
-    found = flattened(before, discs, CELL, SAMPLING, Flattening(farthest=0.0))
-    assert np.array_equal(found.vertices, before.vertices)
-
-
 def test_a_step_between_parallel_faces_stays() -> None:
     """Its faces are nearer to each other than discs are."""
     low = trimesh.creation.box(bounds=[(0, 0, 0), (20, 20, 5)])
@@ -80,8 +74,3 @@ def test_a_ball_stays_as_it_is(ball: TriangleMesh) -> None:
     assert np.array_equal(
         flattened(ball, discs, CELL, SAMPLING, Flattening()).vertices, ball.vertices
     )
-
-
-def test_of_few_discs_nothing_is_said(bracket: TriangleMesh, discs: Discs) -> None:
-    few = discs.chosen(np.arange(len(discs)) < 3)
-    assert flattened(bracket, few, CELL, SAMPLING, Flattening()) is bracket

@@ -18,35 +18,8 @@ from freecad.gaussiancad.qt import QtGui, QtWidgets
 @pytest.fixture
 def reading() -> dict:
     """A front view: a square with a hidden line that was taken for a centre line."""
-    corners = [(100, 100), (300, 100), (300, 250), (100, 250)]
-    sides = [[list(a), list(b)] for a, b in zip(corners, [*corners[1:], corners[0]], strict=True)]
-    strokes = [
-        {"id": f"s{n}", "view": "front", "kind": "visible", "line": side}
-        for n, side in enumerate(sides, start=1)
-    ]
-    strokes.append(
-        {"id": "s5", "view": "front", "kind": "centre", "line": [[200, 100], [200, 250]]}
-    )
-    strokes.append(
-        {"id": "s6", "view": "front", "kind": "hidden", "arc": [160, 180, 20, 0, 6.283185]}
-    )
-    return {
-        "sheet": {"sha256": "0" * 64, "size": [640, 480]},
-        "views": [{"id": "front", "role": "front", "box": [100, 100, 300, 250]}],
-        "strokes": strokes,
-        "dimensions": [
-            {"id": "d1", "text": "40", "value_mm": 40.0, "box": [190, 60, 210, 75], "used": True}
-        ],
-        "problems": [
-            {
-                "code": "two-views",
-                "message": "few views",
-                "severity": "doubt",
-                "at": [[100, 100, 300, 250]],
-                "offers": ["view"],
-            }
-        ],
-    }
+    path = Path(__file__).with_name("reading.json")
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="session")

@@ -1,16 +1,11 @@
 """Gestures on the canvas, without FreeCAD: each means operations of ``corrections.json``."""
 
 import json
-import os
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import msgspec
 import pytest
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from freecad.gaussiancad.canvas.corrections_preview import corrected
 from freecad.gaussiancad.canvas.corrections_storage import (
@@ -166,12 +161,6 @@ def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) ->
     assert read_corrections(corrections_path(sheet)) == ("1" * 64, items)
     assert [each.name for each in tmp_path.iterdir()] == ["part.pdf.corrections.json"]
     assert corrections_path(sheet, 3).name == "part.pdf.page-3.corrections.json"
-    corrections_path(sheet).write_text("[]", encoding="utf-8")
-    with pytest.raises(ValueError, match="no file of corrections"):
-        read_corrections(corrections_path(sheet))
-    corrections_path(sheet).write_text(json.dumps({"schema": "other"}), encoding="utf-8")
-    with pytest.raises(ValueError, match="no file of corrections"):
-        read_corrections(corrections_path(sheet))
 
 
 def test_a_step_of_several_operations_is_undone_at_once(tmp_path: Path) -> None:
@@ -224,14 +213,6 @@ def test_an_arc_runs_through_its_middle() -> None:
     assert min(py for _, py in stroke.points()) == pytest.approx(-1.0, abs=1e-3)
     assert max(py for _, py in stroke.points()) == pytest.approx(0.0, abs=1e-9)
     assert arc_through((0.0, 0.0), (2.0, 0.0), (1.0, 0.0)) is None
-
-
-def test_a_place_belongs_to_the_smallest_view_around_it() -> None:
-    views = (View("a", "front", (0, 0, 100, 100)), View("b", "ignore", (10, 10, 20, 20)))
-    sheet = Sheet((), views, (), "", None)
-    assert sheet.view_at((15.0, 15.0)).id == "b"
-    assert sheet.view_at((50.0, 50.0)).id == "a"
-    assert sheet.view_at((150.0, 50.0)) is None
 
 
 @pytest.mark.parametrize(
@@ -390,36 +371,8 @@ def test_a_group_of_lines_that_becomes_a_view_is_boxed(window: SheetWindow) -> N
 
 
 def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> None:
-    report = {
-        "status": "approximate",
-        "measures": {"uncertainty_mm": 0.02},
-        "reasons": [{"code": "ambiguous", "message": "two solids"}],
-        "assumptions": [
-            {
-                "code": "hole-through",
-                "message": "a hole",
-                "at": [140, 160, 180, 200],
-                "places": [[140, 160, 180, 200]],
-            },
-            {
-                "code": "hole-through",
-                "message": "another",
-                "at": [240, 160, 260, 180],
-                "places": [[240, 160, 260, 180], [240, 200, 260, 220]],
-            },
-        ],
-        "disagreements": [
-            {"view": "front", "missing": True, "length_mm": 3.0, "at": [200, 120]},
-            {
-                "view": "front",
-                "missing": False,
-                "length_mm": 2.0,
-                "at": [260, 170],
-                "kind": "hidden",
-                "line": [[260, 100], [260, 250]],
-            },
-        ],
-    }
+    path = Path(__file__).with_name("doubted_report.json")
+    report = json.loads(path.read_text(encoding="utf-8"))
     window.session.solved.emit(report, "")
     verdict, reason, assumed, _two, lacks, beyond, *_ = window.problems.lines
     assert verdict.colour and "0.02" in verdict.text

@@ -29,11 +29,6 @@ Waiting = Callable[[Callable[[], object]], None]
 
 
 @pytest.fixture
-def application() -> QtWidgets.QApplication:
-    return QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
-
-
-@pytest.fixture
 def wait(application: QtWidgets.QApplication) -> Waiting:
     def until(condition: Callable[[], object]) -> None:
         end = time.monotonic() + 20.0
@@ -130,18 +125,6 @@ def test_it_ends_with_the_last_sheet(
     assert answers[0]["process"] == answers[1]["process"]
     second.close()
     assert engine._process is None
-
-
-def test_one_that_does_not_start_is_told(
-    tmp_path: Path, application: QtWidgets.QApplication, wait: Waiting
-) -> None:
-    parent = QtCore.QObject()
-    server = Server(Engine(Program((str(tmp_path / "none"),))), parent)
-    answers: list[dict] = []
-    server.ask("read", answers.append)
-    wait(lambda: answers)
-    assert answers[0]["error"]["code"] == "engine-broke-off"
-    server.close()
 
 
 def test_one_that_does_not_start_keeps_nothing_alive(

@@ -1,14 +1,9 @@
 """The sheets of a batch that need a person."""
 
 import json
-import os
-import sys
 from pathlib import Path
 
 import pytest
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from freecad.gaussiancad.canvas.engine_server import Program
 from freecad.gaussiancad.canvas.failed import FailedSheet, failed_sheets

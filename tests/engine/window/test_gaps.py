@@ -1,12 +1,7 @@
 """Open outlines, and what closes them."""
 
-import sys
-from pathlib import Path
-
 from hypothesis import given
 from hypothesis import strategies as st
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from freecad.gaussiancad.canvas.gaps import closing_lines, open_ends
 from freecad.gaussiancad.canvas.sheet import Sheet, Stroke, View

@@ -1,14 +1,10 @@
 """Places to which gestures snap."""
 
-import sys
 from math import hypot
-from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from freecad.gaussiancad.canvas.handles import box_between, corners_of, with_corner, with_handle
 from freecad.gaussiancad.canvas.sheet import Sheet, Stroke

@@ -1,13 +1,6 @@
 """The languages of the window without FreeCAD."""
 
-import os
-import sys
-from pathlib import Path
-
 import pytest
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from freecad.gaussiancad.canvas.translator import load_language
 from freecad.gaussiancad.engine.wording import Place, worded

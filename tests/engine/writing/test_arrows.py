@@ -9,12 +9,10 @@ from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.tracing.level_rules import Rule
 from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
-from gaussiancad_core.writing.leaders import pointed_lines
 from gaussiancad_core.writing.sheet_texts import SheetText
 
 _STILL = Turn(0.0, (0.0, 0.0))
 _HEAD = 12.0
-_TALL = 20.0
 
 
 def _heads(level: bool, at: float, low: float, high: float, inside: bool) -> list[Head]:
@@ -82,19 +80,6 @@ def test_a_turned_sheet_is_measured_upright(angle: float) -> None:
     turn = Turn(angle, (400.0, 300.0))
     tips = turn.to_stored(np.array([(100.0, 50.0), (260.0, 50.0)]))
     way = np.diff(tips, axis=0)[0] / np.hypot(*np.diff(tips, axis=0)[0])
-    heads = [
-        Head(tuple(tips[0]), tuple(-way), _HEAD),
-        Head(tuple(tips[1]), tuple(way), _HEAD),
-    ]
+    heads = [Head(tuple(tips[0]), tuple(-way), _HEAD), Head(tuple(tips[1]), tuple(way), _HEAD)]
     (pair,) = arrow_pairs(heads, [Rule(True, 50.0, 112.0, 248.0)], [], turn)
     assert (pair.low, pair.high, pair.at) == pytest.approx((100.0, 260.0, 50.0), abs=1e-6)
-
-
-def test_a_leader_runs_from_its_far_end_to_the_tip() -> None:
-    tip, way = np.array([100.0, 100.0]), np.array([0.6, 0.8])
-    back = tip - _HEAD * way
-    items = (back - 50.0 * way, back)
-    neighbours = (np.array([0.0, 100.0]), np.array([98.0, 100.0]))
-    found = pointed_lines([Head(tuple(tip), tuple(way), _HEAD)], [items, neighbours], _STILL)
-    ((start, end),) = found
-    assert start == pytest.approx(items[0]) and end == pytest.approx(tip)

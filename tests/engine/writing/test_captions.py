@@ -10,26 +10,18 @@ from gaussiancad_core.writing.sheet_texts import SheetText
 @pytest.mark.parametrize(
     ("text", "role"),
     [
-        ("Front View", Role.FRONT),
-        ("TOP", Role.TOP),
-        ("Right side", Role.RIGHT),
-        ("Right Side View", Role.RIGHT),
-        ("PLAN VIEW (1:2)", Role.TOP),
-        ("Front elevation", Role.FRONT),
-        ("Ansicht von links", Role.LEFT),
-        ("Draufsicht", Role.TOP),
-        ("Vue de gauche", Role.LEFT),
-        ("Vista superior", Role.TOP),
-        ("\u4e3b\u89c6\u56fe", Role.FRONT),
-        ("\u4fef\u89c6\u56fe", Role.TOP),
-        ("\u0412\u0438\u0434 \u0441\u0432\u0435\u0440\u0445\u0443", Role.TOP),
-        ("Bottom view", Role.BOTTOM),
-        ("REAR VIEW", Role.REAR),
-        ("SECTION A-A", None),
-        ("VIEW A", None),
-        ("TOP PLATE", None),
-        ("40", None),
-        ("", None),
+        (text, said)
+        for said, texts in {
+            Role.FRONT: "Front View|Front elevation|\u4e3b\u89c6\u56fe",
+            Role.TOP: "TOP|PLAN VIEW (1:2)|Draufsicht|Vista superior|\u4fef\u89c6\u56fe|"
+            "\u0412\u0438\u0434 \u0441\u0432\u0435\u0440\u0445\u0443",
+            Role.RIGHT: "Right side|Right Side View",
+            Role.LEFT: "Ansicht von links|Vue de gauche",
+            Role.BOTTOM: "Bottom view",
+            Role.REAR: "REAR VIEW",
+            None: "SECTION A-A|VIEW A|TOP PLATE|40|",
+        }.items()
+        for text in texts.split("|")
     ],
 )
 def test_what_views_are_called(text: str, role: Role | None) -> None:

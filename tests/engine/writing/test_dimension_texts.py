@@ -5,8 +5,8 @@ import pytest
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.sheet.annotations.annotation_marks import line_mark
-from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
-from gaussiancad_core.writing.dimension_texts import Span, adjacent_extents, mark_rules, spans_of
+from gaussiancad_core.sheet.tracing.level_rules import Rule
+from gaussiancad_core.writing.dimension_texts import Span, adjacent_extents, spans_of
 from gaussiancad_core.writing.leaders import circles_at, leaders_of, shelves_of
 from gaussiancad_core.writing.sheet_texts import SheetText
 
@@ -35,17 +35,6 @@ ABOVE = (188.0, 176.0, 212.0, 194.0)
 
 def test_a_text_above_its_line_has_what_is_between_the_extension_lines() -> None:
     assert spans_of(text(ABOVE), ISO, []) == (Span(True, 100.2, 299.9),)
-
-
-def test_the_same_up_the_sheet() -> None:
-    box = (ABOVE[1], ABOVE[0], ABOVE[3], ABOVE[2])
-    rules = [turned(rule) for rule in ISO]
-    assert spans_of(text(box, along=False), rules, []) == (Span(False, 100.2, 299.9),)
-
-
-def test_a_text_far_from_the_line_has_none() -> None:
-    assert spans_of(text((188, 96, 212, 114)), ISO, []) == ()
-    assert spans_of(text((488, 176, 512, 194)), ISO, []) == ()
 
 
 @pytest.mark.parametrize("along", [True, False])
@@ -149,22 +138,6 @@ def test_pieces_of_a_centre_line_are_one_stop() -> None:
     pieces = [upright(300.0, 100, 140), upright(300.1, 146, 152), upright(300.2, 158, 210)]
     (span,) = spans_of(text(ABOVE), [*ISO[:2], *pieces], [])
     assert span.high == 300.2
-
-
-def test_slanted_lines_are_no_rules() -> None:
-    assert rule_of((0, 0), (100, 30)) is None
-    assert rule_of((5, 5), (5, 5)) is None
-    assert rule_of((0, 10), (100, 10.4)) == Rule(True, 10.2, 0, 100)
-    assert rule_of((7, 90), (7, 10)) == Rule(False, 7, 10, 90)
-
-
-def test_marks_of_lines_are_rules() -> None:
-    marks = [
-        line_mark(AnnotationKind.EXTENSION, (0, 5), (50, 5)),
-        line_mark(AnnotationKind.CENTRE_LINE, (9, 0), (9, 50)),
-        line_mark(AnnotationKind.FRAME, (0, 0), (500, 0)),
-    ]
-    assert mark_rules(marks) == [Rule(True, 5, 0, 50), Rule(False, 9, 0, 50)]
 
 
 def test_a_leader_tells_the_circle_that_it_points_at() -> None:

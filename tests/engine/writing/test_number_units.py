@@ -3,7 +3,7 @@
 import pytest
 
 from gaussiancad_core.files.vectors import VectorDrawing
-from gaussiancad_core.writing.number_units import Units, file_unit, noted_unit, other_size
+from gaussiancad_core.writing.number_units import Units, noted_unit, other_size
 from gaussiancad_core.writing.numbers import Unit
 from gaussiancad_core.writing.sheet_texts import SheetText
 
@@ -43,14 +43,6 @@ def test_what_the_user_says_goes_before_all() -> None:
     assert [contradiction.code for contradiction in units.contradictions] == [
         "unit-contradicts-note"
     ]
-
-
-@pytest.mark.parametrize(
-    ("unit_mm", "unit"), [(1.0, MM), (25.4, INCH), (10.0, None), (1000.0, None), (None, None)]
-)
-def test_only_units_of_numbers_count(unit_mm: float | None, unit: Unit | None) -> None:
-    assert file_unit(VectorDrawing((), (), unit_mm=unit_mm)) is unit
-    assert file_unit(None) is None
 
 
 @pytest.mark.parametrize(

@@ -20,50 +20,28 @@ MM, INCH = Unit.MILLIMETRE, Unit.INCH
 @pytest.mark.parametrize(
     ("text", "value", "sign", "unit"),
     [
-        ("12", 12.0, LENGTH, None),
-        ("12.5", 12.5, LENGTH, None),
-        ("12,5", 12.5, LENGTH, None),
-        ("0.75", 0.75, LENGTH, None),
-        (" 100 ", 100.0, LENGTH, None),
-        ("\u00d816", 16.0, DIAMETER, None),
-        ("\u230016", 16.0, DIAMETER, None),
-        ("\u03a6 16,5", 16.5, DIAMETER, None),
-        ("\u00f814", 14.0, DIAMETER, None),
-        (".750 DIA", 0.75, DIAMETER, INCH),
-        ("076", 76.0, DIAMETER, None),
-        ("2x O12.5", 12.5, DIAMETER, None),
-        ("R8", 8.0, RADIUS, None),
-        ("R 2.5", 2.5, RADIUS, None),
-        ("SR20", 20.0, RADIUS, None),
-        ("S\u00d820", 20.0, DIAMETER, None),
-        ("2x \u00d810", 10.0, DIAMETER, None),
-        ("4X R12", 12.0, RADIUS, None),
-        ("4\u00d7\u00d810", 10.0, DIAMETER, None),
-        ("4-\u00d810", 10.0, DIAMETER, None),
-        ("20\u00b10.1", 20.0, LENGTH, None),
-        ("20 \u00b1 0,05", 20.0, LENGTH, None),
-        ("20 +0.2 -0.1", 20.0, LENGTH, None),
-        ("20 +0.2/-0.1", 20.0, LENGTH, None),
-        ("20 +0.2 0", 20.0, LENGTH, None),
-        ("20H7", 20.0, LENGTH, None),
-        ("\u00d820 H7/g6", 20.0, DIAMETER, None),
-        ("20 js6", 20.0, LENGTH, None),
-        ("(45)", 45.0, LENGTH, None),
-        ("\u00d810 THRU", 10.0, DIAMETER, None),
-        ("25 TYP", 25.0, LENGTH, None),
-        ("2.00 [50.8]", 2.0, LENGTH, None),
-        ("25 mm", 25.0, LENGTH, MM),
-        ('1 1/2"', 1.5, LENGTH, INCH),
-        ('1-1/2"', 1.5, LENGTH, INCH),
-        ('3/8"', 0.375, LENGTH, INCH),
-        ("3/8", 0.375, LENGTH, INCH),
-        ("1\u00bd\u2033", 1.5, LENGTH, INCH),
-        (".500", 0.5, LENGTH, INCH),
-        ('2.250"', 2.25, LENGTH, INCH),
-        ("2 in", 2.0, LENGTH, INCH),
-        ("R.125", 0.125, RADIUS, INCH),
-        ("3 inch", 3.0, LENGTH, INCH),
-        ("25 \u043c\u043c", 25.0, LENGTH, MM),
+        (text, float(value), *said)
+        for said, rows in {
+            (LENGTH, None): (
+                "12 = 12|12.5 = 12.5|12,5 = 12.5|0.75 = 0.75| 100  = 100|20\u00b10.1 = 20|"
+                "20 \u00b1 0,05 = 20|20 +0.2 -0.1 = 20|20 +0.2/-0.1 = 20|20 +0.2 0 = 20|20H7 = 20|"
+                "20 js6 = 20|(45) = 45|25 TYP = 25|2.00 [50.8] = 2"
+            ),
+            (DIAMETER, None): (
+                "\u00d816 = 16|\u230016 = 16|\u03a6 16,5 = 16.5|\u00f814 = 14|076 = 76|"
+                "2x O12.5 = 12.5|S\u00d820 = 20|2x \u00d810 = 10|4\u00d7\u00d810 = 10|"
+                "4-\u00d810 = 10|\u00d820 H7/g6 = 20|\u00d810 THRU = 10"
+            ),
+            (DIAMETER, INCH): ".750 DIA = 0.75",
+            (RADIUS, None): "R8 = 8|R 2.5 = 2.5|SR20 = 20|4X R12 = 12",
+            (LENGTH, MM): "25 mm = 25|25 \u043c\u043c = 25",
+            (LENGTH, INCH): (
+                '1 1/2" = 1.5|1-1/2" = 1.5|3/8" = 0.375|3/8 = 0.375|1\u00bd\u2033 = 1.5|.500 = 0.5|'
+                '2.250" = 2.25|2 in = 2|3 inch = 3'
+            ),
+            (RADIUS, INCH): "R.125 = 0.125",
+        }.items()
+        for text, value in (row.split(" = ") for row in rows.split("|"))
     ],
 )
 def test_dimensions(text: str, value: float, sign: Sign, unit: Unit | None) -> None:
@@ -75,35 +53,14 @@ def test_a_bare_point_tells_inches_where_nothing_else_does() -> None:
     assert parse_dimension('.5"', bare_point_is_inch=False) == DimensionText(0.5, unit=INCH)
 
 
+_NO_DIMENSIONS = (
+    "|A|PART|M8|M8x1.25|45\u00b0|30\u00b015'|1:2|1/1|5/3|3/7|0|R|\u00d8|C2|2x45\u00b0|Ra 3.2|"
+    "S235JR|ISO 2768-m|12.5.2026|A-A|+0.1"
+)
+
+
 @pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        "A",
-        "PART",
-        "M8",
-        "M8x1.25",
-        "45\u00b0",
-        "30\u00b015'",
-        "1:2",
-        "1/1",
-        "5/3",
-        "3/7",
-        "0",
-        "R",
-        "\u00d8",
-        "C2",
-        "2x45\u00b0",
-        "Ra 3.2",
-        "S235JR",
-        "ISO 2768-m",
-        "12.5.2026",
-        "A-A",
-        "+0.1",
-        "9" * 400,
-        "1/" + "9" * 5000,
-        "1" + "0" * 400 + "/2",
-    ],
+    "text", [*_NO_DIMENSIONS.split("|"), "9" * 400, "1/" + "9" * 5000, "1" + "0" * 400 + "/2"]
 )
 def test_other_texts_are_no_dimensions(text: str) -> None:
     assert parse_dimension(text) is None
@@ -129,61 +86,27 @@ def test_a_text_says_its_unit_or_has_the_usual_one() -> None:
     assert parse_dimension("25 mm").millimetres(INCH) == 25.0
 
 
-@pytest.mark.parametrize(
-    ("text", "ratio"),
-    [
-        ("1:1", 1.0),
-        ("1:2", 0.5),
-        ("2:1", 2.0),
-        ("1 : 5", 0.2),
-        ("SCALE 1/2", 0.5),
-        ("SCALE: 1:10", 0.1),
-        ("Scale 1:2.5", 0.4),
-        ("M 1:5", 0.2),
-        ("M1:5", 0.2),
-        ("Ma\u00dfstab 1:20", 0.05),
-        ("(2:1)", 2.0),
-        ("FULL SCALE", 1.0),
-        ("SCALE: FULL", 1.0),
-        ("333333 : 1000000", 0.333333),
-        ("3 : 4", 0.75),
-        ("SCALE 3:4", 0.75),
-        ("1:2,5", 0.4),
-        ("2,5:1", 2.5),
-        ("1,0 : 2,0", 0.5),
-        ("\u5c3a\u5ea6 1:2", 0.5),
-        ("\u5c3a\u5ea6\uff1a\uff11\uff1a\uff12", 0.5),
-        ("\u6bd4\u4f8b 2:1", 2.0),
-        ("\u7e2e\u5c3a1:5", 0.2),
-        ("\ucc99\ub3c4 1:5", 0.2),
-        ("\u041c\u0430\u0441\u0448\u0442\u0430\u0431 1:2,5", 0.4),
-        ("\u041c 1:4", 0.25),
-        ("\u041c\u0430\u0441\u0448\u0442. 4:1", 4.0),
-        ("M\u011b\u0159\u00edtko 1:2", 0.5),
-    ],
+_SCALES = (
+    "1:1 = 1.0|1:2 = 0.5|2:1 = 2.0|1 : 5 = 0.2|SCALE 1/2 = 0.5|SCALE: 1:10 = 0.1|"
+    "Scale 1:2.5 = 0.4|M 1:5 = 0.2|M1:5 = 0.2|Ma\u00dfstab 1:20 = 0.05|(2:1) = 2.0|"
+    "FULL SCALE = 1.0|SCALE: FULL = 1.0|333333 : 1000000 = 0.333333|3 : 4 = 0.75|"
+    "SCALE 3:4 = 0.75|1:2,5 = 0.4|2,5:1 = 2.5|1,0 : 2,0 = 0.5|\u5c3a\u5ea6 1:2 = 0.5|"
+    "\u5c3a\u5ea6\uff1a\uff11\uff1a\uff12 = 0.5|\u6bd4\u4f8b 2:1 = 2.0|\u7e2e\u5c3a1:5 = 0.2|"
+    "\ucc99\ub3c4 1:5 = 0.2|\u041c\u0430\u0441\u0448\u0442\u0430\u0431 1:2,5 = 0.4|"
+    "\u041c 1:4 = 0.25|\u041c\u0430\u0441\u0448\u0442. 4:1 = 4.0|"
+    "M\u011b\u0159\u00edtko 1:2 = 0.5"
 )
-def test_scale_notes(text: str, ratio: float) -> None:
-    assert parse_scale(text) == pytest.approx(ratio, rel=1e-12)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "1/2",
-        "1/1",
-        "3:7",
-        "0:1",
-        "1:0",
-        "12",
-        "SCALE",
-        "NTS",
-        "A:B",
-        "1:9999",
-        "12:30",
-        "16:9",
-        "27.08 : ",
-    ],
-)
+@pytest.mark.parametrize(("text", "ratio"), [row.split(" = ") for row in _SCALES.split("|")])
+def test_scale_notes(text: str, ratio: str) -> None:
+    assert parse_scale(text) == pytest.approx(float(ratio), rel=1e-12)
+
+
+_NO_SCALES = "1/2|1/1|3:7|0:1|1:0|12|SCALE|NTS|A:B|1:9999|12:30|16:9|27.08 : "
+
+
+@pytest.mark.parametrize("text", _NO_SCALES.split("|"))
 def test_other_texts_are_no_scale_notes(text: str) -> None:
     assert parse_scale(text) is None
 
@@ -191,17 +114,13 @@ def test_other_texts_are_no_scale_notes(text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "unit"),
     [
-        ("mm", MM),
-        ("DIMENSIONS IN MM", MM),
-        ("ALL DIMENSIONS ARE IN MILLIMETERS", MM),
-        ("UNLESS OTHERWISE SPECIFIED DIMENSIONS ARE IN INCHES", INCH),
-        ("INCH", INCH),
-        ("UNIT SYSTEM: MMGS", MM),
-        ("IPS", INCH),
-        ("IN", None),
-        ("DIMENSIONS IN", None),
-        ("INCH [MM]", None),
-        ("COMMON", None),
+        (text, said)
+        for said, texts in {
+            MM: "mm|DIMENSIONS IN MM|ALL DIMENSIONS ARE IN MILLIMETERS|UNIT SYSTEM: MMGS",
+            INCH: "UNLESS OTHERWISE SPECIFIED DIMENSIONS ARE IN INCHES|INCH|IPS",
+            None: "IN|DIMENSIONS IN|INCH [MM]|COMMON",
+        }.items()
+        for text in texts.split("|")
     ],
 )
 def test_unit_notes(text: str, unit: Unit | None) -> None:

@@ -46,11 +46,6 @@ def test_paper_says_nothing() -> None:
     assert read_text(np.zeros((20, 60), np.float32)).text == ""
 
 
-def test_the_same_picture_reads_the_same() -> None:
-    picture = written("4x R12", 18.0)
-    assert read_text(picture) == read_text(picture)
-
-
 def test_no_connection_is_opened(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object) -> None:
         raise AssertionError("a connection was opened")
@@ -86,12 +81,3 @@ def test_another_file_is_no_network(name: str, monkeypatch: pytest.MonkeyPatch) 
     with pytest.raises(EngineError, match="text network is missing or damaged") as caught:
         network_weights()
     assert caught.value.code == "engine-incomplete"
-
-
-def test_what_was_read_before_is_not_read_again() -> None:
-    picture = written("17.5", 18.0)
-    first = read_text(picture)
-    known = ocr._read_prepared.cache_info()
-    assert read_text(picture.copy()) == first
-    assert ocr._read_prepared.cache_info().hits == known.hits + 1
-    assert ocr._read_prepared.cache_info().misses == known.misses

@@ -34,18 +34,12 @@ def true(value: float, error: float = 0.0) -> Dimension:
     return dimension(f"{value:g}", value / SCALE + error)
 
 
-def test_dimensions_that_agree_give_their_scale() -> None:
-    found = agree([true(10), true(25), true(80)], MM, None)
-    assert found.mm_per_pixel == pytest.approx(SCALE, rel=1e-12)
-    assert [dimension.used for dimension in found.dimensions] == [True, True, True]
-    assert found.disagreeing == ()
-
-
 def test_a_misread_digit_does_not_win_and_is_told() -> None:
     # 88 for 80, 5 for 50, 125 for 12.5.
     wrong = [dimension("88", 80 / SCALE), dimension("5", 50 / SCALE), dimension("125", 62.5)]
     found = agree([*wrong, true(30), true(44), true(20)], MM, None)
     assert found.mm_per_pixel == pytest.approx(SCALE, rel=1e-12)
+    assert [dimension.used for dimension in found.dimensions] == 3 * [False] + 3 * [True]
     assert [item.text for item in found.disagreeing] == ["88", "5", "125"]
     assert found.disagreeing[0] == ReadDimension(
         "88", 88.0, (0.0, 0.0, 9.0, 9.0), pytest.approx(0.22), False
@@ -108,11 +102,6 @@ def test_the_unit_follows_what_is_drawn_and_what_most_texts_name() -> None:
     assert fitting_unit(plain, SCALE) is MM
     assert fitting_unit(plain, 25.4 * SCALE) is INCH
     assert fitting_unit(plain, 7.0 * SCALE) is None
-
-
-def test_nothing_gives_nothing() -> None:
-    assert agree([], MM, None).mm_per_pixel is None
-    assert agree([], MM, SCALE).mm_per_pixel is None
 
 
 @given(

@@ -93,12 +93,7 @@ def dimension_texts(sheet: Sheet) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("part", "style"),
-    [
-        ("l-bracket", "iso"),
-        ("pulley", "askew"),
-        ("counterbored-block", "ansi"),
-    ],
+    ("part", "style"), [("l-bracket", "iso"), ("pulley", "askew"), ("counterbored-block", "ansi")]
 )
 def test_dimensions_in_pixels_give_the_scale(part: str, style: str) -> None:
     this_case = case(part, style)
