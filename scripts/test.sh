@@ -18,7 +18,7 @@ lint() {
 # pytest_of MARKERS: one process more than cores, as FreeCAD's suites wait for windows.
 pytest_of() {
     .venv/bin/python -m pytest --quiet --numprocesses $(($(nproc) + 1)) --dist loadfile \
-        --no-loadscope-reorder --max-worker-restart 0 --skipped-to "$skipped/engine.txt" -m "$1"
+        --no-loadscope-reorder --max-worker-restart 0 --skipped-to="$skipped/engine.txt" -m "$1"
 }
 
 run() {
