@@ -14,10 +14,10 @@ install: ## the system packages (Debian) and the engine's environment in .venv
 demo: install ## a sample sheet through FreeCAD: a document, a STEP file, a picture, a report in demo/
 	@sh scripts/demo.sh
 
-quick: install ## what to run after each change: the style, and all tests that are quick; two minutes
+quick: install ## what to run after each change: the style, and all tests that are quick; three minutes on two cores
 	@sh scripts/test.sh quick
 
-test: install ## everything below but the last; thirteen minutes on two cores
+test: install ## everything below but the last; twenty to thirty minutes on two cores
 	@sh scripts/install_system.sh scripts/test-packages.txt
 	@sh scripts/test.sh lint all
 
@@ -42,7 +42,7 @@ bench: install ## the figures that need no other people's drawings; two hours on
 tutorial: install ## the pictures of the tutorial and the README anew, from FreeCAD's window
 	@.venv/bin/python scripts/tutorial_pictures.py
 
-coverage: install ## the share of the engine's lines that its tests run; fails below the floor in .coveragerc
+coverage: install ## the share of the engine's lines that its tests run
 	@.venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile -m "not freecad" \
 		--cov --cov-report=term:skip-covered
 
