@@ -16,7 +16,6 @@ import argparse
 import tempfile
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from statistics import mean, median
 
@@ -24,14 +23,13 @@ import cv2
 import numpy as np
 
 from benchmarks.run.arguments import add_data, add_running, is_chosen
-from benchmarks.run.engine import JUST_ENDED_S
 from benchmarks.run.outcome import Outcome, as_cells, as_table
 from benchmarks.run.rows import Running, rows_of
-from benchmarks.run.workers import FIRST, Row
+from benchmarks.run.workers import Row
 from benchmarks.sheets.published import sheets_of
 from benchmarks.tasks.sheet_solids import (
-    JUDGING_S,
     Sheet,
+    Task,
     counted,
     in_words,
     is_false,
@@ -47,29 +45,6 @@ MINUTES = 15
 _PICTURES = (".png", ".jpg")
 
 _HEAD = ("source", "px", "sheets", "solid", "IoU", "of solids", "exact", "verif.", "false", "sized")
-
-
-@dataclass(frozen=True)
-class Task:
-    """A sheet at a width.
-
-    Attributes:
-        sheet: with its part.
-        keep: folder for what comes out; None to keep nothing.
-    """
-
-    sheet: Sheet
-    keep: Path | None = None
-
-    @property
-    def known(self) -> Row:
-        """What its row begins with."""
-        return self.sheet.known
-
-    @property
-    def allowed(self) -> dict[str, float]:
-        """s for each stage."""
-        return {FIRST: self.sheet.limit + JUST_ENDED_S, "judge": JUDGING_S}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

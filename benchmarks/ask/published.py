@@ -18,20 +18,20 @@ import argparse
 import tempfile
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from statistics import median
 
 from benchmarks.judge.real_views import fit_of
 from benchmarks.run.arguments import add_data, add_running, is_chosen
-from benchmarks.run.engine import JUST_ENDED_S, read_json
+from benchmarks.run.engine import read_json
 from benchmarks.run.outcome import Outcome, as_cells, as_table, share
 from benchmarks.run.rows import Running, rows_of
-from benchmarks.run.workers import FIRST, Row
+from benchmarks.run.workers import Row
 from benchmarks.sheets.published import sheets_of
 from benchmarks.tasks.sheet_solids import (
-    JUDGING_S,
     Sheet,
+    Task,
     counted,
     in_words,
     is_false,
@@ -56,29 +56,6 @@ _UNREADABLE = 3
 
 COLUMNS = ("sheets", "ended", "views", "file's", "roles", "strokes", "scale", "solid", "exact")
 COLUMNS += ("verif.", "false", "sized", "views s", "s")
-
-
-@dataclass(frozen=True)
-class Task:
-    """A sheet.
-
-    Attributes:
-        sheet: with its part.
-        keep: folder for what comes out; None to keep nothing.
-    """
-
-    sheet: Sheet
-    keep: Path | None = None
-
-    @property
-    def known(self) -> Row:
-        """What its row begins with."""
-        return self.sheet.known
-
-    @property
-    def allowed(self) -> dict[str, float]:
-        """s for each stage."""
-        return {FIRST: self.sheet.limit + JUST_ENDED_S, "views": JUDGING_S, "judge": JUDGING_S}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

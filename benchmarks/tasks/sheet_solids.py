@@ -8,9 +8,9 @@ import numpy as np
 import trimesh
 
 from benchmarks.judge.exact_measures import fine_mesh, mesh_iou, rotations
-from benchmarks.run.engine import command_for_solid, read_json
+from benchmarks.run.engine import JUST_ENDED_S, command_for_solid, read_json
 from benchmarks.run.outcome import Figure, share
-from benchmarks.run.workers import Row
+from benchmarks.run.workers import FIRST, Row
 from benchmarks.sheets.published import SAME_IOU
 from gaussiancad_core.kernel.brep import bounding_box
 from gaussiancad_core.kernel.brep_files import read_shape, read_solid
@@ -49,6 +49,33 @@ class Sheet:
     def known(self) -> Row:
         """What its row begins with."""
         return {"source": self.path.parent.name, "name": self.path.stem, "width": self.width}
+
+
+@dataclass(frozen=True)
+class Task:
+    """A sheet to be run and judged.
+
+    Attributes:
+        sheet: with its part.
+        keep: folder for what comes out; None to keep nothing.
+    """
+
+    sheet: Sheet
+    keep: Path | None = None
+
+    @property
+    def known(self) -> Row:
+        """What its row begins with."""
+        return self.sheet.known
+
+    @property
+    def allowed(self) -> dict[str, float]:
+        """s for each stage."""
+        return {
+            FIRST: self.sheet.limit + JUST_ENDED_S,
+            "views": JUDGING_S,
+            "judge": JUDGING_S,
+        }
 
 
 def ran(sheet: Sheet, file: Path, output: Path) -> Row:
