@@ -131,9 +131,9 @@ def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     # Whoever asks for its shapes has it.
     known.add("build123d")
     known |= {name for package in of_here(declared) for name in provided(package.name)}
-    # Scripts of a folder import each other; those of make are tested and measured, too, as is the
-    # package of benchmarks, beside what helps their tests.
-    known |= {"benchmarks", "sample_parts"}
+    # A folder imports from itself and its scripts each other; those of make are tested and
+    # measured, too, as is the package of benchmarks, beside what helps their tests.
+    known |= {Path(folder).name, "benchmarks", "sample_parts"}
     known |= {"learning"} if "learning" in folder else set()
     for scripts in (folder, "scripts", *HELPED):
         known |= {path.stem for path in (CHECKOUT / scripts).glob("*.py")}
