@@ -47,7 +47,8 @@ coverage: install ## the share of the engine's lines that its tests run
 		--cov --cov-report=term:skip-covered
 
 durations: install ## record the seconds of all tests: which are quick, and which begin first
-	@.venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --record-durations -m "not freecad"
+	@sh scripts/install_system.sh scripts/test-packages.txt
+	@.venv/bin/python -m pytest --quiet --numprocesses 3 --dist loadfile --no-loadscope-reorder --record-durations
 
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)

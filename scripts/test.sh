@@ -15,9 +15,9 @@ lint() {
         (cd core && ../.venv/bin/lint-imports --config ../.importlinter) && .venv/bin/mypy
 }
 
-# pytest_of MARKERS: one process more than cores, as FreeCAD's suites wait for windows.
+# pytest_of MARKERS [MORE]: in so many processes more than there are cores.
 pytest_of() {
-    .venv/bin/python -m pytest --quiet --numprocesses $(($(nproc) + 1)) --dist loadfile \
+    .venv/bin/python -m pytest --quiet --numprocesses $(($(nproc) + ${2:-0})) --dist loadfile \
         --no-loadscope-reorder --max-worker-restart 0 --skipped-to="$skipped/engine.txt" -m "$1"
 }
 
@@ -26,7 +26,8 @@ run() {
     lint) lint ;;
     quick) .venv/bin/ruff check . && pytest_of "not slow and not window and not freecad" ;;
     engine) pytest_of "not freecad" ;;
-    all) pytest_of "" ;;
+    # FreeCAD's suites wait for windows.
+    all) pytest_of "" 1 ;;
     workbench | gui) python3 tests/run_freecad_suites.py "$1" ;;
     *) fail "there is no suite '$1'" ;;
     esac

@@ -14,7 +14,7 @@ import pytest
 
 DURATIONS = Path(__file__).with_name("durations.json")
 
-SLOW_S = 0.5
+SLOW_S = 0.25
 """Seconds from which a test is none to run after each change."""
 
 KEPT_S = 0.1

@@ -113,8 +113,8 @@ def test_dimensions_in_pixels_give_the_scale(part: str, style: str) -> None:
 
 
 def test_texts_of_a_vector_file_are_taken_as_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delattr(sheet_scale, "pixel_texts")
     this_case = case("l-bracket", "iso")
+    monkeypatch.delattr(sheet_scale, "pixel_texts")
     found = this_case.scale(
         vectors=VectorDrawing((), this_case.texts), pixels_per_inch=this_case.drawn.dpi
     )
