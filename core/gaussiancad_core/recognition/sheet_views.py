@@ -7,6 +7,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.recognition.file_views import file_views
 from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.graph.graph_views import GraphViews, graph_views
@@ -116,7 +117,10 @@ def _found(
     projection, symbol = stated
     by_pens = None
     if drawing is not None:
-        by_pens = graph_views(drawing, sheet, boxes, projection, symbol)
+        if drawing.has_paper:
+            by_pens = file_views(drawing, sheet, boxes, projection, symbol)
+        if by_pens is None or len(by_pens.layout.boxes) < 2:
+            by_pens = graph_views(drawing, sheet, boxes, projection, symbol) or by_pens
         if by_pens is not None and len(by_pens.layout.boxes) > 1:
             return _of_pens(by_pens)
         if by_pens is not None and by_pens.is_all and not drawing.has_paper:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.picture_noise import LEVEL
 from gaussiancad_core.sheet.reading_options import Box

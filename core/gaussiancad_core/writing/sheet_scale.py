@@ -12,7 +12,7 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_core.model.views import Arc, Segment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.sheet.graph.arrowhead_shapes import without_heads
+from gaussiancad_core.structure.arrowheads import without_heads
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.sheet.graph.stroke_groups import grouped
 from gaussiancad_core.sheet.graph.touching_ends import Flags, Touches
 from gaussiancad_core.sheet.labels.writing_lines import written_lines

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.file_noise import DOT
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head, arrowheads
+from gaussiancad_core.structure.arrowheads import Head, arrowheads
 from gaussiancad_core.sheet.graph.drawn_dashes import chain_pieces, dashes
 from gaussiancad_core.sheet.graph.file_pens import (
     PenEvidence,

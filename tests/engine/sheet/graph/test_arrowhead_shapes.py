@@ -9,7 +9,7 @@ from scipy.spatial import ConvexHull
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.sheet.graph import arrowhead_shapes
-from gaussiancad_core.sheet.graph.arrowhead_shapes import arrowheads
+from gaussiancad_core.structure.arrowheads import arrowheads
 
 _PLACE = st.tuples(st.floats(100.0, 900.0), st.floats(100.0, 900.0))
 _ANGLE = st.floats(0.0, 6.28)

@@ -1,6 +1,7 @@
 """Arrowheads among the strokes of a file: where dimension lines and leaders end (ISO 129-1).
 
-A head is an isosceles triangle, filled or drawn of lines, longer than it is wide.
+A head is an isosceles triangle, filled or drawn of lines, longer than it is wide; a filled one may
+have a corner or a notch at its back.
 """
 
 from collections import defaultdict
@@ -14,7 +15,9 @@ from scipy.spatial import ConvexHull, QhullError, cKDTree
 
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.geometry.chains import Chain, LineSegment
-from gaussiancad_core.sheet.picture_noise import ONE_PLACE
+
+_ONE_PLACE = 1.0
+"""px within which the corners of heads are at one place."""
 
 _SHORTEST, _LONGEST = 4.0, 80.0
 """px of a head along its axis: 0.5 to 10 mm at 200 dpi."""
@@ -69,7 +72,7 @@ def arrowheads(strokes: Iterable[VectorStroke]) -> tuple[Head, ...]:
         head = _head(corners)
         if head is None:
             continue
-        x, y = round(head.tip[0] / ONE_PLACE), round(head.tip[1] / ONE_PLACE)
+        x, y = round(head.tip[0] / _ONE_PLACE), round(head.tip[1] / _ONE_PLACE)
         near = [
             this_head
             for dx in (-1, 0, 1)
@@ -115,6 +118,9 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
         points = np.array(list(dict.fromkeys(stroke.curve.points)))
         if len(points) < 3 or not _SHORTEST <= size <= _LONGEST:
             continue
+        if len(points) == 4 and (corners := _of_kite(points)) is not None:
+            yield corners
+            continue
         if not _may_be_triangle(points, _BESIDE * size):
             continue
         try:
@@ -124,6 +130,17 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
         corners = _three(hull, _BESIDE * size)
         if corners is not None:
             yield corners
+
+
+def _of_kite(points: Point) -> Point | None:
+    """The tip, and the corners at both sides, of four that are alike to both sides of an axis."""
+    sides = np.hypot(*(np.roll(points, -1, axis=0) - points).T)
+    for tip in range(4):
+        front, back = sides[[tip, tip - 1]], sides[[(tip + 1) % 4, tip - 2]]
+        uneven = max(float(np.ptp(front)), float(np.ptp(back)))
+        if uneven <= max(_EVEN * float(front.max()), _ROUNDED) and front.min() > back.max():
+            return points[[tip, (tip + 1) % 4, tip - 1]]
+    return None
 
 
 def _may_be_triangle(points: Point, near: float) -> bool:
@@ -166,7 +183,7 @@ def _drawn(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
             continue
         keys = []
         for end in (curve.start, curve.end):
-            key = round(end[0] / ONE_PLACE), round(end[1] / ONE_PLACE)
+            key = round(end[0] / _ONE_PLACE), round(end[1] / _ONE_PLACE)
             places.setdefault(key, np.array(end))
             keys.append(key)
         if keys[0] != keys[1]:

@@ -1,0 +1,243 @@
+"""Writing that a file draws, letter by letter, of strokes or of filled areas, or beside its texts.
+
+A letter is a few strokes of one pen that touch each other and nothing longer; letters stand in rows,
+alike in height, and of many shapes: the holes of a pattern and the dashes of a line are all alike.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.files.vectors import StrokeRole
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.points import Box
+from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
+from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke, Points
+
+_TALLEST, _SMALLEST = 9.0, 0.6
+"""mm of a letter, at most and at least."""
+
+_LONGEST = 3.0
+"""Length of a stroke of a letter at most, in the tallest letter's height."""
+
+_TOUCH = 0.06
+"""mm within which strokes touch."""
+
+_FEWEST_STROKES, _FEWEST_LETTERS = 6, 3
+"""Strokes of a pen that writes, and letters, at least."""
+
+_FEWEST_DRAWN = 4
+"""Strokes of a word that is drawn of lines at least."""
+
+_AROUND = 0.4
+"""mm by which a text's drawing may reach over its box."""
+
+_LIKE_TEXT, _BESIDES = 1.3, 0.5
+"""Size of a stroke of a text's drawing at most, in the text's height, and mm besides."""
+
+_WIDEST_PEN = 0.45
+"""mm of a pen that draws texts at most."""
+
+_REACH, _LEAST_REACH = 1.7, 1.2
+"""Distance of the middles of neighbouring letters at most, in the height of one, which counts as so
+many mm at least."""
+
+_LEVEL, _MIDDLE = 0.45, 0.3
+"""Share of the height by which the feet, or the middles, of neighbouring letters differ."""
+
+_LOWEST = 0.5
+"""mm of the height of neighbouring letters at least: dashes in a row have none."""
+
+_SPACE, _SPACE_BESIDES = 0.9, 0.3
+"""Gap between letters at most, in their height, and mm besides."""
+
+_PLAIN = 0.6
+"""Share of letters from which they are holes and dashes where so many are one line or circle."""
+
+_CONCENTRIC = 0.05
+"""mm within which arcs have one middle."""
+
+
+def folded_letters(
+    sheet: PaperSheet, labelled: LabelledStrokes
+) -> tuple[LabelledStrokes, list[Box], set[int]]:
+    """The strokes, those of letters told; the boxes of words; numbers of fills that are letters.
+
+    Args:
+        sheet: with its texts and fills.
+        labelled: its strokes.
+    """
+    boxes = [text.box for text in sheet.texts]
+    within, fills = _of_texts(labelled.strokes, boxes), _of_texts(sheet.fills, boxes)
+    labelled = labelled.told(within, Label.TEXT, "within a text of the file")
+    words = list(boxes)
+    for numbers in _by_pen(labelled):
+        others = _long_ends(labelled.strokes, numbers)
+        found, members = _words(labelled.strokes, numbers, others, _FEWEST_DRAWN)
+        labelled = labelled.told(members, Label.TEXT, "row of drawn letters")
+        words += found
+    free = [n for n in range(len(sheet.fills)) if n not in set(fills)]
+    for colour in dict.fromkeys(sheet.fills[number].pen.colour for number in free):
+        numbers = [
+            number
+            for number in free
+            if sheet.fills[number].pen.colour == colour and sheet.fills[number].size <= _TALLEST
+        ]
+        found, members = _words(sheet.fills, numbers, None, 1)
+        fills += members
+        words += found
+    return labelled, words, set(fills)
+
+
+def _of_texts(strokes: Sequence[PaperStroke], boxes: Sequence[Box]) -> list[int]:
+    """Numbers of strokes that lie within the box of a text, and are no larger than its letters."""
+    if not boxes or not strokes:
+        return []
+    around = np.array(boxes) + (-_AROUND, -_AROUND, _AROUND, _AROUND)
+    low, high = np.array(boxes)[:, :2], np.array(boxes)[:, 2:]
+    heights = (high - low + 2.0 * _AROUND).min(axis=1)
+    found = []
+    for number, stroke in enumerate(strokes):
+        if stroke.size > _TALLEST or stroke.pen.width >= _WIDEST_PEN:
+            continue
+        x0, y0, x1, y1 = stroke.box
+        inside = (around[:, :2] <= (x0, y0)).all(axis=1) & (around[:, 2:] >= (x1, y1)).all(axis=1)
+        if inside.any() and stroke.size < _LIKE_TEXT * heights[inside].min() + _BESIDES:
+            found.append(number)
+    return found
+
+
+def _by_pen(labelled: LabelledStrokes) -> Iterable[list[int]]:
+    """Numbers of the strokes of each pen that may be letters."""
+    of_pen: dict[object, list[int]] = {}
+    for number in labelled.numbers(Label.OPEN):
+        stroke = labelled.strokes[number]
+        if stroke.dashes or stroke.role is StrokeRole.VISIBLE or stroke.size > _TALLEST:
+            continue
+        if stroke.length <= _LONGEST * _TALLEST:
+            of_pen.setdefault(stroke.pen, []).append(number)
+    return of_pen.values()
+
+
+def _long_ends(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> cKDTree | None:
+    """The ends of a pen's other strokes, which letters do not touch."""
+    if not numbers:
+        return None
+    chosen = set(numbers)
+    pen = strokes[numbers[0]].pen
+    others = [s.ends for n, s in enumerate(strokes) if n not in chosen and s.pen == pen]
+    return cKDTree(np.concatenate(others)) if others else None
+
+
+@dataclass(frozen=True, eq=False)
+class _Letter:
+    """Strokes that touch.
+
+    Attributes:
+        numbers: of the strokes.
+        low, high: (2,) mm, corners of the box around them.
+        is_plain: whether it is one line or circle, or arcs about one middle.
+    """
+
+    numbers: list[int]
+    low: Points
+    high: Points
+    is_plain: bool
+
+
+def _words(
+    strokes: Sequence[PaperStroke], numbers: Sequence[int], others: cKDTree | None, fewest: int
+) -> tuple[list[Box], list[int]]:
+    """The boxes of words of so many strokes or more, and the numbers of the strokes that they are
+    drawn of."""
+    if len(numbers) < _FEWEST_STROKES:
+        return [], []
+    letters = _letters(strokes, numbers, others)
+    if len(letters) < _FEWEST_LETTERS:
+        return [], []
+    low = np.array([letter.low for letter in letters])
+    high = np.array([letter.high for letter in letters])
+    boxes, members = [], []
+    for row in _rows(low, high):
+        count = sum(len(letters[index].numbers) for index in row)
+        if len(row) < 2 or count < fewest:
+            continue
+        if len(row) > 2 and len(np.unique(np.round((high - low)[row], 1), axis=0)) == 1:
+            continue
+        if sum(letters[index].is_plain for index in row) > _PLAIN * len(row):
+            continue
+        (x0, y0), (x1, y1) = low[row].min(axis=0).tolist(), high[row].max(axis=0).tolist()
+        boxes.append((x0, y0, x1, y1))
+        members += [number for index in row for number in letters[index].numbers]
+    return boxes, members
+
+
+def _letters(
+    strokes: Sequence[PaperStroke], numbers: Sequence[int], others: cKDTree | None
+) -> list[_Letter]:
+    """Groups of strokes that touch each other and nothing longer, as small as letters."""
+    points = np.concatenate([strokes[number].points for number in numbers])
+    owners = np.repeat(np.arange(len(numbers)), [len(strokes[n].points) for n in numbers])
+    pairs = cKDTree(points).query_pairs(_TOUCH, output_type="ndarray")
+    groups = _connected(owners[pairs], len(numbers))
+    touching: set[int] = set()
+    if others is not None:
+        is_near = others.query(points)[0] < _TOUCH
+        touching = set(groups[owners[is_near]].tolist())
+    found = []
+    order = np.argsort(groups[owners], kind="stable")
+    counts = np.bincount(groups[owners])
+    pieces = np.split(points[order], np.cumsum(counts)[:-1])
+    members: dict[int, list[int]] = {}
+    for number, group in zip(numbers, groups.tolist(), strict=True):
+        members.setdefault(group, []).append(number)
+    for group, piece in enumerate(pieces):
+        low, high = piece.min(axis=0), piece.max(axis=0)
+        if group not in touching and _SMALLEST <= (high - low).max() <= _TALLEST:
+            held = members[group]
+            found.append(_Letter(held, low, high, _is_plain([strokes[n] for n in held])))
+    return found
+
+
+def _is_plain(strokes: Sequence[PaperStroke]) -> bool:
+    if len(strokes) == 1:
+        return strokes[0].is_line or strokes[0].is_circle
+    centres = [s.curve.centre for s in strokes if isinstance(s.curve, CircularArc)]
+    return len(centres) == len(strokes) and float(np.ptp(centres, axis=0).max()) < _CONCENTRIC
+
+
+def _rows(low: Points, high: Points) -> list[list[int]]:
+    """Numbers of letters that stand in rows, across the sheet or up it."""
+    middles, sizes = (low + high) / 2.0, high - low
+    reach = _REACH * np.maximum(sizes.max(axis=1), _LEAST_REACH)
+    pairs = cKDTree(middles).query_pairs(float(reach.max()), output_type="ndarray")
+    if not len(pairs):
+        return []
+    one, other = pairs.T
+    is_near = np.hypot(*(middles[one] - middles[other]).T) <= np.minimum(reach[one], reach[other])
+    one, other = one[is_near], other[is_near]
+    linked = np.zeros(len(one), dtype=bool)
+    for axis in (0, 1):
+        across = 1 - axis
+        height = np.maximum(sizes[one, across], sizes[other, across])
+        feet = np.abs(high[one, across] - high[other, across]) <= _LEVEL * height
+        middle = np.abs(middles[one, across] - middles[other, across]) <= _MIDDLE * height
+        gap = np.maximum(low[one, axis] - high[other, axis], low[other, axis] - high[one, axis])
+        is_next = gap <= _SPACE * height + _SPACE_BESIDES
+        linked |= (height >= _LOWEST) & (feet | middle) & is_next
+    groups = _connected(np.stack([one[linked], other[linked]], axis=1), len(low))
+    rows: dict[int, list[int]] = {}
+    for index, group in enumerate(groups.tolist()):
+        rows.setdefault(group, []).append(index)
+    return list(rows.values())
+
+
+def _connected(pairs: npt.NDArray[np.int64], count: int) -> npt.NDArray[np.int32]:
+    """(n,) number of the group of each of so many things, by pairs of these."""
+    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(count, count))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int32)

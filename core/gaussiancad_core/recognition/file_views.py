@@ -1,0 +1,336 @@
+"""The views of a sheet whose file tells its strokes, with nothing painted but what is looked at."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.errors import UsageError
+from gaussiancad_core.file_reading.paper_of_file import paper_of_file
+from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.points import Box
+from gaussiancad_core.geometry.similarities import Similarity
+from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.recognition.stroke_reading import StrokeReading, read_strokes
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
+from gaussiancad_core.sheet.graph.graph_views import GraphViews
+from gaussiancad_core.sheet.graph.cut_areas import cut_areas
+from gaussiancad_core.sheet.graph.stroke_chains import with_whole_edges
+from gaussiancad_core.sheet.image.clean_ink import painted_sheet
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.special_views.cut_views import hatched_box, section_kind
+from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
+from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+from gaussiancad_core.sheet.views.sheet_layout import Layout, ProjectionSource
+from gaussiancad_core.sheet_model.labelled_strokes import Label
+from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
+from gaussiancad_core.structure.arrowheads import Head
+from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
+from gaussiancad_core.views.role_search import Arrangement, Placed, arranged_views
+from gaussiancad_protocol.codes import Code
+
+_GIVEN, _SAID = 40.0, 4.0
+"""Log-odds for the projection that the user says, and for that of the sheet's words or symbol."""
+
+_HABIT = 2.5
+"""Log-odds for the projection of the standard by which a program names its layers."""
+
+_ISO, _ANSI = re.compile(r"\((?:ISO|DIN)\)"), re.compile(r"\(ANSI\)")
+
+_MARKS = {
+    Label.CENTRE: AnnotationKind.CENTRE_LINE,
+    Label.HATCH: AnnotationKind.HATCHING,
+    Label.FRAME: AnnotationKind.FRAME,
+    Label.TABLE: AnnotationKind.FRAME,
+    Label.DIMENSION: AnnotationKind.EXTENSION,
+    Label.EXTENSION: AnnotationKind.EXTENSION,
+    Label.OTHER: AnnotationKind.EXTENSION,
+}
+
+_MEETS = 0.1
+"""mm within which a line ends at an edge."""
+
+
+def file_views(
+    drawing: VectorDrawing,
+    sheet: OpenedSheet,
+    given: Mapping[Role, Box],
+    projection: Projection | None,
+    symbol: ProjectionSymbol | None,
+) -> GraphViews | None:
+    """The views of a sheet by the strokes of its file; nothing where these tell none.
+
+    Args:
+        drawing: of the file, in px of the sheet, which has to be upright as stored.
+        sheet: that.
+        given: boxes that the user named, px.
+        projection: as told by the user, or nothing.
+        symbol: of the sheet, where it has one.
+
+    Raises:
+        UsageError: a given box holds no stroke.
+    """
+    if sheet.turn.angle:
+        return None
+    paper = _paper(drawing, sheet)
+    scale = paper.px_per_mm
+    heads = [
+        Head((head.tip[0] / scale, head.tip[1] / scale), head.way, head.length / scale)
+        for head in sheet.heads
+    ]
+    third = _third_angle(drawing, projection, symbol)
+    reading = read_strokes(paper, heads, third)
+    reading, fixed = _with_given(reading, {r: _scaled(box, 1 / scale) for r, box in given.items()})
+    best = _best(reading, third, fixed, projection)
+    if best is None:
+        return None
+    upright = {number: placed for number, placed in best.placed.items() if not placed.turn}
+    if not upright:
+        return None
+    return _found(drawing, sheet, reading, replace(best, placed=upright), (projection, symbol), scale)
+
+
+def _best(
+    reading: StrokeReading,
+    third: float,
+    fixed: Mapping[int, Role],
+    projection: Projection | None,
+) -> Arrangement | None:
+    """The views in their roles: two and more that the user named are taken as they are."""
+    if len(fixed) > 1:
+        placed = {number: Placed(role) for number, role in fixed.items()}
+        return Arrangement(placed, projection or Projection.THIRD, 0.0)
+    ranking = arranged_views(reading.views, third, fixed) if fixed else reading.ranking
+    return ranking.best if ranking is not None else None
+
+
+def _paper(drawing: VectorDrawing, sheet: OpenedSheet) -> PaperSheet:
+    grey = sheet.image.grey
+    paper = paper_of_file(drawing, sheet.shape, sheet.image.pixels_per_inch)
+
+    def paint(box: Box) -> npt.NDArray[np.uint8]:
+        x0, y0, x1, y1 = (max(0, round(value * paper.px_per_mm)) for value in box)
+        return grey[y0:y1, x0:x1]
+
+    return replace(paper, paint=paint)
+
+
+def _third_angle(
+    drawing: VectorDrawing, projection: Projection | None, symbol: ProjectionSymbol | None
+) -> float:
+    """Log-odds for third angle by what the user, the sheet and its layers say."""
+    if projection is not None:
+        return _GIVEN if projection is Projection.THIRD else -_GIVEN
+    if symbol is not None:
+        return _SAID if symbol.projection is Projection.THIRD else -_SAID
+    layers = " ".join({stroke.layer for stroke in drawing.strokes})
+    if _ISO.search(layers):
+        return -_HABIT
+    return _HABIT if _ANSI.search(layers) else 0.0
+
+
+def _with_given(
+    reading: StrokeReading, given: Mapping[Role, Box]
+) -> tuple[StrokeReading, dict[int, Role]]:
+    """The reading with one drawing in each box that the user named, and their roles.
+
+    Raises:
+        UsageError: a box holds no drawing.
+    """
+    views = list(reading.views)
+    fixed = []
+    for role, box in given.items():
+        inside = [view for view in views if _is_middle_in(view.box, box)]
+        if not inside:
+            raise UsageError(
+                Code.EMPTY_VIEW_BOX,
+                "--view {view}: there are no lines in the box {box}",
+                view=role,
+                box="{:g},{:g},{:g},{:g}".format(*box),
+            )
+        views = [view for view in views if view not in inside]
+        fixed.append((_merged(inside), role))
+    views += [view for view, _ in fixed]
+    first = len(views) - len(fixed)
+    roles = {first + index: role for index, (_, role) in enumerate(fixed)}
+    return replace(reading, views=tuple(views)), roles
+
+
+def _is_middle_in(box: Box, around: Box) -> bool:
+    x, y = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
+    return around[0] <= x <= around[2] and around[1] <= y <= around[3]
+
+
+def _merged(views: Sequence[DrawnView]) -> DrawnView:
+    """Drawings as one plain view."""
+    boxes = np.array([view.box for view in views])
+    x0, y0 = boxes[:, :2].min(axis=0).tolist()
+    x1, y1 = boxes[:, 2:].max(axis=0).tolist()
+    cut = any(view.kind is DrawingKind.SECTION for view in views)
+    return DrawnView(
+        (x0, y0, x1, y1),
+        tuple(edge for view in views for edge in view.edges),
+        shapely.union_all([view.outline for view in views]),
+        tuple(stroke for view in views for stroke in view.hidden),
+        tuple(family for view in views for family in view.hatching),
+        DrawingKind.SECTION if cut else DrawingKind.PLAIN,
+    )
+
+
+def _found(
+    drawing: VectorDrawing,
+    sheet: OpenedSheet,
+    reading: StrokeReading,
+    best: Arrangement,
+    stated: tuple[Projection | None, ProjectionSymbol | None],
+    scale: float,
+) -> GraphViews:
+    projection, symbol = stated
+    labelled = reading.labelled
+    to_px = Similarity(scale)
+    edges = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.EDGE)]
+    hidden = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.HIDDEN)]
+    part = VectorDrawing((*with_whole_edges(edges), *hidden), ())
+    painted = painted_sheet(part, sheet.shape, sheet.turn)
+    centres = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.CENTRE)]
+    hatches = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.HATCH)]
+    hatched = cut_areas(hatches, centres, painted.ink)
+    marks = [
+        mark
+        for stroke, label in zip(labelled.strokes, labelled.labels, strict=True)
+        if label in _MARKS and (mark := _mark(stroke, _MARKS[label], to_px)) is not None
+    ]
+    texts = {text.box for text in drawing.texts}
+    words = (_scaled(box, scale) for box in reading.words)
+    marks += [Mark(AnnotationKind.TEXT, box) for box in words if box not in texts]
+    layout = _layout(reading, best, hatched, scale)
+    source: ProjectionSource = "default"
+    if projection is not None:
+        source = "given"
+    elif symbol is not None and symbol.projection is best.projection:
+        source = "inferred"
+        marks.append(symbol.mark)
+        layout = replace(layout, symbol=symbol.projection)
+    alternatives = () if projection is not None else (best.projection.other,)
+    layout = replace(layout, source=source, alternatives=alternatives)
+    separated = SeparatedSheet(painted, tuple(marks), hatched, has_paper=drawing.has_paper)
+    is_all = drawing.complete and not layout.left_out and not layout.special
+    return GraphViews(separated, layout, VectorSheet(part), _doubtful(reading, best, scale), is_all)
+
+
+def _layout(
+    reading: StrokeReading, best: Arrangement, hatched: Mask | None, scale: float
+) -> Layout:
+    """Where the views are, px, and what else is drawn."""
+    boxes: dict[Role, Box] = {}
+    special: list[SpecialView] = []
+    left_out: list[Box] = []
+    for number, view in enumerate(reading.views):
+        box = _scaled(view.box, scale)
+        placed = best.placed.get(number)
+        if placed is not None:
+            boxes[placed.role] = box
+        kind = section_kind(hatched, box) if hatched is not None else None
+        if view.kind is DrawingKind.SECTION and kind is not None and hatched is not None:
+            special.append(SpecialView(kind, box, placed is not None, hatched_box(hatched, box)))
+        elif placed is None and view.kind in _SPECIAL:
+            special.append(SpecialView(_SPECIAL[view.kind], box))
+        elif placed is None:
+            left_out.append(box)
+    rest = [view for n, view in enumerate(reading.views) if n not in best.placed]
+    others = _other_parts(rest, reading, min(view.area for view in _views(reading, best)))
+    for group in others:
+        around = np.array([_scaled(view.box, scale) for view in group])
+        merged = (*around[:, :2].min(axis=0).tolist(), *around[:, 2:].max(axis=0).tolist())
+        special.append(SpecialView(SpecialKind.OTHER_PART, merged))
+        gone = {_scaled(view.box, scale) for view in group}
+        left_out = [box for box in left_out if box not in gone]
+    order = sorted(boxes, key=list(Role).index)
+    projection = best.projection
+    return Layout(
+        {role: boxes[role] for role in order},
+        projection,
+        "default",
+        (projection.other,),
+        tuple(left_out),
+        tuple(special),
+    )
+
+
+_SPECIAL = {
+    DrawingKind.PICTORIAL: SpecialKind.PICTORIAL,
+    DrawingKind.DETAIL: SpecialKind.DETAIL,
+}
+
+
+def _views(reading: StrokeReading, best: Arrangement) -> list[DrawnView]:
+    return [reading.views[number] for number in best.placed]
+
+
+def _other_parts(
+    rest: Sequence[DrawnView], reading: StrokeReading, least: float
+) -> list[list[DrawnView]]:
+    """Groups of drawings that belong together, and not to the part's."""
+    left = [view for view in rest if view.kind is DrawingKind.PLAIN and view.area > 0.1 * least]
+    found = []
+    while len(left) >= 2:
+        ranking = arranged_views(left)
+        if ranking is None or len(ranking.best.placed) < 2 or ranking.best.odds < _OTHER_PART:
+            break
+        found.append([left[number] for number in ranking.best.placed])
+        left = [view for n, view in enumerate(left) if n not in ranking.best.placed]
+    return found
+
+
+_OTHER_PART = 6.0
+"""Log-odds from which drawings that are left are another part's views."""
+
+
+def _doubtful(reading: StrokeReading, best: Arrangement, scale: float) -> tuple[Box, ...]:
+    """Boxes in px of lines that are no edges for their pen alone: within views, and from edge to
+    edge."""
+    labelled = reading.labelled
+    found = []
+    for view in _views(reading, best):
+        frame = shapely.box(*view.box)
+        edges = shapely.union_all([edge.line for edge in view.edges])
+        shapely.prepare(edges)
+        for stroke in labelled.of(Label.OTHER):
+            if not stroke.is_line or not frame.contains(stroke.line):
+                continue
+            if all(edges.dwithin(shapely.Point(end), _MEETS) for end in stroke.ends):
+                found.append(_scaled(stroke.box, scale))
+    return tuple(found)
+
+
+def _in_px(stroke: PaperStroke, to_px: Similarity, scale: float) -> VectorStroke:
+    pen = stroke.pen
+    return VectorStroke(
+        stroke.curve.mapped(to_px),
+        pen.width * scale or None,
+        tuple(length * scale for length in stroke.dashes),
+        stroke.role,
+        pen.layer,
+        stroke.kind,
+        pen.colour,
+        stroke.step * scale,
+    )
+
+
+def _mark(stroke: PaperStroke, kind: AnnotationKind, to_px: Similarity) -> Mark | None:
+    curve = stroke.curve.mapped(to_px)
+    if isinstance(curve, LineSegment):
+        return line_mark(kind, curve.start, curve.end)
+    return Mark(kind, curve.box)
+
+
+def _scaled(box: Box, by: float) -> Box:
+    x0, y0, x1, y1 = box
+    return x0 * by, y0 * by, x1 * by, y1 * by
