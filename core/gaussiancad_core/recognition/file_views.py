@@ -86,7 +86,8 @@ def file_views(
         for head in sheet.heads
     ]
     third = _third_angle(drawing, projection, symbol)
-    reading = read_strokes(paper, heads, third)
+    symbols = [_scaled(symbol.mark.box, 1.0 / scale)] if symbol is not None else []
+    reading = read_strokes(paper, heads, third, symbols)
     reading, fixed = _with_given(reading, {r: _scaled(box, 1 / scale) for r, box in given.items()})
     best = _best(reading, third, fixed, projection)
     if best is None:
@@ -222,7 +223,12 @@ def _found(
     layout = replace(layout, source=source, alternatives=alternatives)
     separated = SeparatedSheet(painted, tuple(marks), hatched, has_paper=drawing.has_paper)
     is_all = drawing.complete and not layout.left_out and not layout.special
-    return GraphViews(separated, layout, VectorSheet(part), _doubtful(reading, best, scale), is_all)
+    area = reading.area
+    guessed = area.is_framed and not area.is_certain
+    if area.is_framed and not drawing.has_paper:
+        layout = replace(layout, frame=_scaled(area.polygon.bounds, scale))
+    doubtful = _doubtful(reading, best, scale)
+    return GraphViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed)
 
 
 def _layout(

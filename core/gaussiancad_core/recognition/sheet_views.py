@@ -117,8 +117,7 @@ def _found(
     projection, symbol = stated
     by_pens = None
     if drawing is not None:
-        if drawing.has_paper:
-            by_pens = file_views(drawing, sheet, boxes, projection, symbol)
+        by_pens = file_views(drawing, sheet, boxes, projection, symbol)
         if by_pens is None or len(by_pens.layout.boxes) < 2:
             by_pens = graph_views(drawing, sheet, boxes, projection, symbol) or by_pens
         if by_pens is not None and len(by_pens.layout.boxes) > 1:

@@ -19,7 +19,12 @@ from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.structure.centre_lines import centre_lines_apart
 from gaussiancad_core.structure.dimension_lines import dimensions_apart
-from gaussiancad_core.structure.drawing_area import frame_apart
+from gaussiancad_core.structure.drawing_area import (
+    DrawingArea,
+    drawing_area,
+    frame_apart,
+    whole_sheet,
+)
 from gaussiancad_core.structure.edges import with_edges
 from gaussiancad_core.structure.hatching import hatching_apart
 from gaussiancad_core.structure.ruled_tables import tables_apart
@@ -36,7 +41,7 @@ class StrokeReading:
 
     Attributes:
         labelled: all strokes, each with what it stands for.
-        area: in which the views lie, mm.
+        area: in which the views lie.
         tables: ruled tables in it, mm.
         words: boxes of what is written, mm.
         families: of hatching.
@@ -45,7 +50,7 @@ class StrokeReading:
     """
 
     labelled: LabelledStrokes
-    area: Polygon
+    area: DrawingArea
     tables: tuple[Polygon, ...]
     words: tuple[Box, ...]
     families: tuple[tuple[PaperStroke, ...], ...]
@@ -54,7 +59,10 @@ class StrokeReading:
 
 
 def read_strokes(
-    sheet: PaperSheet, heads: Sequence[Head], third_angle: float = 0.0
+    sheet: PaperSheet,
+    heads: Sequence[Head],
+    third_angle: float = 0.0,
+    symbols: Sequence[Box] = (),
 ) -> StrokeReading:
     """Read a sheet by its strokes.
 
@@ -62,26 +70,97 @@ def read_strokes(
         sheet: mm of paper.
         heads: its arrowheads, mm.
         third_angle: log-odds for third angle by what it says of its projection.
+        symbols: boxes of signs that are known, such as that of the projection, mm.
     """
     labelled = LabelledStrokes.open(with_whole_curves(once(sheet.strokes)))
+    labelled = _without_symbols(labelled, symbols)
     labelled, words, letters = folded_letters(sheet, labelled)
-    labelled, area = frame_apart(sheet, labelled)
-    labelled = dimensions_apart(labelled, heads)
-    labelled, tables = tables_apart(labelled, area, words)
+    written = _Written(sheet, words, letters, heads, third_angle)
+    area = drawing_area(sheet, labelled, words)
+    framed = _read(labelled, area, written)
+    if area.is_certain or _has_views(framed):
+        return framed
+    return _read(labelled, whole_sheet(sheet), written)
+
+
+def _without_symbols(labelled: LabelledStrokes, symbols: Sequence[Box]) -> LabelledStrokes:
+    """The strokes, those of signs told."""
+    inside = [
+        number
+        for number, stroke in enumerate(labelled.strokes)
+        if any(_is_within(stroke.box, box) for box in symbols)
+    ]
+    return labelled.told(inside, Label.OTHER, "of a sign")
+
+
+def _is_within(box: Box, around: Box) -> bool:
+    starts = box[0] >= around[0] - _AROUND and box[1] >= around[1] - _AROUND
+    return starts and box[2] <= around[2] + _AROUND and box[3] <= around[3] + _AROUND
+
+
+_AROUND = 1.0
+"""mm around a sign that belong to it."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Written:
+    """A sheet, what is written on it, and what that says.
+
+    Attributes:
+        sheet: mm of paper.
+        words: boxes of what is written, mm.
+        letters: numbers of fills that are letters.
+        heads: arrowheads, mm.
+        third_angle: log-odds.
+    """
+
+    sheet: PaperSheet
+    words: Sequence[Box]
+    letters: set[int]
+    heads: Sequence[Head]
+    third_angle: float
+
+
+def _read(labelled: LabelledStrokes, area: DrawingArea, written: _Written) -> StrokeReading:
+    """The reading of a sheet whose views lie in an area."""
+    sheet = written.sheet
+    if area.is_framed:
+        labelled = frame_apart(labelled, area)
+    labelled = dimensions_apart(labelled, written.heads)
+    labelled, tables = tables_apart(labelled, area.polygon, written.words)
     labelled = with_dashed_lines(labelled)
     labelled = centre_lines_apart(labelled)
     labelled, families = hatching_apart(labelled)
     labelled = with_edges(labelled)
-    labelled = with_picture_outlines(sheet, labelled, area)
+    labelled = with_picture_outlines(sheet, labelled, area.polygon)
     views = drawn_views(labelled.of(Label.EDGE), labelled.of(Label.HIDDEN), families)
-    fills = [fill for number, fill in enumerate(sheet.fills) if number not in letters]
+    fills = [fill for number, fill in enumerate(sheet.fills) if number not in written.letters]
     views = with_titles(with_kinds(views, fills), sheet.texts)
     return StrokeReading(
         labelled,
         area,
         tuple(tables),
-        tuple(words),
+        tuple(written.words),
         tuple(tuple(family) for family in families),
         tuple(views),
-        arranged_views(views, third_angle),
+        arranged_views(views, written.third_angle),
     )
+
+
+def _has_views(reading: StrokeReading) -> bool:
+    """Whether what lies in an area are views, of which one has edges within its outline: holes in a
+    plate have none."""
+    if reading.ranking is None or len(reading.ranking.best.placed) < 2:
+        return False
+    x0, y0, x1, y1 = reading.area.polygon.bounds
+    least = _VIEW * (x1 - x0), _VIEW * (y1 - y0)
+    placed = [reading.views[number] for number in reading.ranking.best.placed]
+    return any(
+        view.size[0] >= least[0] and view.size[1] >= least[1] and len(view.edges) > _PLAIN
+        for view in placed
+    )
+
+
+_VIEW, _PLAIN = 0.1, 4
+"""Share of a frame's width and height that a view in it has at least; edges of an outline that may
+be a pocket's."""

@@ -1,14 +1,18 @@
 """The area of a sheet in which its views lie: inside the frame, beside the title block.
 
-Whatever is ruled around it, the largest face of the lines along the paper's edges is that area.
+The largest face of the lines along the paper's edges is that area, whatever is ruled around it, if
+anything says that it is framed: cells with text that share a side with it, margins to the edges of
+the paper, a second line around it.  Else it may as well be the outline of a plate.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 
@@ -27,23 +31,73 @@ _LARGE = 0.4
 _EDGE = 0.25
 """mm to the area's edge within which strokes lie on its frame."""
 
+_CELLS = 3
+"""Cells with text beside the area that tell a title block."""
+
+_MARGIN = 32.0
+"""mm from a frame to the edge of the paper at most: ISO 5457 has 20 on the left and 10 else, and
+some leave room for zone marks."""
+
+_BORDER = 12.0
+"""mm between the two lines of a frame at most."""
+
+
+@dataclass(frozen=True, eq=False)
+class DrawingArea:
+    """Where the views of a sheet lie.
+
+    Attributes:
+        polygon: mm.
+        is_framed: whether lines go around it.
+        is_certain: whether anything but its size says that these are a frame.
+    """
+
+    polygon: Polygon
+    is_framed: bool
+    is_certain: bool
+
 
 def is_ruled(stroke: PaperStroke) -> bool:
     """Whether a stroke is a solid line along the paper's edges."""
     return stroke.is_line and not stroke.dashes and bool(np.abs(stroke.way).min() < _LEVEL)
 
 
-def frame_apart(
-    sheet: PaperSheet, labelled: LabelledStrokes
-) -> tuple[LabelledStrokes, Polygon]:
-    """The strokes, those of the frame and beyond it told, and the drawing area in mm."""
+def drawing_area(
+    sheet: PaperSheet, labelled: LabelledStrokes, words: Sequence[Box]
+) -> DrawingArea:
+    """The area in which the views of a sheet lie; all of it where no lines go around one.
+
+    Args:
+        sheet: its size.
+        labelled: its strokes, those of letters told.
+        words: boxes of what is written, mm.
+    """
+    page = shapely.box(0.0, 0.0, *sheet.size)
     ruled = [
-        labelled.strokes[number]
-        for number in labelled.numbers(Label.OPEN)
-        if is_ruled(labelled.strokes[number]) and labelled.strokes[number].length > _SHORTEST
+        stroke
+        for stroke in labelled.of(Label.OPEN)
+        if is_ruled(stroke) and stroke.length > _SHORTEST
     ]
-    area = drawing_area(sheet.size, ruled)
-    inner = area.buffer(-_EDGE)
+    longer = [
+        LineString([line.points[0] - _OVERRUN * line.way, line.points[1] + _OVERRUN * line.way])
+        for line in ruled
+    ]
+    faces = shapely.polygonize([shapely.union_all(longer)]).geoms if longer else ()
+    largest = max(faces, key=lambda face: face.area, default=None)
+    if largest is None or Polygon(largest.exterior).area <= _LARGE * page.area:
+        return DrawingArea(page, is_framed=False, is_certain=True)
+    area = Polygon(largest.exterior)
+    is_certain = (
+        (sheet.has_paper and _has_margins(area, sheet.size))
+        or _has_border(area, faces)
+        or _has_cells(area, faces, words)
+    )
+    return DrawingArea(area, is_framed=True, is_certain=is_certain)
+
+
+def frame_apart(labelled: LabelledStrokes, area: DrawingArea) -> LabelledStrokes:
+    """The strokes, those of the frame and beyond it told."""
+    inner = area.polygon.buffer(-_EDGE)
     shapely.prepare(inner)
     numbers = labelled.numbers(Label.OPEN)
     lines = np.array([labelled.strokes[number].line for number in numbers])
@@ -52,26 +106,45 @@ def frame_apart(
     for number, line, is_inside in zip(numbers, lines, inside, strict=True):
         if not is_inside and inner.intersection(line).length < 0.5 * line.length:
             outside.append(number)
-    return labelled.told(outside, Label.FRAME, "on the edge of the drawing area, or beyond"), area
+    return labelled.told(outside, Label.FRAME, "on the edge of the drawing area, or beyond")
 
 
-def drawing_area(size: tuple[float, float], ruled: Sequence[PaperStroke]) -> Polygon:
-    """The largest face of ruled lines, without holes; the whole sheet where it is small.
+def whole_sheet(sheet: PaperSheet) -> DrawingArea:
+    """All of a sheet."""
+    return DrawingArea(shapely.box(0.0, 0.0, *sheet.size), is_framed=False, is_certain=True)
 
-    Args:
-        size: of the sheet, mm.
-        ruled: lines along its edges.
-    """
-    page = shapely.box(0.0, 0.0, *size)
-    if not ruled:
-        return page
-    longer = [
-        LineString([line.points[0] - _OVERRUN * line.way, line.points[1] + _OVERRUN * line.way])
-        for line in ruled
-    ]
-    faces = shapely.polygonize([shapely.union_all(longer)]).geoms
-    largest = max(faces, key=lambda face: face.area, default=None)
-    if largest is None:
-        return page
-    filled = Polygon(largest.exterior)
-    return filled if filled.area > _LARGE * page.area else page
+
+def _has_margins(area: Polygon, size: tuple[float, float]) -> bool:
+    x0, y0, x1, y1 = area.bounds
+    return max(x0, y0, size[0] - x1, size[1] - y1) <= _MARGIN
+
+
+def _has_border(area: Polygon, faces: Sequence[Polygon]) -> bool:
+    """Whether a second line goes around."""
+    low, high = np.array(area.bounds[:2]), np.array(area.bounds[2:])
+    for face in faces:
+        x0, y0, x1, y1 = face.bounds
+        gaps = np.array([*(low - (x0, y0)), *((x1, y1) - high)])
+        if (gaps > _EDGE).all() and (gaps <= _BORDER).all():
+            return True
+    return False
+
+
+def _has_cells(area: Polygon, faces: Sequence[Polygon], words: Sequence[Box]) -> bool:
+    """Whether cells with text hang together with the area's edge, as a title block does."""
+    corners = np.array(words).reshape(-1, 4)
+    middles = shapely.points((corners[:, :2] + corners[:, 2:]) / 2.0)
+    inner = area.buffer(-_EDGE)
+    shapely.prepare(inner)
+    beside = [face for face in faces if not inner.intersects(face)]
+    edge = area.exterior.buffer(2.0 * _OVERRUN)
+    joined = shapely.union_all([edge, *(face.buffer(_OVERRUN) for face in beside)])
+    pieces = [piece for piece in shapely.get_parts(joined) if piece.intersects(area.exterior)]
+    return (
+        sum(
+            any(piece.contains(face) for piece in pieces)
+            and bool(shapely.contains(face, middles).any())
+            for face in beside
+        )
+        >= _CELLS
+    )

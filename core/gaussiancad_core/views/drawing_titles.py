@@ -9,6 +9,9 @@ import numpy as np
 from gaussiancad_core.sheet_model.paper_sheet import PaperText
 from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
 
+_SMALL = "small"
+"""Stands for what is a detail if it is small."""
+
 PICTORIAL = "pictorial"
 """Name of a drawing that its title calls so."""
 
@@ -18,10 +21,11 @@ _SECTION = re.compile(
     re.IGNORECASE,
 )
 _DETAIL = re.compile(
-    r"\bDETAIL|\bEINZELHEIT|\bDÉTAIL|\bDETTAGLIO|\bDETALLE|局部|\bВИД\b|\bVIEW\s+[A-Z]\b"
-    r"|thread(?:ed)?\s+M",
-    re.IGNORECASE,
+    r"\b(?:DETAIL|EINZELHEIT|DÉTAIL|DETTAGLIO|DETALLE)\s+[A-ZА-Я]\b|局部", re.IGNORECASE
 )
+_SMALLER = re.compile(r"\bDETAIL|\bВИД\b|\bVIEW\s+[A-Z]\b|thread(?:ed)?\s+M", re.IGNORECASE)
+"""Words beside what is a detail if it is small."""
+
 _FLAT = re.compile(r"FLAT\s*PATTERN|ABWICKLUNG|\b(?:DOWN|UP)\s+\d+", re.IGNORECASE)
 _NAMES = {
     "front": re.compile(r"\bfront\b|主视|ВИД СПЕРЕДИ", re.IGNORECASE),
@@ -66,6 +70,8 @@ def _named(text: str) -> DrawingKind | str | None:
         return DrawingKind.SECTION
     if _DETAIL.search(text):
         return DrawingKind.DETAIL
+    if _SMALLER.search(text):
+        return _SMALL
     if _FLAT.search(text):
         return DrawingKind.FLAT_PATTERN
     if len(text) > _LONGEST_NAME:
@@ -95,8 +101,10 @@ def _titled(view: DrawnView, name: DrawingKind | str, title: str, largest: float
         kind = DrawingKind.SECTION if view.hatching else view.kind
         return replace(view, kind=kind, title=title)
     if name is DrawingKind.DETAIL:
+        return replace(view, kind=name, title=title)
+    if name == _SMALL:
         is_small = view.area < _DETAIL_SIZE * largest
-        return replace(view, kind=name, title=title) if is_small else view
+        return replace(view, kind=DrawingKind.DETAIL, title=title) if is_small else view
     if name is DrawingKind.FLAT_PATTERN:
         return replace(view, kind=DrawingKind.FLAT_PATTERN, title=title)
     if name == PICTORIAL:

@@ -31,7 +31,7 @@ _LEFT_OUT, _LEFT_OUT_ODD = 3.0, 0.9
 _TURNED, _OVERTURNED = 3.0, 2.1
 """Log-odds against a view that is drawn turned, and besides by half a turn."""
 
-_CUT, _CUT_FRONT, _SLANTED = 2.0, 3.0, 4.0
+_CUT, _CUT_FRONT, _SLANTED = 4.0, 5.0, 4.0
 """Log-odds against a section as a view, and as the front view; against what looks pictorial."""
 
 _NAMED = 5.0
@@ -240,7 +240,9 @@ class _Search:
         projection: Projection,
     ) -> float:
         """Log-odds of a view beside those that are placed; minus infinity where extents are
-        apart, or where it shares no axis."""
+        apart, where it shares no axis, and of sections beside a view."""
+        if self._is_beside(number, place, placed):
+            return -inf
         total = 0.0
         shares, in_line = False, False
         for along, (axis, sign) in enumerate(_SHOWN[place]):
@@ -267,6 +269,15 @@ class _Search:
         total -= 0.0 if in_line else _OUT_OF_PLACE
         return total + self._by_name(number, place.role) + self._by_side(
             number, place, front, projection
+        )
+
+    def _is_beside(self, number: int, place: Placed, placed: Mapping[int, Placed]) -> bool:
+        """Whether a section stands for no view, as another looks along its axis."""
+        looks = place.role.frame.look_axis[0]
+        return any(
+            other_place.role.frame.look_axis[0] is looks
+            and DrawingKind.SECTION in (self.views[number].kind, self.views[other].kind)
+            for other, other_place in placed.items()
         )
 
     def _agree(self, one: int, along: int, other: int, other_along: int, turned: bool) -> float:
