@@ -33,7 +33,7 @@ from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
-from gaussiancad_core.views.role_search import Arrangement, Placed, arranged_views
+from gaussiancad_core.views.role_search import Arrangement, Placed, any_in_line, arranged_views
 from gaussiancad_protocol.codes import Code
 
 _GIVEN, _SAID = 40.0, 4.0
@@ -109,7 +109,11 @@ def _best(
         placed = {number: Placed(role) for number, role in fixed.items()}
         return Arrangement(placed, projection or Projection.THIRD, 0.0)
     ranking = arranged_views(reading.views, third, fixed) if fixed else reading.ranking
-    return ranking.best if ranking is not None else None
+    if ranking is None:
+        return None
+    boxes = [reading.views[number].box for number in ranking.best.placed]
+    # Where nothing is in line a layout of the file may bring the views together.
+    return ranking.best if len(boxes) == 1 or fixed or any_in_line(boxes) else None
 
 
 def _paper(drawing: VectorDrawing, sheet: OpenedSheet) -> PaperSheet:

@@ -8,11 +8,12 @@ from collections import defaultdict
 from math import log
 
 import numpy as np
+import shapely
 
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import Pen
-from gaussiancad_core.structure.closed_outlines import are_closed
+from gaussiancad_core.structure.closed_outlines import GRID, are_closed, faces_of
 from gaussiancad_core.structure.dimension_lines import GOES_ON
 
 _LONGEST_COUNTED = 30.0
@@ -34,6 +35,10 @@ visible edges, and that are round."""
 _EXTENSION, _GOING_ON = 1.5, 2.5
 """Log-odds against an edge, of what was told as an extension line, and as the other half of a
 dimension line."""
+
+_NARROW = 0.8
+"""Width of narrow lines in that of wide ones at most: half of it (ISO 128-2), or a step of the
+series of pens."""
 
 _ANNOTATIONS = (Label.DIMENSION, Label.EXTENSION, Label.CENTRE, Label.OTHER, Label.HATCH)
 
@@ -61,7 +66,37 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
         elif labelled.labels[number] is Label.OPEN:
             others.append(number)
     labelled = labelled.told(edges, Label.EDGE, "closes outlines, or its pen does")
+    narrow = _narrow(labelled)
+    labelled = labelled.told(narrow, Label.OTHER, "narrower than the outlines, and on none of them")
     return labelled.told(others, Label.OTHER, "its pen draws annotations, and it closes nothing")
+
+
+def _narrow(labelled: LabelledStrokes) -> list[int]:
+    """Numbers of edges in pens that are narrower than that of the outlines and draw none of these:
+    threads, and edges where faces meet smoothly (ISO 128-2)."""
+    numbers = labelled.numbers(Label.EDGE)
+    lengths: dict[float, float] = defaultdict(float)
+    for number in numbers:
+        lengths[labelled.strokes[number].pen.width] += labelled.strokes[number].length
+    if not lengths:
+        return []
+    wide = max(lengths, key=lambda width: lengths[width])
+    narrow = [
+        number
+        for number in numbers
+        if 0.0 < labelled.strokes[number].pen.width <= _NARROW * wide
+    ]
+    if not narrow:
+        return []
+    enclosed = shapely.union_all(faces_of([labelled.strokes[number] for number in numbers]).faces)
+    outside = enclosed.boundary.buffer(2.0 * GRID)
+    shapely.prepare(outside)
+    of_outlines = {
+        labelled.strokes[number].pen
+        for number in narrow
+        if outside.contains(labelled.strokes[number].line)
+    }
+    return [number for number in narrow if labelled.strokes[number].pen not in of_outlines]
 
 
 def _pen_odds(labelled: LabelledStrokes, closed: set[int]) -> dict[Pen, float]:
@@ -76,7 +111,10 @@ def _pen_odds(labelled: LabelledStrokes, closed: set[int]) -> dict[Pen, float]:
             against[stroke.pen] += length * (_DIMENSIONS if is_dimension else 1.0)
         elif label is Label.OPEN and number in closed:
             for_edges[stroke.pen] += length * (_ROUND if stroke.is_round else 1.0)
-    return {pen: log(against[pen] / for_edges[pen]) for pen in {*against, *for_edges}}
+    # What all pens draw together says nothing of one: a sheet of one pen has no odds by pens.
+    usual = log((_PRIOR + sum(against.values())) / (_PRIOR + sum(for_edges.values())))
+    pens = {*against, *for_edges}
+    return {pen: log(against[pen] / for_edges[pen]) - usual for pen in pens}
 
 
 def _against(

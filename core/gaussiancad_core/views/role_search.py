@@ -7,10 +7,12 @@ neighbours see, their names, and what the sheet says of its projection.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 from math import inf
 
 import numpy as np
 
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.views.drawing_titles import PICTORIAL
 from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
@@ -136,6 +138,14 @@ def arranged_views(
     best = renamed[0]
     others = [i for i in renamed[1:] if (i.placed, i.projection) != (best.placed, best.projection)]
     return Ranking(best, tuple(others))
+
+
+def any_in_line(boxes: Sequence[Box]) -> bool:
+    """Whether two of some boxes begin at one place, across the sheet or down it."""
+    return any(
+        min(abs(one[0] - other[0]), abs(one[1] - other[1])) < _ALIGNED
+        for one, other in combinations(boxes, 2)
+    )
 
 
 def shown_axes(placed: Placed) -> tuple[tuple[Axis, int], tuple[Axis, int]]:

@@ -8,7 +8,7 @@ from scipy.spatial import ConvexHull
 
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.geometry.chains import Chain, LineSegment
-from gaussiancad_core.sheet.graph import arrowhead_shapes
+from gaussiancad_core.structure import arrowheads as arrowhead_shapes
 from gaussiancad_core.structure.arrowheads import arrowheads
 
 _PLACE = st.tuples(st.floats(100.0, 900.0), st.floats(100.0, 900.0))
