@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -16,19 +16,17 @@ from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.recognition.file_layout import doubtful_lines, layout_of, scaled_box
 from gaussiancad_core.recognition.stroke_reading import StrokeReading, read_strokes
-from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.graph.graph_views import GraphViews
-from gaussiancad_core.sheet.graph.cut_areas import cut_areas
-from gaussiancad_core.sheet.graph.stroke_chains import with_whole_edges
 from gaussiancad_core.sheet.image.clean_ink import painted_sheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
-from gaussiancad_core.sheet.special_views.cut_views import hatched_box, section_kind
+from gaussiancad_core.sheet.special_views.cut_areas import cut_areas
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
-from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
+from gaussiancad_core.sheet.vector_views.stroke_chains import with_whole_edges
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
-from gaussiancad_core.sheet.views.sheet_layout import Layout, ProjectionSource
+from gaussiancad_core.sheet.views.sheet_layout import Layout, ProjectionSource, may_be_views
 from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
@@ -54,8 +52,26 @@ _MARKS = {
     Label.OTHER: AnnotationKind.EXTENSION,
 }
 
-_MEETS = 0.1
-"""mm within which a line ends at an edge."""
+
+@dataclass(frozen=True, eq=False)
+class FileViews:
+    """What the strokes of a file tell of its views.
+
+    Attributes:
+        separated: the sheet with the part's strokes alone.
+        layout: of its views.
+        vectors: the part's strokes.
+        doubtful: boxes in px of lines that run from edge to edge and are no edges for their pen.
+        is_all: whether no other drawing, and no picture, lies beside the views.
+        frame_guessed: whether the layout's frame may as well be the part's outline.
+    """
+
+    separated: SeparatedSheet
+    layout: Layout
+    vectors: VectorSheet
+    doubtful: tuple[Box, ...] = ()
+    is_all: bool = False
+    frame_guessed: bool = False
 
 
 def file_views(
@@ -64,7 +80,7 @@ def file_views(
     given: Mapping[Role, Box],
     projection: Projection | None,
     symbol: ProjectionSymbol | None,
-) -> GraphViews | None:
+) -> FileViews | None:
     """The views of a sheet by the strokes of its file; nothing where these tell none.
 
     Args:
@@ -79,23 +95,57 @@ def file_views(
     """
     if sheet.turn.angle:
         return None
-    paper = _paper(drawing, sheet)
-    scale = paper.px_per_mm
-    heads = [
-        Head((head.tip[0] / scale, head.tip[1] / scale), head.way, head.length / scale)
-        for head in sheet.heads
-    ]
     third = _third_angle(drawing, projection, symbol)
-    symbols = [_scaled(symbol.mark.box, 1.0 / scale)] if symbol is not None else []
-    reading = read_strokes(paper, heads, third, symbols)
-    reading, fixed = _with_given(reading, {r: _scaled(box, 1 / scale) for r, box in given.items()})
+    symbols = [symbol.mark.box] if symbol is not None else []
+    reading, scale = strokes_of_file(drawing, sheet, third, symbols)
+    reading, fixed = _with_given(
+        reading, {r: scaled_box(box, 1 / scale) for r, box in given.items()}
+    )
     best = _best(reading, third, fixed, projection)
     if best is None:
         return None
     upright = {number: placed for number, placed in best.placed.items() if not placed.turn}
     if not upright:
         return None
-    return _found(drawing, sheet, reading, replace(best, placed=upright), (projection, symbol), scale)
+    file = _File(drawing, sheet, reading, scale)
+    return _found(file, replace(best, placed=upright), projection, symbol)
+
+
+def strokes_of_file(
+    drawing: VectorDrawing,
+    sheet: OpenedSheet,
+    third_angle: float = 0.0,
+    symbols: Sequence[Box] = (),
+) -> tuple[StrokeReading, float]:
+    """What the strokes of a file stand for, in mm of paper, and px of the sheet per mm.
+
+    Args:
+        drawing: of the file, in px of the sheet, which has to be upright as stored.
+        sheet: that.
+        third_angle: log-odds for third angle by what it says of its projection.
+        symbols: boxes of signs that are known, px.
+    """
+    paper = _paper(drawing, sheet)
+    scale = paper.px_per_mm
+    heads = [
+        Head((head.tip[0] / scale, head.tip[1] / scale), head.way, head.length / scale)
+        for head in sheet.heads
+    ]
+    signs = [scaled_box(box, 1.0 / scale) for box in symbols]
+    return read_strokes(paper, heads, third_angle, signs), scale
+
+
+def part_of_file(reading: StrokeReading, scale: float) -> VectorDrawing:
+    """The part's strokes, px: whole visible edges, and hidden ones.
+
+    Args:
+        reading: of the file.
+        scale: px per mm.
+    """
+    to_px = Similarity(scale)
+    edges = [_in_px(stroke, to_px, scale) for stroke in reading.labelled.of(Label.EDGE)]
+    hidden = [_in_px(stroke, to_px, scale) for stroke in reading.labelled.of(Label.HIDDEN)]
+    return VectorDrawing((*with_whole_edges(edges), *hidden), ())
 
 
 def _best(
@@ -189,20 +239,26 @@ def _merged(views: Sequence[DrawnView]) -> DrawnView:
     )
 
 
+@dataclass(frozen=True, eq=False)
+class _File:
+    """A file, and what its strokes tell; px of the sheet per mm."""
+
+    drawing: VectorDrawing
+    sheet: OpenedSheet
+    reading: StrokeReading
+    scale: float
+
+
 def _found(
-    drawing: VectorDrawing,
-    sheet: OpenedSheet,
-    reading: StrokeReading,
+    file: _File,
     best: Arrangement,
-    stated: tuple[Projection | None, ProjectionSymbol | None],
-    scale: float,
-) -> GraphViews:
-    projection, symbol = stated
+    projection: Projection | None,
+    symbol: ProjectionSymbol | None,
+) -> FileViews:
+    drawing, sheet, reading, scale = file.drawing, file.sheet, file.reading, file.scale
     labelled = reading.labelled
     to_px = Similarity(scale)
-    edges = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.EDGE)]
-    hidden = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.HIDDEN)]
-    part = VectorDrawing((*with_whole_edges(edges), *hidden), ())
+    part = part_of_file(reading, scale)
     painted = painted_sheet(part, sheet.shape, sheet.turn)
     centres = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.CENTRE)]
     hatches = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.HATCH)]
@@ -213,9 +269,9 @@ def _found(
         if label in _MARKS and (mark := _mark(stroke, _MARKS[label], to_px)) is not None
     ]
     texts = {text.box for text in drawing.texts}
-    words = (_scaled(box, scale) for box in reading.words)
+    words = (scaled_box(box, scale) for box in reading.words)
     marks += [Mark(AnnotationKind.TEXT, box) for box in words if box not in texts]
-    layout = _layout(reading, best, hatched, scale)
+    layout = layout_of(reading, best, hatched, scale)
     source: ProjectionSource = "default"
     if projection is not None:
         source = "given"
@@ -226,98 +282,13 @@ def _found(
     alternatives = () if projection is not None else (best.projection.other,)
     layout = replace(layout, source=source, alternatives=alternatives)
     separated = SeparatedSheet(painted, tuple(marks), hatched, has_paper=drawing.has_paper)
-    is_all = drawing.complete and not layout.left_out and not layout.special
+    is_all = drawing.complete and not may_be_views(layout.left_out)
     area = reading.area
     guessed = area.is_framed and not area.is_certain
     if area.is_framed and not drawing.has_paper:
-        layout = replace(layout, frame=_scaled(area.polygon.bounds, scale))
-    doubtful = _doubtful(reading, best, scale)
-    return GraphViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed)
-
-
-def _layout(
-    reading: StrokeReading, best: Arrangement, hatched: Mask | None, scale: float
-) -> Layout:
-    """Where the views are, px, and what else is drawn."""
-    boxes: dict[Role, Box] = {}
-    special: list[SpecialView] = []
-    left_out: list[Box] = []
-    for number, view in enumerate(reading.views):
-        box = _scaled(view.box, scale)
-        placed = best.placed.get(number)
-        if placed is not None:
-            boxes[placed.role] = box
-        kind = section_kind(hatched, box) if hatched is not None else None
-        if view.kind is DrawingKind.SECTION and kind is not None and hatched is not None:
-            special.append(SpecialView(kind, box, placed is not None, hatched_box(hatched, box)))
-        elif placed is None and view.kind in _SPECIAL:
-            special.append(SpecialView(_SPECIAL[view.kind], box))
-        elif placed is None:
-            left_out.append(box)
-    rest = [view for n, view in enumerate(reading.views) if n not in best.placed]
-    others = _other_parts(rest, reading, min(view.area for view in _views(reading, best)))
-    for group in others:
-        around = np.array([_scaled(view.box, scale) for view in group])
-        merged = (*around[:, :2].min(axis=0).tolist(), *around[:, 2:].max(axis=0).tolist())
-        special.append(SpecialView(SpecialKind.OTHER_PART, merged))
-        gone = {_scaled(view.box, scale) for view in group}
-        left_out = [box for box in left_out if box not in gone]
-    order = sorted(boxes, key=list(Role).index)
-    projection = best.projection
-    return Layout(
-        {role: boxes[role] for role in order},
-        projection,
-        "default",
-        (projection.other,),
-        tuple(left_out),
-        tuple(special),
-    )
-
-
-_SPECIAL = {
-    DrawingKind.PICTORIAL: SpecialKind.PICTORIAL,
-    DrawingKind.DETAIL: SpecialKind.DETAIL,
-}
-
-
-def _views(reading: StrokeReading, best: Arrangement) -> list[DrawnView]:
-    return [reading.views[number] for number in best.placed]
-
-
-def _other_parts(
-    rest: Sequence[DrawnView], reading: StrokeReading, least: float
-) -> list[list[DrawnView]]:
-    """Groups of drawings that belong together, and not to the part's."""
-    left = [view for view in rest if view.kind is DrawingKind.PLAIN and view.area > 0.1 * least]
-    found = []
-    while len(left) >= 2:
-        ranking = arranged_views(left)
-        if ranking is None or len(ranking.best.placed) < 2 or ranking.best.odds < _OTHER_PART:
-            break
-        found.append([left[number] for number in ranking.best.placed])
-        left = [view for n, view in enumerate(left) if n not in ranking.best.placed]
-    return found
-
-
-_OTHER_PART = 6.0
-"""Log-odds from which drawings that are left are another part's views."""
-
-
-def _doubtful(reading: StrokeReading, best: Arrangement, scale: float) -> tuple[Box, ...]:
-    """Boxes in px of lines that are no edges for their pen alone: within views, and from edge to
-    edge."""
-    labelled = reading.labelled
-    found = []
-    for view in _views(reading, best):
-        frame = shapely.box(*view.box)
-        edges = shapely.union_all([edge.line for edge in view.edges])
-        shapely.prepare(edges)
-        for stroke in labelled.of(Label.OTHER):
-            if not stroke.is_line or not frame.contains(stroke.line):
-                continue
-            if all(edges.dwithin(shapely.Point(end), _MEETS) for end in stroke.ends):
-                found.append(_scaled(stroke.box, scale))
-    return tuple(found)
+        layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
+    doubtful = doubtful_lines(reading, best, scale)
+    return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed)
 
 
 def _in_px(stroke: PaperStroke, to_px: Similarity, scale: float) -> VectorStroke:
@@ -339,8 +310,3 @@ def _mark(stroke: PaperStroke, kind: AnnotationKind, to_px: Similarity) -> Mark 
     if isinstance(curve, LineSegment):
         return line_mark(kind, curve.start, curve.end)
     return Mark(kind, curve.box)
-
-
-def _scaled(box: Box, by: float) -> Box:
-    x0, y0, x1, y1 = box
-    return x0 * by, y0 * by, x1 * by, y1 * by

@@ -62,9 +62,7 @@ def is_ruled(stroke: PaperStroke) -> bool:
     return stroke.is_line and not stroke.dashes and bool(np.abs(stroke.way).min() < _LEVEL)
 
 
-def drawing_area(
-    sheet: PaperSheet, labelled: LabelledStrokes, words: Sequence[Box]
-) -> DrawingArea:
+def drawing_area(sheet: PaperSheet, labelled: LabelledStrokes, words: Sequence[Box]) -> DrawingArea:
     """The area in which the views of a sheet lie; all of it where no lines go around one.
 
     Args:

@@ -82,9 +82,7 @@ def _narrow(labelled: LabelledStrokes) -> list[int]:
         return []
     wide = max(lengths, key=lambda width: lengths[width])
     narrow = [
-        number
-        for number in numbers
-        if 0.0 < labelled.strokes[number].pen.width <= _NARROW * wide
+        number for number in numbers if 0.0 < labelled.strokes[number].pen.width <= _NARROW * wide
     ]
     if not narrow:
         return []

@@ -60,15 +60,18 @@ def _families(labelled: LabelledStrokes) -> Iterator[list[int]]:
         angle = float(np.degrees(np.arctan2(stroke.way[1], stroke.way[0]))) % 180.0
         if has_names:
             degrees[None].append((angle, number))
-        elif not stroke.dashes and stroke.role is not StrokeRole.VISIBLE:
-            if min(angle % 90.0, 90.0 - angle % 90.0) >= _SLANTED:
-                degrees[stroke.pen].append((angle, number))
+        elif not stroke.dashes and stroke.role is not StrokeRole.VISIBLE and _is_slanted(angle):
+            degrees[stroke.pen].append((angle, number))
     fewest = _FEWEST_NAMED if has_names else _FEWEST
     for of_pen in degrees.values():
         for parallels in _parallels(sorted(of_pen)):
             for family in _beside_each_other(labelled.strokes, parallels, fewest):
                 if has_names or _is_even([labelled.strokes[number] for number in family]):
                     yield family
+
+
+def _is_slanted(angle: float) -> bool:
+    return min(angle % 90.0, 90.0 - angle % 90.0) >= _SLANTED
 
 
 def _parallels(by_angle: Sequence[tuple[float, int]]) -> Iterator[list[int]]:

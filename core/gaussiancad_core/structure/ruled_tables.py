@@ -79,9 +79,7 @@ def _tables(cells: Sequence[Polygon], words: Sequence[Box]) -> list[Polygon]:
     corners = np.array(words).reshape(-1, 4)
     middles = (corners[:, :2] + corners[:, 2:]) / 2.0
     bounds = shapely.bounds(cells)
-    held = [
-        bool(((middles > box[:2]) & (middles < box[2:])).all(axis=1).any()) for box in bounds
-    ]
+    held = [bool(((middles > box[:2]) & (middles < box[2:])).all(axis=1).any()) for box in bounds]
     grown = [cell.buffer(_BESIDE) for cell in cells]
     pairs = shapely.STRtree(cells).query(grown, "intersects").T
     sides = [grown[one].intersection(cells[other]).length > _SHARED for one, other in pairs]

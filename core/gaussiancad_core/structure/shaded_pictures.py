@@ -1,6 +1,7 @@
-"""Shaded views that are pictures in a file: their outlines stand for edges that the file has not."""
+"""Shaded views that are pictures in a file: their outlines stand for edges that it has not."""
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 import cv2
 import numpy as np
@@ -71,7 +72,7 @@ def with_picture_outlines(
                 ring = np.concatenate([corners, corners[:1]])
                 found += [
                     PaperStroke(LineSegment(to_point(start), to_point(end)), PICTURE)
-                    for start, end in zip(ring, ring[1:], strict=False)
+                    for start, end in pairwise(ring)
                 ]
     first = len(labelled.strokes)
     labelled = labelled.joined([], found, "")

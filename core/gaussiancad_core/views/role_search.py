@@ -277,8 +277,10 @@ class _Search:
         total -= _OVERTURNED if place.turn == 2 else 0.0
         total -= _RARE.get(place.role, 0.0) + self._odd(number, _CUT)
         total -= 0.0 if in_line else _OUT_OF_PLACE
-        return total + self._by_name(number, place.role) + self._by_side(
-            number, place, front, projection
+        return (
+            total
+            + self._by_name(number, place.role)
+            + self._by_side(number, place, front, projection)
         )
 
     def _is_beside(self, number: int, place: Placed, placed: Mapping[int, Placed]) -> bool:

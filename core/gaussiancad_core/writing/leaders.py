@@ -8,11 +8,11 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.model.views import Arc
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.picture_noise import ASLANT
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import rule_of
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.writing.dimension_layout import BESIDE, IN_LINE, MISSED
 from gaussiancad_core.writing.sheet_texts import SheetText
 

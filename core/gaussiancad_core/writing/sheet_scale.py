@@ -12,7 +12,6 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_core.model.views import Arc, Segment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.structure.arrowheads import without_heads
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
@@ -20,6 +19,7 @@ from gaussiancad_core.sheet.labels.label_evidence import meets_any
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
+from gaussiancad_core.structure.arrowheads import without_heads
 from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
 from gaussiancad_core.writing.dimension_layout import LIKELY, POSSIBLE
 from gaussiancad_core.writing.dimension_texts import (

@@ -15,9 +15,9 @@ from gaussiancad_core.files.plotted import lines_and_arcs
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.points import Points as Floats
 from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.sheet.file_noise import SAME_POINT
-from gaussiancad_core.sheet.graph.touching_ends import Floats
 
 _BESIDE = 0.01
 """px by which points of a straight edge may lie beside it, and what they are rounded to besides."""
