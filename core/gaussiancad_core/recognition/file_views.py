@@ -235,6 +235,7 @@ def _merged(views: Sequence[DrawnView]) -> DrawnView:
         shapely.union_all([view.outline for view in views]),
         tuple(stroke for view in views for stroke in view.hidden),
         tuple(family for view in views for family in view.hatching),
+        tuple(stroke for view in views for stroke in view.narrow),
         DrawingKind.SECTION if cut else DrawingKind.PLAIN,
     )
 

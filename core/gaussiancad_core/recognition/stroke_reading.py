@@ -6,8 +6,9 @@ come last, as whatever is left, in the pens that draw outlines.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+import shapely
 from shapely import Polygon
 
 from gaussiancad_core.file_reading.dashed_lines import with_dashed_lines
@@ -32,6 +33,7 @@ from gaussiancad_core.structure.shaded_pictures import with_picture_outlines
 from gaussiancad_core.views.drawing_kinds import with_kinds
 from gaussiancad_core.views.drawing_titles import with_titles
 from gaussiancad_core.views.drawn_views import DrawnView, drawn_views
+from gaussiancad_core.views.framed_views import Surety, surety_of_views
 from gaussiancad_core.views.role_search import Ranking, arranged_views
 
 
@@ -78,9 +80,18 @@ def read_strokes(
     written = _Written(sheet, words, letters, heads, third_angle)
     area = drawing_area(sheet, labelled, words)
     framed = _read(labelled, area, written)
-    if area.is_certain or _has_views(framed):
+    if area.is_certain:
         return framed
-    return _read(labelled, whole_sheet(sheet), written)
+    surety = surety_of_views(framed.views, area.polygon)
+    if surety is Surety.NONE or _has_notes_beside(sheet, area):
+        return _read(labelled, whole_sheet(sheet), written)
+    return replace(framed, area=replace(area, is_certain=surety is Surety.CERTAIN))
+
+
+def _has_notes_beside(sheet: PaperSheet, area: DrawingArea) -> bool:
+    """Whether anything is written beside an area: a frame goes around all that is."""
+    outer = area.polygon.envelope
+    return any(not outer.intersects(shapely.box(*text.box)) for text in sheet.texts)
 
 
 def _without_symbols(labelled: LabelledStrokes, symbols: Sequence[Box]) -> LabelledStrokes:
@@ -133,7 +144,9 @@ def _read(labelled: LabelledStrokes, area: DrawingArea, written: _Written) -> St
     labelled, families = hatching_apart(labelled)
     labelled = with_edges(labelled)
     labelled = with_picture_outlines(sheet, labelled, area.polygon)
-    views = drawn_views(labelled.of(Label.EDGE), labelled.of(Label.HIDDEN), families)
+    views = drawn_views(
+        labelled.of(Label.EDGE), labelled.of(Label.HIDDEN), families, labelled.of(Label.OTHER)
+    )
     fills = [fill for number, fill in enumerate(sheet.fills) if number not in written.letters]
     views = with_titles(with_kinds(views, fills), sheet.texts)
     return StrokeReading(
@@ -145,22 +158,3 @@ def _read(labelled: LabelledStrokes, area: DrawingArea, written: _Written) -> St
         tuple(views),
         arranged_views(views, written.third_angle),
     )
-
-
-def _has_views(reading: StrokeReading) -> bool:
-    """Whether what lies in an area are views, of which one has edges within its outline: holes in a
-    plate have none."""
-    if reading.ranking is None or len(reading.ranking.best.placed) < 2:
-        return False
-    x0, y0, x1, y1 = reading.area.polygon.bounds
-    least = _VIEW * (x1 - x0), _VIEW * (y1 - y0)
-    placed = [reading.views[number] for number in reading.ranking.best.placed]
-    return any(
-        view.size[0] >= least[0] and view.size[1] >= least[1] and len(view.edges) > _PLAIN
-        for view in placed
-    )
-
-
-_VIEW, _PLAIN = 0.1, 4
-"""Share of a frame's width and height that a view in it has at least; edges of an outline that may
-be a pocket's."""

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 import shapely
 from shapely import Polygon
 
@@ -11,9 +12,6 @@ from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 
 GRID = 0.02
 """mm to which places are rounded, so that ends meet."""
-
-_FREE = 0.5
-"""Share of a stroke that bounds nothing from which it is open."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,17 +36,14 @@ def faces_of(strokes: Sequence[PaperStroke]) -> Faces:
     return Faces(tuple(faces.geoms), (*dangles.geoms, *cuts.geoms))
 
 
-def are_closed(strokes: Sequence[PaperStroke]) -> np.ndarray:
-    """(n,) which strokes bound faces along most of their length."""
-    closed = np.ones(len(strokes), dtype=bool)
-    loose = faces_of(strokes).dangles
-    if not loose:
-        return closed
-    lines = [stroke.line for stroke in strokes]
-    beside = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
-    numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
+def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
+    """(n,) mm of each stroke that bound no face."""
     free = np.zeros(len(strokes))
-    for number, piece in zip(numbers.tolist(), pieces.tolist(), strict=True):
-        free[number] += loose[piece].intersection(beside[number]).length
-    lengths = np.array([stroke.length for stroke in strokes])
-    return np.asarray(free < _FREE * lengths)
+    loose = faces_of(strokes).dangles
+    if loose:
+        lines = [stroke.line for stroke in strokes]
+        beside = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
+        numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
+        for number, piece in zip(numbers.tolist(), pieces.tolist(), strict=True):
+            free[number] += loose[piece].intersection(beside[number]).length
+    return free

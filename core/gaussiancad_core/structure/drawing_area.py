@@ -38,8 +38,12 @@ _MARGIN = 32.0
 """mm from a frame to the edge of the paper at most: ISO 5457 has 20 on the left and 10 else, and
 some leave room for zone marks."""
 
-_BORDER = 12.0
-"""mm between the two lines of a frame at most."""
+_FILING, _OFF = 2.0, 0.1
+"""The filing margin, on the left, over the other ones, which are alike (ISO 5457: 20 and 10 mm),
+and share by which margins may differ from that."""
+
+_BESIDE = 8.0
+"""mm from a frame to a title block that stands by itself at most."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,12 +122,13 @@ def _has_margins(area: Polygon, size: tuple[float, float]) -> bool:
 
 
 def _has_border(area: Polygon, faces: Sequence[Polygon]) -> bool:
-    """Whether a second line goes around."""
+    """Whether a second line goes around with the margins of a sheet: twice as much on the left."""
     low, high = np.array(area.bounds[:2]), np.array(area.bounds[2:])
     for face in faces:
         x0, y0, x1, y1 = face.bounds
-        gaps = np.array([*(low - (x0, y0)), *((x1, y1) - high)])
-        if (gaps > _EDGE).all() and (gaps <= _BORDER).all():
+        left, *others = (*(low - (x0, y0)), *((x1, y1) - high))
+        gaps = np.array([left / _FILING, *others])
+        if (gaps > _EDGE).all() and (np.abs(gaps - gaps[1:].mean()) <= _OFF * gaps.mean()).all():
             return True
     return False
 
@@ -135,7 +140,7 @@ def _has_cells(area: Polygon, faces: Sequence[Polygon], words: Sequence[Box]) ->
     inner = area.buffer(-_EDGE)
     shapely.prepare(inner)
     beside = [face for face in faces if not inner.intersects(face)]
-    edge = area.exterior.buffer(2.0 * _OVERRUN)
+    edge = area.exterior.buffer(_BESIDE)
     joined = shapely.union_all([edge, *(face.buffer(_OVERRUN) for face in beside)])
     pieces = [piece for piece in shapely.get_parts(joined) if piece.intersects(area.exterior)]
     return (

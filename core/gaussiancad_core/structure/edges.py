@@ -5,15 +5,20 @@ edges; one that closes outlines does.  Both are log-odds, and add up for each st
 """
 
 from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
 from math import log
 
 import numpy as np
+import numpy.typing as npt
 import shapely
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.files.vectors import StrokeRole
-from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
-from gaussiancad_core.sheet_model.paper_sheet import Pen
-from gaussiancad_core.structure.closed_outlines import GRID, are_closed, faces_of
+from gaussiancad_core.sheet_model.labelled_strokes import Flags, Label, LabelledStrokes
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen
+from gaussiancad_core.structure.closed_outlines import GRID, faces_of, loose_lengths
 from gaussiancad_core.structure.dimension_lines import GOES_ON
 
 _LONGEST_COUNTED = 30.0
@@ -22,15 +27,23 @@ _LONGEST_COUNTED = 30.0
 _DIMENSIONS, _ROUND = 3.0, 2.0
 """Weight of dimension and extension lines, and of closed circles, for their pen."""
 
-_PRIOR = 0.5
-"""mm that speak either way for a pen that nothing is known of."""
+_PRIOR, _RAREST = 10.0, 0.1
+"""mm that a pen draws as all do together before it is asked; share of annotations, or of edges, of
+all that a sheet has at least."""
 
 _PEN = 4.0
 """Log-odds by a pen, at most."""
 
-_CLOSED, _LOOSE, _NAMED, _CURVED = -1.0, 0.7, -3.0, -0.7
-"""Log-odds against an edge, of strokes that close outlines, that do not, that the file names as
-visible edges, and that are round."""
+_CLOSED, _LOOSE, _ALONE, _NAMED, _CURVED = -1.0, 0.7, 3.0, -3.0, -0.7
+"""Log-odds against an edge, of strokes that close outlines, that do not, that are a few by
+themselves, that the file names as visible edges, and that are round."""
+
+_FEW, _TOUCH = 5, 0.1
+"""Strokes that touch each other and close nothing up to which they are a sign, and mm within which
+they touch."""
+
+_STICKING_OUT = 0.25
+"""mm of a stroke that bound nothing from which it sticks out of an outline."""
 
 _EXTENSION, _GOING_ON = 1.5, 2.5
 """Log-odds against an edge, of what was told as an extension line, and as the other half of a
@@ -57,11 +70,12 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
         if labelled.labels[number] is Label.EXTENSION or labelled.reasons[number] == GOES_ON
     ]
     tried = [*labelled.numbers(Label.OPEN), *doubtful]
-    closed = are_closed([labelled.strokes[number] for number in tried])
-    pens = _pen_odds(labelled, {n for n, shut in zip(tried, closed, strict=True) if shut})
+    meeting = _Meeting.of([labelled.strokes[number] for number in tried])
+    pens = _pen_odds(labelled, tried, meeting)
     edges, others = [], []
-    for number, is_closed in zip(tried, closed.tolist(), strict=True):
-        if _against(labelled, number, pens, is_closed=is_closed) < 0.0:
+    for index, number in enumerate(tried):
+        odds = _against(labelled, number, pens) + float(meeting.odds[index])
+        if odds < 0.0:
             edges.append(number)
         elif labelled.labels[number] is Label.OPEN:
             others.append(number)
@@ -69,6 +83,36 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
     narrow = _narrow(labelled)
     labelled = labelled.told(narrow, Label.OTHER, "narrower than the outlines, and on none of them")
     return labelled.told(others, Label.OTHER, "its pen draws annotations, and it closes nothing")
+
+
+@dataclass(frozen=True, eq=False)
+class _Meeting:
+    """How strokes meet each other.
+
+    Attributes:
+        closed: (n,) which bound faces along most of their length.
+        sticking_out: (n,) which have an end in the open.
+        odds: (n,) log-odds against an edge.
+    """
+
+    closed: Flags
+    sticking_out: Flags
+    odds: npt.NDArray[np.float64]
+
+    @classmethod
+    def of(cls, strokes: Sequence[PaperStroke]) -> "_Meeting":
+        loose = loose_lengths(strokes)
+        lengths = np.array([stroke.length for stroke in strokes])
+        closed = loose < 0.5 * lengths
+        odds = np.where(closed, _CLOSED, _LOOSE)
+        if len(strokes):
+            lines = [stroke.line for stroke in strokes]
+            pairs = shapely.STRtree(lines).query(lines, "dwithin", _TOUCH)
+            graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
+            groups = connected_components(graph, directed=False)[1]
+            few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
+            odds = np.where(few[groups], _ALONE, odds)
+        return cls(closed, loose > _STICKING_OUT, odds)
 
 
 def _narrow(labelled: LabelledStrokes) -> list[int]:
@@ -97,31 +141,38 @@ def _narrow(labelled: LabelledStrokes) -> list[int]:
     return [number for number in narrow if labelled.strokes[number].pen not in of_outlines]
 
 
-def _pen_odds(labelled: LabelledStrokes, closed: set[int]) -> dict[Pen, float]:
-    """Log-odds against an edge by pen: what geometry told of its strokes, and how much of the
-    closed outlines it draws."""
-    against: dict[Pen, float] = defaultdict(lambda: _PRIOR)
-    for_edges: dict[Pen, float] = defaultdict(lambda: _PRIOR)
+def _pen_odds(
+    labelled: LabelledStrokes, tried: Sequence[int], meeting: _Meeting
+) -> dict[Pen, float]:
+    """Log-odds against an edge by pen: what geometry told of its strokes, which stick out of
+    outlines, and how much of these it draws."""
+    closed = {number for number, is_closed in zip(tried, meeting.closed, strict=True) if is_closed}
+    out = {number for number, is_out in zip(tried, meeting.sticking_out, strict=True) if is_out}
+    against: dict[Pen, float] = defaultdict(float)
+    for_edges: dict[Pen, float] = defaultdict(float)
     for number, (stroke, label) in enumerate(zip(labelled.strokes, labelled.labels, strict=True)):
         length = min(stroke.length, _LONGEST_COUNTED)
         if label in _ANNOTATIONS:
             is_dimension = label in (Label.DIMENSION, Label.EXTENSION)
             against[stroke.pen] += length * (_DIMENSIONS if is_dimension else 1.0)
+        elif label is Label.OPEN and number in out:
+            against[stroke.pen] += length
         elif label is Label.OPEN and number in closed:
             for_edges[stroke.pen] += length * (_ROUND if stroke.is_round else 1.0)
     # What all pens draw together says nothing of one: a sheet of one pen has no odds by pens.
-    usual = log((_PRIOR + sum(against.values())) / (_PRIOR + sum(for_edges.values())))
-    pens = {*against, *for_edges}
-    return {pen: log(against[pen] / for_edges[pen]) - usual for pen in pens}
+    total = sum(against.values()) + sum(for_edges.values())
+    usual = float(np.clip(sum(against.values()) / max(total, 1e-9), _RAREST, 1.0 - _RAREST))
+    return {
+        pen: log((against[pen] + _PRIOR * usual) / (for_edges[pen] + _PRIOR * (1.0 - usual)))
+        - log(usual / (1.0 - usual))
+        for pen in {*against, *for_edges}
+    }
 
 
-def _against(
-    labelled: LabelledStrokes, number: int, pens: dict[Pen, float], *, is_closed: bool
-) -> float:
-    """Log-odds against a stroke as an edge."""
+def _against(labelled: LabelledStrokes, number: int, pens: dict[Pen, float]) -> float:
+    """Log-odds against a stroke as an edge, but for what it meets."""
     stroke, label = labelled.strokes[number], labelled.labels[number]
     odds = float(np.clip(pens.get(stroke.pen, 0.0), -_PEN, _PEN))
     odds += {Label.EXTENSION: _EXTENSION, Label.DIMENSION: _GOING_ON}.get(label, 0.0)
-    odds += _CLOSED if is_closed else _LOOSE
     odds += _NAMED if stroke.role is StrokeRole.VISIBLE else 0.0
     return odds + (_CURVED if stroke.is_round else 0.0)

@@ -30,8 +30,9 @@ _LEAST_STEP, _LARGEST_STEP = 0.15, 8.0
 _EVEN, _MOST = 0.15, 0.65
 """Share of a step by which lines may lie beside whole ones; share of the lines that lie so."""
 
-_LEAST_DEGREE = 1.0
-"""Degrees by which lines of one family may differ."""
+_ALONG, _ROUNDED = 1.0, 0.04
+"""Degrees by which lines of one family may differ, and mm by which the ends of short ones may lie
+aside besides."""
 
 
 def hatching_apart(
@@ -39,7 +40,12 @@ def hatching_apart(
 ) -> tuple[LabelledStrokes, list[list[PaperStroke]]]:
     """The strokes, hatching told, and its families."""
     families = list(_families(labelled))
-    numbers = [number for family in families for number in family]
+    named = [
+        number
+        for number in labelled.numbers(Label.OPEN, Label.OTHER)
+        if is_named(labelled.strokes[number])
+    ]
+    numbers = [*named, *(number for family in families for number in family)]
     labelled = labelled.told(numbers, Label.HATCH, "one of a family of parallels")
     return labelled, [[labelled.strokes[number] for number in family] for family in families]
 
@@ -52,16 +58,16 @@ def is_named(stroke: PaperStroke) -> bool:
 def _families(labelled: LabelledStrokes) -> Iterator[list[int]]:
     """Numbers of the lines of each family; a file that names its hatching has no other."""
     has_names = any(is_named(stroke) for stroke in labelled.strokes)
-    degrees: dict[object, list[tuple[float, int]]] = defaultdict(list)
+    degrees: dict[object, list[tuple[float, float, int]]] = defaultdict(list)
     for number in labelled.numbers(Label.OPEN, Label.OTHER):
         stroke = labelled.strokes[number]
         if not stroke.is_line or stroke.length <= _SHORTEST or is_named(stroke) != has_names:
             continue
         angle = float(np.degrees(np.arctan2(stroke.way[1], stroke.way[0]))) % 180.0
         if has_names:
-            degrees[None].append((angle, number))
+            degrees[None].append((angle, stroke.length, number))
         elif not stroke.dashes and stroke.role is not StrokeRole.VISIBLE and _is_slanted(angle):
-            degrees[stroke.pen].append((angle, number))
+            degrees[stroke.pen].append((angle, stroke.length, number))
     fewest = _FEWEST_NAMED if has_names else _FEWEST
     for of_pen in degrees.values():
         for parallels in _parallels(sorted(of_pen)):
@@ -74,12 +80,13 @@ def _is_slanted(angle: float) -> bool:
     return min(angle % 90.0, 90.0 - angle % 90.0) >= _SLANTED
 
 
-def _parallels(by_angle: Sequence[tuple[float, int]]) -> Iterator[list[int]]:
+def _parallels(by_angle: Sequence[tuple[float, float, int]]) -> Iterator[list[int]]:
     """Numbers of lines whose directions follow each other closely."""
     group: list[int] = []
     last = -np.inf
-    for angle, number in by_angle:
-        if angle - last > _LEAST_DEGREE and group:
+    for angle, length, number in by_angle:
+        apart = _ALONG + float(np.degrees(np.arctan2(_ROUNDED, length)))
+        if angle - last > apart and group:
             yield group
             group = []
         group.append(number)

@@ -49,6 +49,7 @@ class DrawnView:
         outline: what they enclose; empty where they do not close.
         hidden: hidden ones within its box.
         hatching: families of hatching within its box.
+        narrow: other solid strokes within its box that may show the part: threads, smooth edges.
         kind: what it is.
         name: what its title calls it, in small letters: a role's name, or ``pictorial``; empty
             where it has none.
@@ -60,6 +61,7 @@ class DrawnView:
     outline: shapely.Geometry
     hidden: tuple[PaperStroke, ...] = ()
     hatching: tuple[tuple[PaperStroke, ...], ...] = ()
+    narrow: tuple[PaperStroke, ...] = ()
     kind: DrawingKind = DrawingKind.PLAIN
     name: str = ""
     title: str = ""
@@ -79,6 +81,7 @@ def drawn_views(
     edges: Sequence[PaperStroke],
     hidden: Sequence[PaperStroke],
     families: Sequence[Sequence[PaperStroke]],
+    others: Sequence[PaperStroke] = (),
 ) -> list[DrawnView]:
     """The drawings of a sheet.
 
@@ -86,6 +89,7 @@ def drawn_views(
         edges: visible ones.
         hidden: hidden ones.
         families: of hatching.
+        others: solid strokes that are no edges and of which nobody knows what they are.
     """
     found = []
     for group in _gathered(edges):
@@ -96,13 +100,14 @@ def drawn_views(
         outline = shapely.union_all(faces_of(group).faces)
         kind = DrawingKind.PLAIN if outline.area >= _LEAST_AREA else DrawingKind.SCRAP
         found.append(DrawnView(box, tuple(group), outline, kind=kind))
-    return [_filled(view, hidden, families) for view in found]
+    return [_filled(view, hidden, families, others) for view in found]
 
 
 def _filled(
     view: DrawnView,
     hidden: Sequence[PaperStroke],
     families: Sequence[Sequence[PaperStroke]],
+    others: Sequence[PaperStroke],
 ) -> DrawnView:
     """A drawing with what lies in its box besides edges."""
     frame = shapely.box(*view.box).buffer(_NEAR)
@@ -112,7 +117,8 @@ def _filled(
         for family in families
         if all(frame.contains(stroke.line) for stroke in family)
     )
-    return replace(view, hidden=inside, hatching=hatching)
+    narrow = tuple(stroke for stroke in others if frame.contains(stroke.line))
+    return replace(view, hidden=inside, hatching=hatching, narrow=narrow)
 
 
 def _gathered(edges: Sequence[PaperStroke]) -> list[list[PaperStroke]]:

@@ -146,7 +146,7 @@ def _corners(view: DrawnView, axis: int, *, high: bool) -> Iterator[float]:
 def _edge_places(view: DrawnView, axis: int) -> Places:
     """Places along an axis of a view's edges across it, and where its arcs turn back."""
     found: list[float] = []
-    for edge in view.edges:
+    for edge in (*view.edges, *view.narrow):
         found += [place - view.box[axis] for place in _places(edge, axis)]
     return distinct(found)
 

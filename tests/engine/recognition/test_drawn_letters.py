@@ -6,13 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
+from gaussiancad_core.sheet.graph.graph_views import graph_views
+from gaussiancad_core.sheet.graph.touching_ends import touching
 
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection
-from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
-from gaussiancad_core.sheet.graph.graph_views import graph_views
-from gaussiancad_core.sheet.graph.touching_ends import touching
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.writing.sheet_scale import ScaleSource, find_scale, read_texts

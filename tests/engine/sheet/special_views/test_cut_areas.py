@@ -7,7 +7,7 @@ import pytest
 
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
-from gaussiancad_core.sheet.graph.cut_areas import cut_areas
+from gaussiancad_core.sheet.special_views.cut_areas import cut_areas
 
 _EDGES = [(20, 20), (180, 20), (180, 60), (20, 60), (20, 20)]
 """A bar."""

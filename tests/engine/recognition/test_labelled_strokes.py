@@ -4,22 +4,24 @@ import itertools
 import math
 from math import tau
 
+import numpy as np
 import pytest
+from engine.recognition.labels_of_files import labels_of, reading_of
 
 from gaussiancad_core.files.vectors import (
     StrokeKind,
     StrokeRole,
-    VectorDrawing,
     VectorStroke,
     VectorText,
 )
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
-from gaussiancad_core.sheet.graph.stroke_roles import Label, labelled
+from gaussiancad_core.recognition.file_layout import doubtful_lines
+from gaussiancad_core.sheet_model.labelled_strokes import Label
+from gaussiancad_core.views.drawn_views import DrawingKind
 
 Points = list[tuple[float, float]]
 
-_SIZE = (1000, 700)
 _WIDE, _THIN = 4.0, 2.0
 
 
@@ -55,16 +57,13 @@ def _dimension(x0: float, x1: float, y: float, edge: float) -> list[VectorStroke
 
 
 def _labels(strokes: list[VectorStroke], texts: list[VectorText] | None = None) -> list[Label]:
-    found = labelled(VectorDrawing(tuple(strokes), tuple(texts or ())), _SIZE)
-    assert found is not None
-    assert found.strokes == tuple(s for s in strokes if s.kind is not StrokeKind.FILL)
-    return list(found.labels)
+    return labels_of(strokes, *(texts or ()))
 
 
 def test_the_wide_pen_that_closes_outlines_is_the_parts() -> None:
     part, dimension = _box(300, 300, 200, 100), _dimension(300, 500, 250, 300)
     labels = _labels(part + dimension, [_text(400, 240)])
-    assert labels == [Label.VISIBLE] * 4 + [Label.DIMENSION] * 3
+    assert labels == [Label.EDGE] * 4 + [Label.OTHER] * 3
 
 
 @pytest.mark.parametrize("width", [_WIDE, 6.0])
@@ -72,23 +71,19 @@ def test_frames_and_tables_are_told_whatever_their_pen(width: float) -> None:
     part = _box(300, 300, 200, 100)
     table, texts = _table(780, 620, width)
     labels = _labels(part + _frame(width) + table, texts)
-    assert labels == [Label.VISIBLE] * 4 + [Label.FRAME] * (4 + len(table))
+    assert labels == [Label.EDGE] * 4 + [Label.FRAME] * (4 + len(table))
 
 
 @pytest.mark.parametrize("written", [True, False])
-def test_a_frame_may_be_of_boxes_that_are_as_wide_as_each_other(written: bool) -> None:
+def test_a_title_block_beneath_tells_a_frame_by_what_is_written_in_its_cells(
+    written: bool,
+) -> None:
     part = _box(300, 200, 200, 100)
     upper, lower = _box(60, 40, 880, 400), _box(60, 460, 880, 200)
     dividers = _lines((60, 520, 940, 520), (60, 580, 940, 580), (400, 460, 400, 660))
-    # Letters as outlines.
-    letters = [
-        stroke
-        for y in (485, 545, 615)
-        for stroke in _lines((200, y, 212, y + 8), (212, y + 8, 224, y), width=_THIN)
-    ]
-    labels = _labels([*part, *upper, *lower, *dividers, *(letters if written else ())])
-    assert labels[:4] == [Label.VISIBLE] * 4
-    assert (labels[4:15] == [Label.FRAME] * 11) is written
+    texts = [_text(200, y) for y in (490, 550, 620)] if written else []
+    labels = _labels([*part, *upper, *lower, *dividers], texts)
+    assert (labels == [Label.EDGE] * 4 + [Label.FRAME] * 11) is written
 
 
 def test_a_stepped_part_with_numbers_in_it_is_no_table() -> None:
@@ -96,13 +91,13 @@ def test_a_stepped_part_with_numbers_in_it_is_no_table() -> None:
     part = [VectorStroke(LineSegment(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
     part += _lines((450, 300, 450, 400))
     texts = [_text(350, 330), _text(500, 330), _text(650, 330)]
-    assert set(_labels(part, texts)) == {Label.VISIBLE}
+    assert set(_labels(part, texts)) == {Label.EDGE}
 
 
 def test_a_cutting_trace_in_the_parts_pen_ends_somewhere_and_is_none_of_it() -> None:
     part = _box(300, 300, 200, 100)
     trace = _lines((400, 250, 400, 290), (400, 250, 360, 250))
-    assert _labels(part + trace) == [Label.VISIBLE] * 4 + [Label.DIMENSION] * 2
+    assert _labels(part + trace) == [Label.EDGE] * 4 + [Label.OTHER] * 2
 
 
 def test_dashes_by_the_file_and_one_by_one_are_hidden_lines() -> None:
@@ -112,12 +107,7 @@ def test_dashes_by_the_file_and_one_by_one_are_hidden_lines() -> None:
     ]
     one_by_one = _lines(*((430, y, 430, y + 8) for y in range(304, 396, 12)), width=1.0)
     labels = _labels(part + by_file + one_by_one)
-    assert labels == [Label.VISIBLE] * 4 + [Label.HIDDEN] * (1 + len(one_by_one))
-
-
-def test_dashes_away_from_the_part_are_none_of_it() -> None:
-    away = [VectorStroke(LineSegment((650, 300), (650, 400)), _THIN, (8.0, 4.0), StrokeRole.HIDDEN)]
-    assert _labels(_box(300, 300, 200, 100) + away)[-1] is Label.OTHER
+    assert labels == [Label.EDGE] * 4 + [Label.HIDDEN] * (1 + len(one_by_one))
 
 
 def test_slanted_parallels_from_edge_to_edge_are_hatching() -> None:
@@ -125,7 +115,7 @@ def test_slanted_parallels_from_edge_to_edge_are_hatching() -> None:
     hatching = _lines(*((x, 300, x - 40, 340) for x in (340, 380, 420, 460)), width=_THIN)
     floor = _lines((300, 340, 500, 340))
     labels = _labels(part + floor + hatching)
-    assert labels == [Label.VISIBLE] * 5 + [Label.HATCH] * 4
+    assert labels == [Label.EDGE] * 5 + [Label.HATCH] * 4
 
 
 def test_short_lines_of_a_hatching_are_parallel_as_far_as_the_files_numbers_tell() -> None:
@@ -146,14 +136,13 @@ def test_slanted_parallels_are_no_hatching_where_each_view_has_but_one() -> None
     assert Label.HATCH not in _labels(views + _lines(*slanted, width=_THIN))
 
 
-def test_what_the_file_calls_hatching_is_hatching_within_the_part_however_few_its_lines() -> None:
+def test_what_the_file_calls_hatching_is_hatching_however_few_its_lines() -> None:
     ends = (310, 340, 350, 300), (480, 400, 500, 380), (600, 340, 640, 300)
     named = [
         VectorStroke(LineSegment((a, b), (c, d)), _THIN, role=StrokeRole.HATCH)
         for a, b, c, d in ends
     ]
-    assert _labels(_box(300, 300, 200, 100) + named)[-3:-1] == [Label.HATCH] * 2
-    assert _labels(_box(300, 300, 200, 100) + named)[-1] is not Label.HATCH
+    assert _labels(_box(300, 300, 200, 100) + named)[-3:] == [Label.HATCH] * 3
 
 
 def test_what_the_file_calls_a_dimension_is_none_of_the_part() -> None:
@@ -162,7 +151,7 @@ def test_what_the_file_calls_a_dimension_is_none_of_the_part() -> None:
         for item in _box(600, 300, 200, 100)
     ]
     labels = _labels(_box(300, 300, 200, 100) + dimension)
-    assert labels[4:] == [Label.DIMENSION] * 4
+    assert labels[4:] == [Label.OTHER] * 4
 
 
 def test_colours_are_pens() -> None:
@@ -171,7 +160,7 @@ def test_colours_are_pens() -> None:
     hole = [VectorStroke(CircularArc((400, 350), 20, 0.0, tau), _THIN, colour=black)]
     notes = [VectorStroke(s.curve, _THIN, colour=red) for s in _dimension(300, 500, 250, 300)]
     labels = _labels(part + hole + notes)
-    assert labels == [Label.VISIBLE] * 5 + [Label.DIMENSION] * 3
+    assert labels == [Label.EDGE] * 5 + [Label.OTHER] * 3
 
 
 @pytest.mark.parametrize(
@@ -184,8 +173,9 @@ def test_colours_are_pens() -> None:
         ),
     ],
 )
-def test_where_nothing_closes_nothing_is_told(strokes: list[VectorStroke]) -> None:
-    assert labelled(VectorDrawing(tuple(strokes), ()), _SIZE) is None
+def test_where_nothing_closes_no_view_is_told(strokes: list[VectorStroke]) -> None:
+    reading, _ = reading_of(strokes)
+    assert reading.ranking is None
 
 
 def test_lines_of_another_pen_from_edge_to_edge_are_doubtful() -> None:
@@ -193,11 +183,12 @@ def test_lines_of_another_pen_from_edge_to_edge_are_doubtful() -> None:
     part = _box(300, 300, 200, 100)
     smooth = _lines((420, 300, 420, 400), width=_THIN)
     heads = [(x, 350, x + way * 8, 350 + up) for x, way in ((300, 1), (500, -1)) for up in (3, -3)]
-    dimension = _lines((300, 350, 500, 350), *heads, width=_THIN)
-    drawing = VectorDrawing(tuple(part + smooth + dimension), ())
-    found = labelled(drawing, _SIZE)
-    assert found is not None
-    assert found.doubtful == (4,)
+    backs = [(x, 353, x, 347) for x in (308, 492)]
+    dimension = _lines((300, 350, 500, 350), *heads, *backs, width=_THIN)
+    reading, scale = reading_of(part + smooth + dimension)
+    assert reading.ranking is not None
+    (box,) = doubtful_lines(reading, reading.ranking.best, scale)
+    assert box == pytest.approx((420, 300, 420, 400))
 
 
 def test_layers_that_close_outlines_with_the_parts_are_it_too() -> None:
@@ -206,21 +197,14 @@ def test_layers_that_close_outlines_with_the_parts_are_it_too() -> None:
     other = [VectorStroke(s.curve, _WIDE, layer="SIDE") for s in _box(600, 300, 50, 100)]
     notes = [VectorStroke(s.curve, _WIDE, layer="DIM") for s in _dimension(300, 500, 250, 300)]
     labels = _labels(part + inner + other + notes)
-    assert labels == [Label.VISIBLE] * 9 + [Label.DIMENSION] * 3
-
-
-def test_where_another_pen_draws_what_may_be_a_view_nothing_is_told() -> None:
-    black, blue = (0, 0, 0), (0, 0, 255)
-    part = [VectorStroke(s.curve, _WIDE, colour=black) for s in _box(300, 300, 200, 100)]
-    view = [VectorStroke(s.curve, _THIN, colour=blue) for s in _box(600, 300, 100, 100)]
-    assert labelled(VectorDrawing(tuple(part + view), ()), _SIZE) is None
+    assert labels == [Label.EDGE] * 9 + [Label.OTHER] * 3
 
 
 def test_an_outline_that_spans_the_sheet_but_leaves_it_room_is_no_frame() -> None:
     """A plate drawn as large as goes, with a narrow view beside it."""
     part = [*_box(60, 100, 620, 450), *_box(800, 100, 40, 450)]
     labels = _labels(part + _frame(2.0))
-    assert labels == [Label.VISIBLE] * len(part) + [Label.FRAME] * 4
+    assert labels == [Label.EDGE] * len(part) + [Label.FRAME] * 4
 
 
 def _isometric(x: float, y: float, side: float) -> list[VectorStroke]:
@@ -236,14 +220,13 @@ def _isometric(x: float, y: float, side: float) -> list[VectorStroke]:
 
 
 def test_a_pictorial_whose_box_overlaps_a_view_takes_nothing_from_it() -> None:
-    view = _box(300, 300, 200, 100)
+    view = _box(300, 530, 150, 100)
     pictorial = _isometric(560, 560, 160)
-    found = labelled(VectorDrawing((*view, *pictorial), ()), _SIZE)
-    assert found is not None
-    assert list(found.labels) == [Label.VISIBLE] * 4 + [Label.PICTORIAL] * 9
-    (box,) = found.pictorials
-    assert box[0] < 500 < box[2]
-    assert box[1] < 400 < box[3]
+    reading, scale = reading_of([*view, *pictorial])
+    kinds = {found.kind: np.array(found.box) * scale for found in reading.views}
+    assert kinds.keys() == {DrawingKind.PLAIN, DrawingKind.PICTORIAL}
+    assert kinds[DrawingKind.PLAIN] == pytest.approx([300, 530, 450, 630])
+    assert kinds[DrawingKind.PICTORIAL][0] < 450
 
 
 def test_a_curve_of_chords_within_a_view_is_no_pictorial() -> None:
@@ -254,7 +237,7 @@ def test_a_curve_of_chords_within_a_view_is_no_pictorial() -> None:
         VectorStroke(LineSegment(a, b), _WIDE) for a, b in itertools.pairwise([*places, places[0]])
     ]
     labels = _labels(_box(300, 300, 200, 100) + curve)
-    assert labels == [Label.VISIBLE] * (4 + len(curve))
+    assert labels == [Label.EDGE] * (4 + len(curve))
 
 
 def test_a_hexagon_in_line_with_a_view_is_no_pictorial() -> None:
@@ -265,15 +248,8 @@ def test_a_hexagon_in_line_with_a_view_is_no_pictorial() -> None:
     hexagon = [VectorStroke(LineSegment(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
     half = radius * math.cos(math.pi / 6.0)
     neighbour = _box(x - half, 500, 2.0 * half, 100)
-    found = labelled(VectorDrawing((*hexagon, *neighbour), ()), _SIZE)
-    assert found is not None
-    assert found.pictorials == ()
-    assert set(found.labels) == {Label.VISIBLE}
-    # Out of line with all views it is taken for one.
-    aside = _box(x - 2.0 * half, 500, 2.0 * half, 100)
-    found = labelled(VectorDrawing((*hexagon, *aside), ()), _SIZE)
-    assert found is not None
-    assert len(found.pictorials) == 1
+    reading, _ = reading_of([*hexagon, *neighbour])
+    assert {view.kind for view in reading.views} == {DrawingKind.PLAIN}
 
 
 def _pieces(y: float, *ends: tuple[float, float]) -> list[VectorStroke]:
