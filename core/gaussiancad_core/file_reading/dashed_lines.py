@@ -85,7 +85,7 @@ class _Dash:
 
     start: float
     end: float
-    beside: float
+    offset: float
     number: int
 
     @property
@@ -127,12 +127,12 @@ def _rows(
     dashes = []
     for number in numbers:
         start, end = np.sort(strokes[number].points @ along).tolist()
-        beside = float(strokes[number].points.mean(axis=0) @ across)
-        dashes.append(_Dash(start, end, beside, number))
-    dashes.sort(key=lambda dash: dash.beside)
+        offset = float(strokes[number].points.mean(axis=0) @ across)
+        dashes.append(_Dash(start, end, offset, number))
+    dashes.sort(key=lambda dash: dash.offset)
     tracks = [dashes[:1]]
     for before, dash in pairwise(dashes):
-        if dash.beside - before.beside > _BESIDE:
+        if dash.offset - before.offset > _BESIDE:
             tracks.append([])
         tracks[-1].append(dash)
     for track in tracks:
@@ -171,9 +171,9 @@ def _rhythm(row: Sequence[_Dash]) -> StrokeRole | None:
 
 def _whole(like: PaperStroke, row: Sequence[_Dash], along: Points, role: StrokeRole) -> PaperStroke:
     across = np.array([-along[1], along[0]])
-    beside = float(np.mean([dash.beside for dash in row])) * across
+    aside = float(np.mean([dash.offset for dash in row])) * across
     line = LineSegment(
-        to_point(row[0].start * along + beside), to_point(row[-1].end * along + beside)
+        to_point(row[0].start * along + aside), to_point(row[-1].end * along + aside)
     )
     length = float(np.median([dash.length for dash in row]))
     return replace(like, curve=line, dashes=(length, length), role=role)
@@ -247,9 +247,9 @@ def _on_ring(two: Points, ends: Points, middles: Points) -> np.ndarray:
     off = np.abs(np.hypot(*(points - centre).T) - radius).max()
     if not _RADII[0] < radius < _RADII[1] or off > _RING_OFF:
         return np.zeros(len(ends), dtype=bool)
-    beside = np.abs(np.hypot(*np.moveaxis(ends - centre, 2, 0)) - radius).max(axis=1)
+    off_ends = np.abs(np.hypot(*np.moveaxis(ends - centre, 2, 0)) - radius).max(axis=1)
     bow = np.abs(np.hypot(*(middles - centre).T) - radius)
-    return np.asarray((beside < _RING_ON) & (bow < _RING_BOW * min(1.0, radius)))
+    return np.asarray((off_ends < _RING_ON) & (bow < _RING_BOW * min(1.0, radius)))
 
 
 def _ring(ends: Points, middles: Points) -> CircularArc | None:

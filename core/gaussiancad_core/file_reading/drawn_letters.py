@@ -74,12 +74,12 @@ def folded_letters(
     """
     boxes = [text.box for text in sheet.texts]
     within, fills = _of_texts(labelled.strokes, boxes), _of_texts(sheet.fills, boxes)
-    labelled = labelled.told(within, Label.TEXT, "within a text of the file")
+    labelled = labelled.with_label(within, Label.TEXT, "within a text of the file")
     words = list(boxes)
     for numbers in _by_pen(labelled):
         others = _long_ends(labelled.strokes, numbers)
         found, members = _words(labelled.strokes, numbers, others, _FEWEST_DRAWN)
-        labelled = labelled.told(members, Label.TEXT, "row of drawn letters")
+        labelled = labelled.with_label(members, Label.TEXT, "row of drawn letters")
         words += found
     free = [n for n in range(len(sheet.fills)) if n not in set(fills)]
     for colour in dict.fromkeys(sheet.fills[number].pen.colour for number in free):

@@ -101,7 +101,7 @@ def _without_symbols(labelled: LabelledStrokes, symbols: Sequence[Box]) -> Label
         for number, stroke in enumerate(labelled.strokes)
         if any(_is_within(stroke.box, box) for box in symbols)
     ]
-    return labelled.told(inside, Label.OTHER, "of a sign")
+    return labelled.with_label(inside, Label.OTHER, "of a sign")
 
 
 def _is_within(box: Box, around: Box) -> bool:

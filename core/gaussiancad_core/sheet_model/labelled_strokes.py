@@ -59,7 +59,7 @@ class LabelledStrokes:
         """The strokes that have one of some labels."""
         return [self.strokes[number] for number in self.numbers(*labels)]
 
-    def told(self, numbers: Iterable[int], label: Label, reason: str) -> "LabelledStrokes":
+    def with_label(self, numbers: Iterable[int], label: Label, reason: str) -> "LabelledStrokes":
         """The same with a label for some strokes, whatever was said of these."""
         labels, reasons = list(self.labels), list(self.reasons)
         for number in numbers:
@@ -70,7 +70,7 @@ class LabelledStrokes:
         self, pieces: Iterable[int], wholes: Sequence[PaperStroke], reason: str
     ) -> "LabelledStrokes":
         """The same with whole strokes, which are open, in place of the pieces of which they are."""
-        found = self.told(pieces, Label.DASH, reason)
+        found = self.with_label(pieces, Label.DASH, reason)
         return LabelledStrokes(
             (*found.strokes, *wholes),
             (*found.labels, *(Label.OPEN for _ in wholes)),

@@ -33,9 +33,9 @@ def centre_lines_apart(labelled: LabelledStrokes) -> LabelledStrokes:
             StrokeKind.LEADER,
         ):
             others.append(number)
-    labelled = labelled.told(named, Label.CENTRE, "its dashes, or its name")
-    labelled = labelled.told(others, Label.OTHER, "its name, or a dimension of the file")
-    return labelled.told(_crosses(labelled), Label.CENTRE, "cross at the middle of a circle")
+    labelled = labelled.with_label(named, Label.CENTRE, "its dashes, or its name")
+    labelled = labelled.with_label(others, Label.OTHER, "its name, or a dimension of the file")
+    return labelled.with_label(_crosses(labelled), Label.CENTRE, "cross at the middle of a circle")
 
 
 def _crosses(labelled: LabelledStrokes) -> list[int]:

@@ -42,8 +42,8 @@ def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
     loose = faces_of(strokes).dangles
     if loose:
         lines = [stroke.line for stroke in strokes]
-        beside = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
+        strips = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
         numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
         for number, piece in zip(numbers.tolist(), pieces.tolist(), strict=True):
-            free[number] += loose[piece].intersection(beside[number]).length
+            free[number] += loose[piece].intersection(strips[number]).length
     return free

@@ -74,10 +74,10 @@ def dimensions_apart(labelled: LabelledStrokes, heads: Sequence[Head]) -> Labell
             and labelled.labels[numbers[index]] is Label.OPEN
             and _is_extension(items[index], head)
         }
-    labelled = labelled.told(sorted(dimensions), Label.DIMENSION, "at an arrowhead")
+    labelled = labelled.with_label(sorted(dimensions), Label.DIMENSION, "at an arrowhead")
     extensions -= dimensions
     reason = "ends beyond an arrowhead's tip"
-    labelled = labelled.told(sorted(extensions), Label.EXTENSION, reason)
+    labelled = labelled.with_label(sorted(extensions), Label.EXTENSION, reason)
     return _going_on(labelled)
 
 
@@ -95,7 +95,7 @@ def _heads_apart(labelled: LabelledStrokes, heads: Sequence[Head]) -> LabelledSt
             if _is_of_head(stroke, head):
                 found.append(number)
                 break
-    return labelled.told(found, Label.ARROW, "side of an arrowhead")
+    return labelled.with_label(found, Label.ARROW, "side of an arrowhead")
 
 
 def _is_of_head(stroke: PaperStroke, head: Head) -> bool:
@@ -173,4 +173,4 @@ def _going_on(labelled: LabelledStrokes) -> LabelledStrokes:
                     known.add(other)
                     todo.append(other)
                     found.append(numbers[other])
-    return labelled.told(found, Label.DIMENSION, GOES_ON)
+    return labelled.with_label(found, Label.DIMENSION, GOES_ON)

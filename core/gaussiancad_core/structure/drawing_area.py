@@ -108,7 +108,7 @@ def frame_apart(labelled: LabelledStrokes, area: DrawingArea) -> LabelledStrokes
     for number, line, is_inside in zip(numbers, lines, inside, strict=True):
         if not is_inside and inner.intersection(line).length < 0.5 * line.length:
             outside.append(number)
-    return labelled.told(outside, Label.FRAME, "on the edge of the drawing area, or beyond")
+    return labelled.with_label(outside, Label.FRAME, "on the edge of the drawing area, or beyond")
 
 
 def whole_sheet(sheet: PaperSheet) -> DrawingArea:
@@ -126,8 +126,7 @@ def _has_border(area: Polygon, faces: Sequence[Polygon]) -> bool:
     low, high = np.array(area.bounds[:2]), np.array(area.bounds[2:])
     for face in faces:
         x0, y0, x1, y1 = face.bounds
-        left, *others = (*(low - (x0, y0)), *((x1, y1) - high))
-        gaps = np.array([left / _FILING, *others])
+        gaps = np.concatenate([low - (x0, y0), (x1, y1) - high]) / (_FILING, 1.0, 1.0, 1.0)
         if (gaps > _EDGE).all() and (np.abs(gaps - gaps[1:].mean()) <= _OFF * gaps.mean()).all():
             return True
     return False
@@ -139,15 +138,15 @@ def _has_cells(area: Polygon, faces: Sequence[Polygon], words: Sequence[Box]) ->
     middles = shapely.points((corners[:, :2] + corners[:, 2:]) / 2.0)
     inner = area.buffer(-_EDGE)
     shapely.prepare(inner)
-    beside = [face for face in faces if not inner.intersects(face)]
+    neighbours = [face for face in faces if not inner.intersects(face)]
     edge = area.exterior.buffer(_BESIDE)
-    joined = shapely.union_all([edge, *(face.buffer(_OVERRUN) for face in beside)])
+    joined = shapely.union_all([edge, *(face.buffer(_OVERRUN) for face in neighbours)])
     pieces = [piece for piece in shapely.get_parts(joined) if piece.intersects(area.exterior)]
     return (
         sum(
             any(piece.contains(face) for piece in pieces)
             and bool(shapely.contains(face, middles).any())
-            for face in beside
+            for face in neighbours
         )
         >= _CELLS
     )

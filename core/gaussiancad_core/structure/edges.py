@@ -63,7 +63,7 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
         for number in labelled.numbers(Label.OPEN)
         if labelled.strokes[number].dashes or labelled.strokes[number].role is StrokeRole.HIDDEN
     ]
-    labelled = labelled.told(dashed, Label.HIDDEN, "its dashes, or its name")
+    labelled = labelled.with_label(dashed, Label.HIDDEN, "its dashes, or its name")
     doubtful = [
         number
         for number in labelled.numbers(Label.EXTENSION, Label.DIMENSION)
@@ -79,10 +79,10 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
             edges.append(number)
         elif labelled.labels[number] is Label.OPEN:
             others.append(number)
-    labelled = labelled.told(edges, Label.EDGE, "closes outlines, or its pen does")
+    labelled = labelled.with_label(edges, Label.EDGE, "closes outlines, or its pen does")
     narrow = _narrow(labelled)
-    labelled = labelled.told(narrow, Label.OTHER, "narrower than the outlines, and on none of them")
-    return labelled.told(others, Label.OTHER, "its pen draws annotations, and it closes nothing")
+    labelled = labelled.with_label(narrow, Label.OTHER, "narrower than the outlines, on none")
+    return labelled.with_label(others, Label.OTHER, "its pen draws annotations, or it is loose")
 
 
 @dataclass(frozen=True, eq=False)

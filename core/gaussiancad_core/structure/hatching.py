@@ -46,7 +46,7 @@ def hatching_apart(
         if is_named(labelled.strokes[number])
     ]
     numbers = [*named, *(number for family in families for number in family)]
-    labelled = labelled.told(numbers, Label.HATCH, "one of a family of parallels")
+    labelled = labelled.with_label(numbers, Label.HATCH, "one of a family of parallels")
     return labelled, [[labelled.strokes[number] for number in family] for family in families]
 
 

@@ -65,7 +65,7 @@ def tables_apart(
         return labelled, []
     shut = shapely.union_all(found).buffer(_AROUND)
     inside = [number for number in open_numbers if shut.contains(labelled.strokes[number].line)]
-    return labelled.told(inside, Label.TABLE, "within a ruled table"), found
+    return labelled.with_label(inside, Label.TABLE, "within a ruled table"), found
 
 
 def _is_box(face: Polygon) -> bool:

@@ -77,7 +77,7 @@ def with_picture_outlines(
     first = len(labelled.strokes)
     labelled = labelled.joined([], found, "")
     numbers = range(first, len(labelled.strokes))
-    return labelled.told(numbers, Label.EDGE, "outline of a picture")
+    return labelled.with_label(numbers, Label.EDGE, "outline of a picture")
 
 
 def _figures(sheet: PaperSheet, box: Box, over: Sequence[PaperStroke]) -> Iterator[Points]:

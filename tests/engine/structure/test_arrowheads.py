@@ -8,7 +8,7 @@ from scipy.spatial import ConvexHull
 
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.geometry.chains import Chain, LineSegment
-from gaussiancad_core.structure import arrowheads
+from gaussiancad_core.structure import arrowheads as module
 from gaussiancad_core.structure.arrowheads import arrowheads
 
 _PLACE = st.tuples(st.floats(100.0, 900.0), st.floats(100.0, 900.0))
@@ -80,10 +80,10 @@ def test_no_outline_of_three_corners_is_passed_over() -> None:
         inner = random.dirichlet((1.0, 1.0, 1.0), 5) @ corners
         points = np.concatenate([corners, ends, inner])
         hull = points[ConvexHull(points).vertices]
-        if arrowheads._three(hull, near) is not None:
-            assert arrowheads._may_be_triangle(points, near)
+        if module._three(hull, near) is not None:
+            assert module._may_be_triangle(points, near)
     angles = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
     round_one = 10.0 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
     square = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]])
-    assert not arrowheads._may_be_triangle(round_one, 1.2)
-    assert not arrowheads._may_be_triangle(square, 0.6)
+    assert not module._may_be_triangle(round_one, 1.2)
+    assert not module._may_be_triangle(square, 0.6)

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.writing.section_titles import named_sections
 from gaussiancad_core.writing.sheet_texts import SheetText
 from gaussiancad_core.writing.titles import Title, TitleKind, parse_title

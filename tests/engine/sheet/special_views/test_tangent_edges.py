@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
-from gaussiancad_core.sheet.special_views.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.special_views.tangent_edges import without_tangent_edges
 
 VISIBLE = Linetype.VISIBLE
 
