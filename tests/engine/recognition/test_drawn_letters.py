@@ -6,13 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
-from gaussiancad_core.sheet.graph.graph_views import graph_views
-from gaussiancad_core.sheet.graph.touching_ends import touching
+from engine.recognition.labels_of_files import reading_of
 
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.recognition.file_views import file_views
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.writing.sheet_scale import ScaleSource, find_scale, read_texts
@@ -47,32 +46,30 @@ def _segments(chains: Iterable[Chain]) -> list[tuple[Point, Point]]:
     return [ends for chain in chains for ends in itertools.pairwise(chain)]
 
 
-def _lines_of_writing(chains: list[Chain], edges: list[Chain]) -> list[tuple[float, ...]]:
-    segments = _segments(chains)
-    every = segments + _segments(edges)
-    strokes = [VectorStroke(LineSegment(*ends), 2.0) for ends in every]
-    annotations = np.arange(len(every)) < len(segments)
-    touches = touching([stroke.curve for stroke in strokes], 0.6)
-    return drawn_lines_of_writing(touches, annotations, (1000, 700))
+def _words(chains: list[Chain], edges: list[Chain]) -> list[tuple[float, ...]]:
+    """px around what is taken for writing."""
+    strokes = [VectorStroke(LineSegment(*ends), 2.0) for ends in _segments([*chains, *edges])]
+    reading, scale = reading_of(strokes)
+    return [tuple(scale * value for value in box) for box in reading.words]
 
 
 @pytest.mark.parametrize("text", ["40.00", "2.11", ".140"])
 def test_letters_of_equal_space_are_one_line(text: str) -> None:
     letters = _plotted(text, (100.0, 100.0), 20.0)
     points = np.array([point for chain in letters for point in chain])
-    (box,) = _lines_of_writing(letters, [])
+    (box,) = _words(letters, [])
     assert box == pytest.approx((*points.min(axis=0), *points.max(axis=0)))
 
 
 def test_numbers_beside_each_other_stay_two() -> None:
-    letters = _plotted("40", (100.0, 100.0), 20.0) + _plotted("22", (160.0, 100.0), 20.0)
-    assert len(_lines_of_writing(letters, [])) == 2
+    letters = _plotted("402", (100.0, 100.0), 20.0) + _plotted("220", (220.0, 100.0), 20.0)
+    assert len(_words(letters, [])) == 2
 
 
 def test_long_lines_and_what_stands_on_an_edge_are_no_letters() -> None:
     line: Chain = [(100.0, 50.0), (400.0, 50.0)]
-    tick: Chain = [(100.0, 200.0), (100.0, 190.0)]
-    assert _lines_of_writing([line, tick], [[(50.0, 200.0), (400.0, 200.0)]]) == []
+    ticks: list[Chain] = [[(x, 200.0), (x, 190.0)] for x in (100.0, 110.0, 120.0, 130.0)]
+    assert _words([line, *ticks], [[(50.0, 200.0), (400.0, 200.0)]]) == []
 
 
 _OUT, _FLAT = 4.0, 1.0
@@ -120,7 +117,7 @@ def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
     image = read_sheet(_sheet(tmp_path / "plotted.svg"))
     sheet = OpenedSheet(image)
     assert image.vectors is not None and not image.vectors.texts
-    views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
+    views = file_views(image.vectors, sheet, {}, Projection.THIRD, None)
     assert views is not None and len(views.layout.boxes) == 3
     found = find_scale(sheet, views.separated.marks, ())
     assert sorted(dimension.text for dimension in found.dimensions if dimension.used) == [
@@ -144,7 +141,7 @@ def test_drawn_numbers_are_read_unless_the_file_has_as_many_as_texts(
     image = read_sheet(_sheet(tmp_path / "noted.svg", "".join(notes)))
     sheet = OpenedSheet(image)
     assert image.vectors is not None and image.vectors.texts
-    views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
+    views = file_views(image.vectors, sheet, {}, Projection.THIRD, None)
     assert views is not None
     read = {text.text for text in read_texts(sheet, views.separated.marks)}
     assert set(words) <= read
