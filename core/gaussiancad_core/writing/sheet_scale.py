@@ -1,7 +1,7 @@
 """The scale of a sheet: from its dimensions, or from its paper and scale note."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
@@ -12,7 +12,6 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_core.model.views import Arc, Segment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.structure.arrowheads import without_heads
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
@@ -20,7 +19,9 @@ from gaussiancad_core.sheet.labels.label_evidence import meets_any
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
+from gaussiancad_core.structure.arrowheads import without_heads
 from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
+from gaussiancad_core.writing.callouts import parse_callout
 from gaussiancad_core.writing.dimension_layout import LIKELY, POSSIBLE
 from gaussiancad_core.writing.dimension_texts import (
     Span,
@@ -106,6 +107,7 @@ class SheetScale:
         texts: all that was read, px of the upright sheet.
         unit: of numbers that do not name theirs.
         unit_noted: whether a note names it.
+        targets: circles and arcs that the leaders of call-outs point at, by the boxes of these.
     """
 
     mm_per_pixel: float | None
@@ -117,6 +119,7 @@ class SheetScale:
     texts: tuple[SheetText, ...] = ()
     unit: Unit = Unit.MILLIMETRE
     unit_noted: bool = False
+    targets: Mapping[Box, Arc] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -173,6 +176,7 @@ def find_scale(
         texts=texts,
         unit=unit,
         unit_noted=unit in (units.given, units.noted),
+        targets=_targets(texts, marks, lines),
     )
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
@@ -294,6 +298,17 @@ def _dimensions(
             candidates = (Candidate(ordinate), *candidates)
         found.append(Dimension(text.text, said, text.box, candidates, _is_cut(text, lines.rules)))
     return tuple(found)
+
+
+def _targets(texts: Sequence[SheetText], marks: Sequence[Mark], lines: _Lines) -> dict[Box, Arc]:
+    """What the leaders of call-outs point at, by the boxes of their texts."""
+    shelves = shelves_of(marks)
+    callouts = [text for text in texts if not text.field and parse_callout(text.text)]
+    found = (
+        (text.box, circles_at(text, lines.leaders, shelves, lines.arcs))
+        for text in callouts[:MOST_TEXTS]
+    )
+    return {box: circles[0] for box, circles in found if circles}
 
 
 def _is_cut(text: SheetText, rules: Sequence[Rule]) -> bool:
