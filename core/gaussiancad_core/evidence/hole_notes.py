@@ -60,7 +60,7 @@ def hole_notes(
         dimensions: those with a circle tell which one a text points at.
     """
     pointed = {
-        (dimension.text, dimension.box): dimension.place
+        (dimension.text, dimension.box): (dimension.place,)
         for dimension in dimensions
         if isinstance(dimension.place, Arc)
     }
@@ -80,7 +80,7 @@ def hole_notes(
     )
     for group in groups:
         first = group[0]
-        at = first.pointed or pointed.get((first.text, first.box))
+        at = first.pointed or pointed.get((first.text, first.box), ())
         role, arcs = (
             _pointed_at(first.circle, circles)
             if first.circle is not None
@@ -177,7 +177,7 @@ def _pointed_at(
 def _meant(
     group: Sequence[SheetNote],
     circles: Mapping[Role, Sequence[Arc]],
-    pointed: Arc | None,
+    pointed: Sequence[Arc],
     taken: Container[tuple[Role, Arc]],
     scale: float,
 ) -> tuple[Role | None, list[Arc]]:
@@ -203,10 +203,10 @@ def _meant(
             for role, arcs in by_role.items()
         }
     for role, this_arcs in by_role.items():
-        at = [
-            each for each in this_arcs if pointed is not None and _apart(pointed, each) <= ONE_PLACE
-        ]
+        at = [each for each in this_arcs if any(_apart(arc, each) <= ONE_PLACE for arc in pointed)]
         if at:
+            if len(pointed) > 1:
+                return role, at
             return role, at[:1] if count == 1 and not typical else this_arcs
     roles = [role for role, arcs in by_role.items() if len(arcs) == count or (typical and arcs)]
     return (roles[0], by_role[roles[0]]) if len(roles) == 1 else (None, [])

@@ -13,7 +13,10 @@ from gaussiancad_core.writing.sheet_texts import SheetText
 WIDER = (NoteKind.COUNTERBORE, NoteKind.COUNTERSINK)
 """Kinds of what a hole has where it is wider."""
 
-_NOTHING: Mapping[Box, Arc] = {}
+Targets = Mapping[Box, tuple[Arc, ...]]
+"""Circles and arcs that texts speak of, by the boxes of these."""
+
+_NOTHING: Targets = {}
 
 GOING_ON = (*WIDER, NoteKind.DEPTH)
 """Kinds of notes that say more of what stands on the line above them."""
@@ -30,7 +33,8 @@ class SheetNote:
         value_mm: the callout's length, of an angle its degrees.
         depth_mm: the depth that it tells.
         circle: of the hole that it speaks of, px of the upright sheet, where a person said so.
-        pointed: circle or arc that its leader points at, px of the upright sheet; None of others.
+        pointed: circles and arcs that it speaks of, px of the upright sheet, by its leader, or by
+            their labels where it is a row of a hole table.
     """
 
     text: str
@@ -39,13 +43,13 @@ class SheetNote:
     value_mm: float | None
     depth_mm: float | None
     circle: Arc | None = None
-    pointed: Arc | None = None
+    pointed: tuple[Arc, ...] = ()
 
 
 def notes_of(
     texts: Sequence[SheetText],
     unit: Unit,
-    targets: Mapping[Box, Arc] = _NOTHING,
+    targets: Targets = _NOTHING,
     *,
     bare_point_is_inch: bool = True,
 ) -> tuple[SheetNote, ...]:
@@ -55,11 +59,11 @@ def notes_of(
     Args:
         texts: of the sheet.
         unit: of numbers that do not name theirs.
-        targets: what the leaders of texts point at, by the texts' boxes.
+        targets: the circles that texts are known to speak of.
         bare_point_is_inch: see :func:`.parse_dimension`.
     """
     every = [
-        replace(_note(text, callout, unit), pointed=targets.get(text.box))
+        replace(_note(text, callout, unit), pointed=targets.get(text.box, ()))
         for text in texts
         for callout in parse_callout(
             text.text, field=text.field, bare_point_is_inch=bare_point_is_inch

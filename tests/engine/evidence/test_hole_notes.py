@@ -105,7 +105,7 @@ def test_the_tip_of_a_leader_tells_the_hole() -> None:
     registered = _plate_with_counterbores((150.0, 100.0), (250.0, 100.0))
     (note,) = _lines("\u00d85.5 THRU")
     assert not hole_notes(registered, [note], ()).holes
-    pointed = replace(note, pointed=_circle((250.0, 100.0), 5.5))
+    pointed = replace(note, pointed=(_circle((250.0, 100.0), 5.5),))
     (hole,) = hole_notes(registered, [pointed], ()).holes
     assert hole.centre == (75.0, 25.0)
 
