@@ -105,7 +105,8 @@ def hole_notes(
                 )
             )
         taken.update((role, circle) for circle in arcs)
-        holes += [_noted(registered, role, circle, group) for circle in arcs]
+        noted = (_noted(registered, role, circle, group) for circle in arcs)
+        holes += [hole for hole in noted if hole.steps]
     return HoleNotes(tuple(holes), tuple(doubts))
 
 
@@ -266,8 +267,13 @@ def _noted(
 ) -> NotedHole:
     right, up = registered.placements[role].to_plane(np.array([circle.centre]))[0].tolist()
     steps = []
+    kinds = [sheet_note.callout.kind for sheet_note in group]
+    # A thread says how deep its core is where nothing else does.
+    cored = NoteKind.DIAMETER in kinds or any(view.has_hidden_lines for view in registered.drawn)
     for number, sheet_note in enumerate(group):
-        if sheet_note.callout.kind is NoteKind.DEPTH:
+        kind = sheet_note.callout.kind
+        told = kind is NoteKind.THREAD and cored and not sheet_note.callout.through
+        if kind is NoteKind.DEPTH or told:
             continue
         diameter = (
             2.0 * circle.radius * registered.mm_per_pixel if not number else sheet_note.value_mm

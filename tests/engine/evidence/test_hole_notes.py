@@ -9,7 +9,7 @@ from gaussiancad_core.evidence.hole_notes import hole_notes
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.unseen_extent import Unseen
-from gaussiancad_core.model.views import Arc, Linetype
+from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.writing.callouts import Callout, NoteKind
 from gaussiancad_core.writing.note_texts import SheetNote, notes_of
@@ -114,3 +114,22 @@ def test_a_typical_hole_stands_for_all_of_its_kind() -> None:
     registered = _plate_with_counterbores((150.0, 100.0), (250.0, 100.0))
     found = hole_notes(registered, _lines("\u00d85.5 THRU TYP"), ())
     assert len(found.holes) == 2 and not found.doubts
+
+
+def _threaded(*strokes: Arc | Segment) -> SimpleNamespace:
+    return _registered(Unseen(Axis.Y, 40.0), _circle((150.0, 100.0), 6.8), *strokes)
+
+
+def test_a_thread_tells_the_depth_of_its_core_where_nothing_else_does() -> None:
+    (hole,) = hole_notes(_threaded(), _lines("M8 \u21a7 14"), ()).holes
+    assert hole.steps == (HoleStep(6.8, 14.0),)
+    drill = _lines("M8 \u21a7 14, \u00d86.8 \u21a7 20")
+    (hole,) = hole_notes(_threaded(), drill, ()).holes
+    assert hole.steps == (HoleStep(6.8, 20.0),)
+
+
+def test_hidden_lines_tell_the_depth_of_a_threads_core() -> None:
+    hidden = Segment((146.0, 60.0), (154.0, 60.0), Linetype.HIDDEN)
+    assert not hole_notes(_threaded(hidden), _lines("M8 \u21a7 14"), ()).holes
+    (hole,) = hole_notes(_threaded(hidden), _lines("M8 THRU"), ()).holes
+    assert hole.steps == (HoleStep(6.8),)
