@@ -272,8 +272,8 @@ def _noted(
     cored = NoteKind.DIAMETER in kinds or any(view.has_hidden_lines for view in registered.drawn)
     for number, sheet_note in enumerate(group):
         kind = sheet_note.callout.kind
-        told = kind is NoteKind.THREAD and cored and not sheet_note.callout.through
-        if kind is NoteKind.DEPTH or told:
+        of_thread = kind is NoteKind.THREAD and cored and not sheet_note.callout.through
+        if kind is NoteKind.DEPTH or of_thread:
             continue
         diameter = (
             2.0 * circle.radius * registered.mm_per_pixel if not number else sheet_note.value_mm

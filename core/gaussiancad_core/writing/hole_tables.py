@@ -124,22 +124,22 @@ def _hole_row(cells: Sequence[tuple[SheetText, ...]], heads: Sequence[str]) -> H
     if _LABEL.fullmatch(label) is None:
         return None
     words: list[str] = []
-    told: list[SheetText] = []
+    texts: list[SheetText] = []
     for cell, head in zip(cells[1:], heads[1:], strict=True):
         said = _said(plain_text(" ".join(text.text for text in cell)), head)
         if said:
             words.append(said)
-            told += cell
+            texts += cell
     text = " ".join(words)
     callouts = [each for each in parse_callout(text) if each.kind in _HOLES]
     if not callouts:
         return None
     first = callouts[0]
     diameter = first.value if first.kind is NoteKind.DIAMETER else None
-    corners = np.array([each.box for each in told])
+    corners = np.array([each.box for each in texts])
     x0, y0 = corners[:, :2].min(axis=0).tolist()
     x1, y1 = corners[:, 2:].max(axis=0).tolist()
-    return HoleRow(label, SheetText(text, (x0, y0, x1, y1), exact=told[0].exact), diameter)
+    return HoleRow(label, SheetText(text, (x0, y0, x1, y1), exact=texts[0].exact), diameter)
 
 
 def _said(text: str, head: str) -> str:
