@@ -97,6 +97,9 @@ _ROUND = re.compile(rf"(?<![A-Za-z])R\s?{_N}(?![A-Za-z])")
 _PARTING = " ,;/-()"
 """Characters that part the features of one call-out."""
 
+_FIRST_DIAMETER = re.compile(rf"\u00d8\s?{_N}(?=\s)")
+"""A diameter before words of which nothing is known: a hole if it has a depth."""
+
 _OPEN = re.compile(r"\s?[xX]$")
 """A sign of multiplication before a depth."""
 
@@ -195,8 +198,10 @@ def _plain_features(head: str, bare_point_is_inch: bool) -> list[Callout]:
     ahead: str | None = None
     for number, part in enumerate(parts[::2]):
         depth = parts[2 * number + 1] if 2 * number + 1 < len(parts) else None
-        words = part.strip(_PARTING)
-        feature = _plain_feature(_OPEN.sub("", words), bare_point_is_inch) if words else None
+        words = _OPEN.sub("", part.strip(_PARTING))
+        feature = _plain_feature(words, bare_point_is_inch) if words else None
+        if feature is None and len(parts) > 1 and (first := _FIRST_DIAMETER.match(words)):
+            feature = _plain_feature(first[0], bare_point_is_inch)
         if feature is not None:
             if depth is None and ahead is not None:
                 depth, ahead = ahead, None

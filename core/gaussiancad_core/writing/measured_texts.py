@@ -2,10 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import hypot
+
+import numpy as np
 
 from gaussiancad_core.model.views import Arc, Segment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
@@ -184,6 +188,18 @@ def _diameter(text: str) -> DimensionText | None:
     return DimensionText(first.value, Sign.DIAMETER, first.unit)
 
 
+def _about(circles: Sequence[Arc], arcs: Sequence[Arc]) -> list[Arc]:
+    """Other whole circles about the centre of a circle: a leader ends at the widest."""
+    return [
+        arc
+        for circle in circles
+        for arc in arcs
+        if arc.is_full
+        and abs(arc.radius - circle.radius) > ONE_PLACE
+        and hypot(*np.subtract(arc.centre, circle.centre)) <= ONE_PLACE
+    ]
+
+
 def _across(circles: Sequence[Arc], said: DimensionText) -> tuple[Candidate, ...]:
     """Circles as what a text may tell, the likeliest first: where a sign was not read, a leader
     tells that it is a diameter."""
@@ -219,7 +235,7 @@ def _candidates(
         spans = (*_spans(text, measures), *adjacent_extents(text, measures.boxes))
         found += [Candidate(span.length, span.weight, span) for span in spans]
     circles = circles_at(text, measures.leaders, measures.shelves, measures.arcs)
-    found += _across(circles, said)
+    found += _across((*circles, *_about(circles[:1], measures.arcs)), said)
     return tuple(sorted(found, key=lambda candidate: -candidate.weight))
 
 

@@ -88,6 +88,8 @@ MM = Unit.MILLIMETRE
             [Callout(DIAMETER, 5.5, through=True), Callout(BORE, 10.0, depth=5.7)],
         ),
         ("SENKUNG 10 X 90\u00b0", [Callout(SINK, 10.0, angle=90.0)]),
+        ("4x \u00d85.5 EQ SP ON \u00d860 B.C. THRU", [Callout(DIAMETER, 5.5, 4, through=True)]),
+        ("\u00d88 H7 FROM FAR SIDE \u21a7 12", [Callout(DIAMETER, 8.0, depth=12.0)]),
         ("M8 x 1 x 14 DEEP", [Callout(THREAD, 8.0, depth=14.0, unit=MM)]),
     ],
 )

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from gaussiancad_core.model.views import Arc, Linetype
@@ -136,6 +137,15 @@ def test_cells_are_no_dimensions_and_rows_measure_their_circles_alone() -> None:
         [160.0],
         [64.0],
     ]
+
+
+def test_a_leader_at_the_widest_circle_may_speak_of_those_within() -> None:
+    within = _circle(100, 100, 11)
+    leader = np.array([114.0, 86.0]), np.array([200.0, 0.0])
+    text = SheetText("4x \u00d85.5", (202.0, -10.0, 280.0, 10.0), exact=True)
+    measures = SheetMeasures([], [], [_SMALL, within, _WIDE], leaders=(leader,))
+    (found,) = dimensions_of([text], measures, {}, bare_point_is_inch=False)
+    assert [(each.pixels, each.weight) for each in found.candidates] == [(40.0, 0.9), (22.0, 0.5)]
 
 
 @pytest.mark.parametrize("exact", [True, False])
