@@ -157,7 +157,7 @@ def dimensions_of(
         bare_point_is_inch: see :func:`.parse_dimension`.
     """
     zeros = [text for text in texts if is_zero(text)]
-    found = []
+    found: list[Dimension] = []
     for text in texts:
         if text.field or len(found) == MOST_TEXTS:
             continue
