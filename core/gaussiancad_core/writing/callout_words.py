@@ -142,7 +142,7 @@ _SIGNS = tuple(
         (_THROUGH_WORDS, f" {THROUGH} "),
         # A number behind the word is its own, before one that is in front of it.
         (
-            rf"(?:(?<!{_LETTER})x\s?)?(?<!\u00d8)(?<!\u00d8\s){_LENGTH}\s?{_DEEP_WORDS}"
+            rf"(?:(?<!{_LETTER})x\s?)?(?<![\u00d8MR])(?<!\u00d8\s){_LENGTH}\s?{_DEEP_WORDS}"
             rf"(?!\s?[:=]?\s?[\d\u221e])",
             rf" {DEPTH}\1 ",
         ),
@@ -157,7 +157,7 @@ _COUNTS = tuple(
     for pattern in (
         rf"^\(?(\d{{1,3}})\s?[x*]\)?(?=[\s\u00d8\u2334\u2335\d]|{_LETTER})",
         r"^(\d{1,3})-(?=(?:\u00d8|R|M)\s?\d)",
-        rf"(?<![\d.,/\u00d8-])(?<!\u00d8\s)\(?(\d{{1,3}})\s?{_TIMES}\)?",
+        rf"(?<![\w.,/-])(?<!\u00d8\s)\(?(\d{{1,3}})\s?{_TIMES}\)?",
     )
 )
 """Where how often stands: before all, or as a number of places or holes."""

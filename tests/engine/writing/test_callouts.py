@@ -90,6 +90,10 @@ MM = Unit.MILLIMETRE
         ("SENKUNG 10 X 90\u00b0", [Callout(SINK, 10.0, angle=90.0)]),
         ("4x \u00d85.5 EQ SP ON \u00d860 B.C. THRU", [Callout(DIAMETER, 5.5, 4, through=True)]),
         ("\u00d88 H7 FROM FAR SIDE \u21a7 12", [Callout(DIAMETER, 8.0, depth=12.0)]),
+        ("CBORE 10X5.7 DP", [Callout(BORE, 10.0, depth=5.7)]),
+        ("M6 HOLES THRU", [Callout(THREAD, 6.0, through=True, unit=MM)]),
+        ("4X M6 TAPPED HOLES, 12 DEEP", [Callout(THREAD, 6.0, 4, depth=12.0, unit=MM)]),
+        ("2 HOLES \u00d85 DEPTH 8", [Callout(DIAMETER, 5.0, 2, depth=8.0)]),
         ("M8 x 1 x 14 DEEP", [Callout(THREAD, 8.0, depth=14.0, unit=MM)]),
     ],
 )
