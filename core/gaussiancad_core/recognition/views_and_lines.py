@@ -275,7 +275,8 @@ def _notes(image: SheetImage, scale: SheetScale | None) -> tuple[SheetNote, ...]
     """What the texts say that were read for the scale."""
     if scale is None:
         return ()
-    return notes_of(scale.texts, scale.unit, bare_point_is_inch=file_unit(image.vectors) is None)
+    bare_point_is_inch = file_unit(image.vectors) is None
+    return notes_of(scale.texts, scale.unit, scale.targets, bare_point_is_inch=bare_point_is_inch)
 
 
 def _number_unit(unit: FileUnit | None) -> Unit | None:
