@@ -16,7 +16,7 @@ from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.ellipses import LEAST_SWEEP, LONGEST_CHORD, ellipse_through
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
 
-_FLAT = 1e-9
+_FLAT = 1e-12
 """Product of the spreads of points along and across, in the square of their sum, under which they
 are in line as far as rounding tells."""
 
@@ -35,10 +35,36 @@ def circle_through(points: npt.NDArray[np.float64]) -> tuple[Vector, float]:
     if determinant > _FLAT * (xx + yy) ** 2:
         centre = np.array([(x * yy - y * xy) / determinant, (y * xx - x * xy) / determinant])
     else:
-        # Points in line have the circle of which most is known.
-        centre = np.linalg.lstsq(local, 0.5 * squares, rcond=None)[0]
+        # Of points in line the smallest is taken.
+        centre = right / ((xx + yy) or 1.0)
     radius = float(np.sqrt(max(float(squares.mean()) + float(centre @ centre), 0.0)))
     return middle + centre * scale, radius * scale
+
+
+def circles_through(
+    points: npt.NDArray[np.float64],
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    """(n, 2) centres and (n,) radii of :func:`circle_through` each of (n, k, 2) points."""
+    middles = points.mean(axis=1)
+    local = points - middles[:, None]
+    scales = np.abs(local).max(axis=(1, 2))
+    scales = np.where(scales > 0.0, scales, 1.0)
+    x, y = np.moveaxis(local / scales[:, None, None], 2, 0)
+    squares = x * x + y * y
+    xx, xy, yy = (x * x).sum(axis=1), (x * y).sum(axis=1), (y * y).sum(axis=1)
+    right, upward = 0.5 * (squares * x).sum(axis=1), 0.5 * (squares * y).sum(axis=1)
+    determinant, spread = xx * yy - xy * xy, np.maximum(xx + yy, 1e-300)
+    is_flat = determinant <= _FLAT * spread**2
+    under = np.where(is_flat, 1.0, determinant)
+    centres = np.stack(
+        [
+            np.where(is_flat, right / spread, (right * yy - upward * xy) / under),
+            np.where(is_flat, upward / spread, (upward * xx - right * xy) / under),
+        ],
+        axis=1,
+    )
+    radii = np.sqrt(np.maximum(squares.mean(axis=1) + (centres**2).sum(axis=1), 0.0))
+    return middles + centres * scales[:, None], radii * scales
 
 
 def curve_along(points: npt.NDArray[np.float64]) -> Curve:
