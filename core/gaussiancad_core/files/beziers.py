@@ -68,6 +68,11 @@ def curves_from_path(pieces: list[npt.NDArray[np.float64]], step: float | None) 
         step: px of the grid to which they were rounded, 0 of exact ones, by which arcs are
             recognised; None to leave lines as they are, and Bézier curves as chains.
     """
+    if len(pieces) == 1 and len(pieces[0]) == 2:
+        # Most paths of most files are one line.
+        start, end = pieces[0].tolist()
+        is_long = math.hypot(end[0] - start[0], end[1] - start[1]) > COMPUTED
+        return [LineSegment((start[0], start[1]), (end[0], end[1]))] if is_long else []
     curves: list[Curve] = []
     for is_bezier, group in groupby(
         (piece for piece in pieces if _extent(piece) > COMPUTED),

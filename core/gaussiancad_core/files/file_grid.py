@@ -27,7 +27,6 @@ import math
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -86,15 +85,10 @@ class WrittenPath:
     ends: Floats
     matrix: Floats
 
-    @cached_property
+    @property
     def scale(self) -> float:
         """px that a unit of the file is long."""
         return scale_of(self.matrix)
-
-    @cached_property
-    def kind(self) -> str:
-        """What it has in common with what is drawn at the same scale."""
-        return f"{self.scale:.{_SAME_SCALE}g}"
 
 
 def scale_of(matrix: Floats) -> float:
@@ -173,15 +167,20 @@ def with_steps(paths: Sequence[WrittenPath]) -> tuple[VectorStroke, ...]:
     own, exact around their middles; but those are rounded.  Then only the rest is asked.
     """
     alike: dict[str, list[WrittenPath]] = defaultdict(list)
+    # Most paths share a matrix.
+    names = {
+        id(path.matrix): f"{path.scale:.{_SAME_SCALE}g}"
+        for path in {id(path.matrix): path for path in paths}.values()
+    }
     for path in paths:
-        alike[path.kind].append(path)
+        alike[names[id(path.matrix)]].append(path)
     most = sorted(alike, key=lambda name: -sum(len(path.ends) for path in alike[name]))
     asked = {name: rounding_step for name in most[:_MOST_SCALES]}
     steps = {
         name: _step(written_paths, asked.get(name, _last_decimal))
         for name, written_paths in alike.items()
     }
-    drawn = ((path, steps[path.kind]) for path in paths)
+    drawn = ((path, steps[names[id(path.matrix)]]) for path in paths)
     return tuple(
         replace(stroke, step=step) if step else stroke
         for path, step in drawn

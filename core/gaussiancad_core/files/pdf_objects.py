@@ -7,7 +7,7 @@ the coordinates in which a path was drawn, so they are mapped like its points.
 import ctypes
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +17,7 @@ from pypdfium2 import raw
 
 from gaussiancad_core.files.beziers import curves_from_path, outlines
 from gaussiancad_core.files.content import DEEPEST, MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
-from gaussiancad_core.files.file_grid import Strokes, WrittenPath, line_ends, scale_of, with_steps
+from gaussiancad_core.files.file_grid import Strokes, WrittenPath, scale_of, with_steps
 from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.files.pdf_texts import (
     Origins,
@@ -77,6 +77,17 @@ class _Walk:
     pictures: list[Box] = field(default_factory=list)
     objects: int = 0
     segments: int = 0
+    _maps: dict[tuple[object, ...], Affine] = field(default_factory=dict)
+
+    def map_of(self, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> Affine:
+        """The map of an object: one array for all objects that are mapped alike."""
+        own = raw.FS_MATRIX()
+        key: tuple[object, ...] = (outer.tobytes(),)
+        if raw.FPDFPageObj_GetMatrix(item, own):
+            key += (own.a, own.b, own.c, own.d, own.e, own.f)
+        if key not in self._maps:
+            self._maps[key] = _composed(outer, _matrix(item))
+        return self._maps[key]
 
     def count(self, objects: int, segments: int) -> None:
         """Note work done.
@@ -162,13 +173,14 @@ def _take_path(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> None:
     fill, stroked = ctypes.c_int(), ctypes.c_int()
     if not raw.FPDFPath_GetDrawMode(item, fill, stroked) or not (fill.value or stroked.value):
         return
-    matrix = _composed(outer, _matrix(item))
+    matrix = walk.map_of(item, outer)
     subpaths = _subpaths(walk, item)
     scale = scale_of(matrix)
     drawn = [subpath.mapped(matrix).pieces() for subpath in subpaths]
     strokes = _stroked(item, drawn, scale) if stroked.value else _filled(item, drawn)
     # Areas are filled with letters and arrow heads, which are often put on the sheet as they are.
-    ends = line_ends(piece for subpath in subpaths for piece in subpath.pieces() if stroked.value)
+    lines = [subpath.line_ends() for subpath in subpaths] if stroked.value else []
+    ends = np.concatenate(lines) if lines else np.zeros((0, 2, 2))
     walk.paths.append(WrittenPath(strokes, ends, matrix))
 
 
@@ -226,7 +238,16 @@ class _Subpath:
 
     def mapped(self, matrix: Affine) -> "_Subpath":
         """Its image."""
-        return replace(self, points=self.points @ matrix[:, :2].T + matrix[:, 2])
+        points = self.points @ matrix[:, :2].T + matrix[:, 2]
+        return _Subpath(points, self.firsts, self.counts)
+
+    def line_ends(self) -> npt.NDArray[np.float64]:
+        """(n, 2, 2) the ends of its lines."""
+        if self.counts == [2]:
+            return self.points[None, :2]
+        rows = zip(self.firsts, self.counts, strict=True)
+        firsts = np.array([first for first, count in rows if count == 2], dtype=np.int64)
+        return np.asarray(self.points[firsts[:, None] + (0, 1)])
 
     def pieces(self) -> Pieces:
         """Its pieces."""
