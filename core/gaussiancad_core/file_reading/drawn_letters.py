@@ -150,8 +150,13 @@ def _long_ends(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> cKDTre
         return None
     chosen = set(numbers)
     pen = strokes[numbers[0]].pen
-    others = [s.ends for n, s in enumerate(strokes) if n not in chosen and s.pen == pen]
-    return cKDTree(np.concatenate(others)) if others else None
+    others = [
+        end
+        for number, stroke in enumerate(strokes)
+        if number not in chosen and (stroke.pen is pen or stroke.pen == pen)
+        for end in _both_ends(stroke)
+    ]
+    return cKDTree(np.array(others)) if others else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -231,6 +236,11 @@ def _corners(stroke: PaperStroke) -> list[Point]:
     if isinstance(stroke.curve, LineSegment):
         return [stroke.curve.start, stroke.curve.end]
     return [(x, y) for x, y in stroke.points.tolist()]
+
+
+def _both_ends(stroke: PaperStroke) -> tuple[Point, Point]:
+    corners = _corners(stroke)
+    return corners[0], corners[-1]
 
 
 def _extents(points: Points, groups: npt.NDArray[np.int32]) -> tuple[Points, Points]:

@@ -44,14 +44,22 @@ def once(strokes: Sequence[PaperStroke]) -> list[PaperStroke]:
     """The strokes without lines that one pen draws twice, whichever way."""
     lines = [number for number, stroke in enumerate(strokes) if stroke.is_line]
     ends = np.array([ends_of(strokes[number]) for number in lines]).reshape(-1, 2, 2)
-    places = np.round(ends / _SAME_PLACE).astype(np.int64).tolist()
+    places = np.round(ends / _SAME_PLACE).astype(np.int64)
+    is_turned = (places[:, 0, 0] > places[:, 1, 0]) | (
+        (places[:, 0, 0] == places[:, 1, 0]) & (places[:, 0, 1] > places[:, 1, 1])
+    )
+    places[is_turned] = places[is_turned, ::-1]
+    # Most lines are drawn once, whoever draws them.
+    _, same, counts = np.unique(
+        places.reshape(-1, 4), axis=0, return_inverse=True, return_counts=True
+    )
+    same = same.reshape(-1)
     seen = set()
     left_out = set()
-    for number, (start, end) in zip(lines, places, strict=True):
-        first, last = tuple(start), tuple(end)
-        key = min(first, last), max(first, last), _kind(strokes[number])
+    for index in np.flatnonzero(counts[same] > 1).tolist():
+        key = int(same[index]), _kind(strokes[lines[index]])
         if key in seen:
-            left_out.add(number)
+            left_out.add(lines[index])
         seen.add(key)
     return [stroke for number, stroke in enumerate(strokes) if number not in left_out]
 
