@@ -24,8 +24,9 @@ Points = npt.NDArray[np.float64]
 _FLATNESS = 5e-6
 """Share of a free curve's own size by which its chain may leave it."""
 
-_STEPS, _MOST_STEPS = 8, 1024
-"""Chords that a polynomial is looked at by, and that stand for one at most."""
+_STEPS, _MOST_STEPS, _MOST_OF_ALL = 8, 1024, 100_000
+"""Chords that a polynomial is looked at by, that stand for one at most, and for all of a spline, but
+for those that each is looked at by."""
 
 _BESIDE = 1e-5
 """Share of its length by which a piece that is straight or round may leave that: files round."""
@@ -119,7 +120,8 @@ def _sections(spline: Spline, size: float) -> list[_Section]:
     )
     bend = np.hypot(*np.moveaxis(np.diff(rough, 2, axis=1), 2, 0)).max(axis=1) / 8.0
     finer = np.ceil(np.sqrt(bend / (_FLATNESS * size)))
-    steps = np.clip(finer, 1, _MOST_STEPS // _STEPS).astype(np.int64) * _STEPS
+    most = max(1, min(_MOST_STEPS, _MOST_OF_ALL // len(spans)) // _STEPS)
+    steps = np.clip(finer, 1, most).astype(np.int64) * _STEPS
     owner = np.repeat(np.arange(len(spans)), steps)
     number = np.arange(len(owner)) - np.repeat(np.cumsum(steps) - steps, steps)
     parameters = places[owner] + (number / steps[owner]) * np.diff(places)[owner]
