@@ -21,6 +21,9 @@ LARGEST_TURN, _SMALLEST_TURN = np.radians(38.0), 1e-3
 _STRAIGHTEST = 0.3
 """Turn of the line that goes on, in that of the next straightest, at most where several meet."""
 
+_CROWDED = 12
+"""Ends at one place up to which a line goes on in another: of a fan, or of rays, none does."""
+
 _UNEVEN = 3.5
 """Length of a chord in that of its neighbour at most, but for the first and the last."""
 
@@ -114,7 +117,10 @@ class Chords:
         """The line that goes on after the far end of another, and its near end: the only one, or
         the straightest by far."""
         number, far = step
-        others = [item for item in self.at[int(self.places[number, far])] if item[0] != number]
+        here = self.at[int(self.places[number, far])]
+        if len(here) > _CROWDED:
+            return None
+        others = [item for item in here if item[0] != number]
         if len(others) == 1:
             return others[0]
         way = self.ways[number] if far else -self.ways[number]

@@ -32,6 +32,9 @@ _LEAST_OFF, _OFF, _OFF_SHARE = 0.01, 0.04, 0.012
 """mm, and share of the radius besides, that ends of chords may lie beside their circle, and mm that
 they may at most."""
 
+_EVEN = 1.3
+"""Longest of few chords in the shortest at most: any three with two equal turns are on a circle."""
+
 _FEWEST_OF_ELLIPSE, _SWEEP_OF_ELLIPSE, _FLATTEST = 8, np.radians(60.0), 0.02
 """Chords of a piece of an ellipse, its turn, and the shorter half axis in the longer, at least:
 through five points there is always one."""
@@ -183,8 +186,11 @@ def _arc(points: Points) -> CircularArc | None:
     away = points - centre
     angles = np.unwrap(np.arctan2(away[:, 1], away[:, 0]))
     sweep = float(angles[-1] - angles[0])
-    least = _SWEEP_OF_MANY if len(points) > _MANY else _SWEEP
-    if abs(sweep) < least:
+    is_many = len(points) > _MANY
+    lengths = np.hypot(*np.diff(points, axis=0).T)
+    if abs(sweep) < (_SWEEP_OF_MANY if is_many else _SWEEP):
+        return None
+    if not is_many and lengths.max() > _EVEN * lengths.min():
         return None
     if np.hypot(*(points[-1] - points[0])) < MEET and abs(sweep) > np.pi:
         sweep = np.copysign(FULL_TURN, sweep)

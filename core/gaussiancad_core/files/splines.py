@@ -25,8 +25,8 @@ _FLATNESS = 5e-6
 """Share of a free curve's own size by which its chain may leave it."""
 
 _STEPS, _MOST_STEPS, _MOST_OF_ALL = 8, 1024, 100_000
-"""Chords that a polynomial is looked at by, that stand for one at most, and for all of a spline, but
-for those that each is looked at by."""
+"""Chords that a polynomial is looked at by, that stand for one at most, and for all of a spline
+but for those that each is looked at by."""
 
 _BESIDE = 1e-5
 """Share of its length by which a piece that is straight or round may leave that: files round."""
