@@ -79,16 +79,16 @@ def _joined(strokes: Sequence[PaperStroke]) -> Iterator[PaperStroke]:
     spans = sorted((*_span(stroke.curve, like), number) for number, stroke in enumerate(strokes))
     near = _MEET / (like.radius if isinstance(like, CircularArc) else like.semi_minor)
     first, end, number = spans[0]
-    runs = [[first, end, [number]]]
+    runs: list[tuple[float, float, list[int]]] = [(first, end, [number])]
     for start, far, number in spans[1:]:
-        if abs(start - runs[-1][1]) <= near:
-            runs[-1][1] = far
-            runs[-1][2].append(number)
+        before, last, numbers = runs[-1]
+        if abs(start - last) <= near:
+            runs[-1] = before, far, [*numbers, number]
         else:
-            runs.append([start, far, [number]])
+            runs.append((start, far, [number]))
     if len(runs) > 1 and abs(runs[-1][1] - FULL_TURN - runs[0][0]) <= near:
-        start, far, numbers = runs.pop()
-        runs[0] = [start - FULL_TURN, runs[0][1], [*numbers, *runs[0][2]]]
+        start, _, numbers = runs.pop()
+        runs[0] = start - FULL_TURN, runs[0][1], [*numbers, *runs[0][2]]
     for start, far, numbers in runs:
         stroke = strokes[numbers[0]]
         if len(numbers) == 1:

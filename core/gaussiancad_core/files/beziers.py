@@ -128,9 +128,9 @@ def _are_straight(beziers: npt.NDArray[np.float64]) -> list[bool]:
     is_dot = np.hypot(*np.moveaxis(away, 2, 0)).max(axis=1) < STRAIGHT
     along = chords / np.maximum(lengths, 1e-300)[:, None]
     ahead = (away[:, 1:3] * along[:, None]).sum(axis=2)
-    beside = away[:, 1:3, 1] * along[:, None, 0] - away[:, 1:3, 0] * along[:, None, 1]
+    off_chord = away[:, 1:3, 1] * along[:, None, 0] - away[:, 1:3, 0] * along[:, None, 1]
     within = (ahead >= -STRAIGHT) & (ahead <= lengths[:, None] + STRAIGHT)
-    is_line = (np.abs(beside) <= STRAIGHT).all(axis=1) & within.all(axis=1)
+    is_line = (np.abs(off_chord) <= STRAIGHT).all(axis=1) & within.all(axis=1)
     return [bool(straight) for straight in np.where(lengths < STRAIGHT, is_dot, is_line)]
 
 

@@ -81,10 +81,10 @@ class _Walk:
 
     def map_of(self, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> Affine:
         """The map of an object: one array for all objects that are mapped alike."""
-        own = raw.FS_MATRIX()
+        matrix = raw.FS_MATRIX()
         key: tuple[object, ...] = (outer.tobytes(),)
-        if raw.FPDFPageObj_GetMatrix(item, own):
-            key += (own.a, own.b, own.c, own.d, own.e, own.f)
+        if raw.FPDFPageObj_GetMatrix(item, matrix):
+            key += (matrix.a, matrix.b, matrix.c, matrix.d, matrix.e, matrix.f)
         if key not in self._maps:
             self._maps[key] = _composed(outer, _matrix(item))
         return self._maps[key]

@@ -224,12 +224,12 @@ def _with_whole_chains(pieces: list[_Piece], size: float) -> list[_Piece]:
     while left:
         number = left.pop()
         here = pieces[number].section.points
-        for beside, is_after in ((number - 1, False), ((number + 1) % len(pieces), True)):
-            section = pieces[beside].section
+        for neighbour, is_after in ((number - 1, False), ((number + 1) % len(pieces), True)):
+            section = pieces[neighbour].section
             ends = (here, section.points) if is_after else (section.points, here)
-            if _is_little(pieces[beside].curve, size) and _go_on(*ends):
-                pieces[beside] = _Piece(section, _chain(section.points))
-                left.append(beside % len(pieces))
+            if _is_little(pieces[neighbour].curve, size) and _go_on(*ends):
+                pieces[neighbour] = _Piece(section, _chain(section.points))
+                left.append(neighbour % len(pieces))
     return pieces
 
 
