@@ -1,7 +1,8 @@
-"""Writing that a file draws, letter by letter, of strokes or of filled areas, or beside its texts.
+"""Writing that a file draws, letter by letter, of strokes or filled areas, or beside its texts.
 
-A letter is a few strokes of one pen that touch each other and nothing longer; letters stand in rows,
-alike in height, and of many shapes: the holes of a pattern and the dashes of a line are all alike.
+A letter is a few strokes of one pen that touch each other and nothing longer; letters stand in
+rows, alike in height, and of many shapes: the holes of a pattern and the dashes of a line are all
+alike.
 """
 
 from collections.abc import Iterable, Sequence
@@ -15,7 +16,8 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc
-from gaussiancad_core.geometry.points import Box
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.points import Box, Point
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke, Points
 
@@ -59,8 +61,28 @@ _SPACE, _SPACE_BESIDES = 0.9, 0.3
 _PLAIN = 0.6
 """Share of letters from which they are holes and dashes where so many are one line or circle."""
 
+_ROUND, _FLAT = 0.05, 1e-3
+"""mm within which the ends of strokes lie on one circle; product of their spreads along and across
+in the square of the sum, under which they are in line."""
+
 _CONCENTRIC = 0.05
 """mm within which arcs have one middle."""
+
+
+def drawn_words(strokes: Sequence[PaperStroke]) -> tuple[list[Box], list[int]]:
+    """The boxes of words that are drawn letter by letter, and the numbers of their strokes, which
+    may be the chords of curves: no curve need be made whole first."""
+    return _drawn_words(LabelledStrokes.open(strokes))
+
+
+def _drawn_words(labelled: LabelledStrokes) -> tuple[list[Box], list[int]]:
+    words, members = [], []
+    for numbers in _by_pen(labelled):
+        others = _long_ends(labelled.strokes, numbers)
+        found, of_words = _words(labelled.strokes, numbers, others, _FEWEST_DRAWN)
+        words += found
+        members += of_words
+    return words, members
 
 
 def folded_letters(
@@ -75,13 +97,11 @@ def folded_letters(
     boxes = [text.box for text in sheet.texts]
     within, fills = _of_texts(labelled.strokes, boxes), _of_texts(sheet.fills, boxes)
     labelled = labelled.with_label(within, Label.TEXT, "within a text of the file")
-    words = list(boxes)
-    for numbers in _by_pen(labelled):
-        others = _long_ends(labelled.strokes, numbers)
-        found, members = _words(labelled.strokes, numbers, others, _FEWEST_DRAWN)
-        labelled = labelled.with_label(members, Label.TEXT, "row of drawn letters")
-        words += found
-    free = [n for n in range(len(sheet.fills)) if n not in set(fills)]
+    words, members = _drawn_words(labelled)
+    labelled = labelled.with_label(members, Label.TEXT, "row of drawn letters")
+    words = [*boxes, *words]
+    in_texts = set(fills)
+    free = [n for n in range(len(sheet.fills)) if n not in in_texts]
     for colour in dict.fromkeys(sheet.fills[number].pen.colour for number in free):
         numbers = [
             number
@@ -98,7 +118,7 @@ def _of_texts(strokes: Sequence[PaperStroke], boxes: Sequence[Box]) -> list[int]
     """Numbers of strokes that lie within the box of a text, and are no larger than its letters."""
     if not boxes or not strokes:
         return []
-    around = np.array(boxes) + (-_AROUND, -_AROUND, _AROUND, _AROUND)
+    around = np.array(boxes) + np.array([-_AROUND, -_AROUND, _AROUND, _AROUND])
     low, high = np.array(boxes)[:, :2], np.array(boxes)[:, 2:]
     heights = (high - low + 2.0 * _AROUND).min(axis=1)
     found = []
@@ -130,8 +150,13 @@ def _long_ends(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> cKDTre
         return None
     chosen = set(numbers)
     pen = strokes[numbers[0]].pen
-    others = [s.ends for n, s in enumerate(strokes) if n not in chosen and s.pen == pen]
-    return cKDTree(np.concatenate(others)) if others else None
+    others = [
+        end
+        for number, stroke in enumerate(strokes)
+        if number not in chosen and (stroke.pen is pen or stroke.pen == pen)
+        for end in _both_ends(stroke)
+    ]
+    return cKDTree(np.array(others)) if others else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,27 +206,75 @@ def _letters(
     strokes: Sequence[PaperStroke], numbers: Sequence[int], others: cKDTree | None
 ) -> list[_Letter]:
     """Groups of strokes that touch each other and nothing longer, as small as letters."""
-    points = np.concatenate([strokes[number].points for number in numbers])
-    owners = np.repeat(np.arange(len(numbers)), [len(strokes[n].points) for n in numbers])
+    chains = [_corners(strokes[number]) for number in numbers]
+    points = np.array([point for chain in chains for point in chain])
+    owners = np.repeat(np.arange(len(numbers)), [len(chain) for chain in chains])
     pairs = cKDTree(points).query_pairs(_TOUCH, output_type="ndarray")
     groups = _connected(owners[pairs], len(numbers))
     touching: set[int] = set()
     if others is not None:
         is_near = others.query(points)[0] < _TOUCH
         touching = set(groups[owners[is_near]].tolist())
-    found = []
-    order = np.argsort(groups[owners], kind="stable")
-    counts = np.bincount(groups[owners])
-    pieces = np.split(points[order], np.cumsum(counts)[:-1])
+    group_of = groups[owners]
+    round_ones = _are_round(points, group_of)
+    low, high = _extents(points, group_of)
     members: dict[int, list[int]] = {}
     for number, group in zip(numbers, groups.tolist(), strict=True):
         members.setdefault(group, []).append(number)
-    for group, piece in enumerate(pieces):
-        low, high = piece.min(axis=0), piece.max(axis=0)
-        if group not in touching and _SMALLEST <= (high - low).max() <= _TALLEST:
+    found = []
+    fits = ((high - low).max(axis=1) >= _SMALLEST) & ((high - low).max(axis=1) <= _TALLEST)
+    for group in np.flatnonzero(fits).tolist():
+        if group not in touching:
             held = members[group]
-            found.append(_Letter(held, low, high, _is_plain([strokes[n] for n in held])))
+            is_plain = round_ones[group] or _is_plain([strokes[n] for n in held])
+            found.append(_Letter(held, low[group], high[group], bool(is_plain)))
     return found
+
+
+def _corners(stroke: PaperStroke) -> list[Point]:
+    """Corners of a chain along a stroke, mm."""
+    if isinstance(stroke.curve, LineSegment):
+        return [stroke.curve.start, stroke.curve.end]
+    return [(x, y) for x, y in stroke.points.tolist()]
+
+
+def _both_ends(stroke: PaperStroke) -> tuple[Point, Point]:
+    corners = _corners(stroke)
+    return corners[0], corners[-1]
+
+
+def _extents(points: Points, groups: npt.NDArray[np.int32]) -> tuple[Points, Points]:
+    """(m, 2) low and high corners of the boxes around each group of (n, 2) points."""
+    count = int(groups.max()) + 1
+    low, high = np.full((count, 2), np.inf), np.full((count, 2), -np.inf)
+    np.minimum.at(low, groups, points)
+    np.maximum.at(high, groups, points)
+    return low, high
+
+
+def _are_round(points: Points, groups: npt.NDArray[np.int32]) -> npt.NDArray[np.bool_]:
+    """(m,) which groups of (n, 2) points lie around on one circle, as the chords of a hole do: by
+    the circle with the least squares of its equation (Kåsa), of all groups at once."""
+    counts = np.bincount(groups)
+
+    def mean(values: Points) -> Points:
+        return np.bincount(groups, values) / counts
+
+    middles = np.stack([mean(points[:, 0]), mean(points[:, 1])], axis=1)
+    x, y = (points - middles[groups]).T
+    squares = x * x + y * y
+    xx, xy, yy = mean(x * x), mean(x * y), mean(y * y)
+    right, upward = 0.5 * mean(squares * x), 0.5 * mean(squares * y)
+    determinant = xx * yy - xy * xy
+    is_flat = determinant <= _FLAT * (xx + yy) ** 2
+    under = np.where(is_flat, 1.0, determinant)
+    centre = np.stack([right * yy - upward * xy, upward * xx - right * xy], axis=1)
+    centre /= under[:, None]
+    radii = np.sqrt(mean(squares) + (centre**2).sum(axis=1))
+    away = np.hypot(x - centre[groups, 0], y - centre[groups, 1]) - radii[groups]
+    is_near = np.ones(len(counts), dtype=bool)
+    is_near[groups[np.abs(away) > _ROUND]] = False
+    return np.asarray(is_near & ~is_flat & (counts > 2 * _FEWEST_STROKES))
 
 
 def _is_plain(strokes: Sequence[PaperStroke]) -> bool:
@@ -215,12 +288,9 @@ def _rows(low: Points, high: Points) -> list[list[int]]:
     """Numbers of letters that stand in rows, across the sheet or up it."""
     middles, sizes = (low + high) / 2.0, high - low
     reach = _REACH * np.maximum(sizes.max(axis=1), _LEAST_REACH)
-    pairs = cKDTree(middles).query_pairs(float(reach.max()), output_type="ndarray")
-    if not len(pairs):
+    one, other = _near_pairs(middles, reach).T
+    if not len(one):
         return []
-    one, other = pairs.T
-    is_near = np.hypot(*(middles[one] - middles[other]).T) <= np.minimum(reach[one], reach[other])
-    one, other = one[is_near], other[is_near]
     linked = np.zeros(len(one), dtype=bool)
     for axis in (0, 1):
         across = 1 - axis
@@ -235,6 +305,23 @@ def _rows(low: Points, high: Points) -> list[list[int]]:
     for index, group in enumerate(groups.tolist()):
         rows.setdefault(group, []).append(index)
     return list(rows.values())
+
+
+def _near_pairs(middles: Points, reach: Points) -> npt.NDArray[np.int64]:
+    """(m, 2) numbers of letters nearer to each other than either of them reaches.
+
+    Letters of one size are asked at a time: those of a heading reach over hundreds of small ones.
+    """
+    sizes = np.floor(np.log2(reach))
+    found = [np.zeros((0, 2), dtype=np.int64)]
+    for size in np.unique(sizes):
+        numbers = np.flatnonzero(sizes >= size)
+        near = float(reach[sizes == size].max())
+        pairs = numbers[cKDTree(middles[numbers]).query_pairs(near, output_type="ndarray")]
+        pairs = pairs[(sizes[pairs] == size).any(axis=1)]
+        apart = np.hypot(*(middles[pairs[:, 0]] - middles[pairs[:, 1]]).T)
+        found.append(pairs[apart <= reach[pairs].min(axis=1)])
+    return np.concatenate(found)
 
 
 def _connected(pairs: npt.NDArray[np.int64], count: int) -> npt.NDArray[np.int32]:

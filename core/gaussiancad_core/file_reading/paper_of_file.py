@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.files.vectors import StrokeKind, VectorDrawing, VectorStroke
+from gaussiancad_core.files.vectors import Colour, StrokeKind, VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke, PaperText, Pen
@@ -41,13 +41,18 @@ def paper_of_file(
     if not drawing.has_paper:
         mm = _A4_MM / max(shape)
     strokes, fills = [], []
+    to_mm = Similarity(mm)
+    pens: dict[tuple[float | None, Colour | None, str], Pen] = {}
     for stroke in drawing.strokes:
         if stroke.colour is not None and min(stroke.colour) >= _WHITE:
             continue
-        of_paper = _on_paper(stroke, mm)
+        look = stroke.width, stroke.colour, stroke.layer
+        if look not in pens:
+            pens[look] = Pen(round((stroke.width or 0.0) * mm, 2), stroke.colour, stroke.layer)
+        of_paper = _on_paper(stroke, pens[look], to_mm)
         if stroke.kind is StrokeKind.FILL:
             fills.append(of_paper)
-        elif stroke.curve.length * mm >= _DOT:
+        elif of_paper.length >= _DOT:
             strokes.append(of_paper)
     return PaperSheet(
         (shape[1] * mm, shape[0] * mm),
@@ -61,10 +66,10 @@ def paper_of_file(
     )
 
 
-def _on_paper(stroke: VectorStroke, mm: float) -> PaperStroke:
-    pen = Pen(round((stroke.width or 0.0) * mm, 2), stroke.colour, stroke.layer)
+def _on_paper(stroke: VectorStroke, pen: Pen, to_mm: Similarity) -> PaperStroke:
+    mm = to_mm.scale
     dashes = tuple(length * mm for length in stroke.dashes)
-    curve = stroke.curve.mapped(Similarity(mm))
+    curve = stroke.curve.mapped(to_mm)
     return PaperStroke(curve, pen, dashes, stroke.role, stroke.kind, stroke.step * mm)
 
 

@@ -1,32 +1,26 @@
-"""Arcs and circles that a file draws as chords, each a line of its own.
+"""Arcs, circles and ellipses that a file draws as chords, each a line of its own.
 
 Chords of one pen whose ends meet, and that turn one way, are one arc where all of their ends lie on
-one circle, however few they are: ten make a circle.
+one circle, however few they are: ten make a circle.  More of them, and nearer, are one arc of an
+ellipse where that goes farther than any circle.
 """
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Hashable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
+from numpy.lib.stride_tricks import sliding_window_view
 
-from gaussiancad_core.files.fitting import circle_through
+from gaussiancad_core.file_reading.chord_runs import LARGEST_TURN, MEET, Bends, Chords, Run, ends_of
+from gaussiancad_core.file_reading.joined_arcs import joined_arcs
+from gaussiancad_core.files.file_curves import affine_arc
+from gaussiancad_core.files.fitting import circle_through, circles_through
 from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.ellipses import ellipse_through
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Points
-
-_MEET = 0.02
-"""mm within which ends of chords are one."""
-
-_LARGEST_TURN, _SMALLEST_TURN = np.radians(38.0), 1e-3
-"""Turn from chord to chord at most, that of a circle of ten chords, and at least."""
-
-_STRAIGHTEST = 0.3
-"""Turn of the line that goes on, in that of the next straightest, at most where several meet."""
 
 _FEWEST = 3
 """Chords of an arc at least."""
@@ -38,199 +32,152 @@ _LEAST_OFF, _OFF, _OFF_SHARE = 0.01, 0.04, 0.012
 """mm, and share of the radius besides, that ends of chords may lie beside their circle, and mm that
 they may at most."""
 
-_UNEVEN = 3.5
-"""Length of a chord in that of its neighbour at most, but for the first and the last."""
+_EVEN = 1.3
+"""Longest of few chords in the shortest at most: any three with two equal turns are on a circle."""
 
-_Ints = npt.NDArray[np.int64]
-_Step = tuple[int, int]
-"""Number of a line, and which of its ends is the far one."""
+_FEWEST_OF_ELLIPSE, _SWEEP_OF_ELLIPSE, _FLATTEST = 8, np.radians(60.0), 0.02
+"""Chords of a piece of an ellipse, its turn, and the shorter half axis in the longer, at least:
+through five points there is always one."""
+
+_SAME_PLACE = 0.01
+"""mm to which the ends of lines are rounded that are drawn twice."""
 
 
 def once(strokes: Sequence[PaperStroke]) -> list[PaperStroke]:
     """The strokes without lines that one pen draws twice, whichever way."""
+    lines = [number for number, stroke in enumerate(strokes) if stroke.is_line]
+    ends = np.array([ends_of(strokes[number]) for number in lines]).reshape(-1, 2, 2)
+    places = np.round(ends / _SAME_PLACE).astype(np.int64)
+    is_turned = (places[:, 0, 0] > places[:, 1, 0]) | (
+        (places[:, 0, 0] == places[:, 1, 0]) & (places[:, 0, 1] > places[:, 1, 1])
+    )
+    places[is_turned] = places[is_turned, ::-1]
+    # Most lines are drawn once, whoever draws them.
+    _, same, counts = np.unique(
+        places.reshape(-1, 4), axis=0, return_inverse=True, return_counts=True
+    )
+    same = same.reshape(-1)
     seen = set()
-    kept = []
-    for stroke in strokes:
-        if stroke.is_line:
-            ends = tuple(sorted(tuple(point) for point in np.round(stroke.points, 2).tolist()))
-            key = ends, stroke.pen, stroke.role, stroke.kind, bool(stroke.dashes)
-            if key in seen:
-                continue
-            seen.add(key)
-        kept.append(stroke)
-    return kept
+    left_out = set()
+    for index in np.flatnonzero(counts[same] > 1).tolist():
+        key = int(same[index]), _kind(strokes[lines[index]])
+        if key in seen:
+            left_out.add(lines[index])
+        seen.add(key)
+    return [stroke for number, stroke in enumerate(strokes) if number not in left_out]
+
+
+def _kind(stroke: PaperStroke) -> Hashable:
+    """What strokes have in common that may be pieces of one."""
+    return stroke.pen, stroke.role, stroke.kind, bool(stroke.dashes)
 
 
 def with_whole_curves(strokes: Sequence[PaperStroke]) -> list[PaperStroke]:
-    """The strokes with arcs and circles in place of the chords that draw them."""
-    kept = [stroke for stroke in strokes if not stroke.is_line]
-    of_pen = defaultdict(list)
+    """The strokes with whole arcs, circles and ellipses in place of what draws them piecewise."""
+    whole = [stroke for stroke in strokes if not stroke.is_line]
+    of_kind = defaultdict(list)
     for stroke in strokes:
         if stroke.is_line:
-            of_pen[stroke.pen, stroke.role, stroke.kind, bool(stroke.dashes)].append(stroke)
-    for lines in of_pen.values():
+            of_kind[_kind(stroke)].append(stroke)
+    for lines in of_kind.values():
         if len(lines) < _FEWEST:
-            kept += lines
+            whole += lines
             continue
-        chords = _Chords.of(lines)
-        for run in chords.runs():
-            kept += _arcs_along(run)
-    return kept
+        for run in Chords.of(lines).runs():
+            whole += _curves_along(run)
+    return joined_arcs(whole)
 
 
-@dataclass(frozen=True, eq=False)
-class _Run:
-    """Lines that go on in each other.
-
-    Attributes:
-        lines: in order.
-        points: (n + 1, 2) mm that they go through.
-        closed: whether the last goes on in the first.
-    """
-
-    lines: tuple[PaperStroke, ...]
-    points: Points
-    closed: bool
-
-
-@dataclass(frozen=True, eq=False)
-class _Chords:
-    """Lines of one pen, and where their ends meet.
-
-    Attributes:
-        lines: they.
-        ways: (n, 2) directions.
-        places: (n, 2) number of the place at which each of their ends is.
-        at: the ends at each place.
-    """
-
-    lines: Sequence[PaperStroke]
-    ways: Points
-    places: _Ints
-    at: dict[int, list[_Step]]
-
-    @classmethod
-    def of(cls, lines: Sequence[PaperStroke]) -> "_Chords":
-        ends = np.concatenate([line.points for line in lines])
-        places = places_of(ends, _MEET).reshape(-1, 2)
-        at: dict[int, list[_Step]] = defaultdict(list)
-        for number, (first, last) in enumerate(places.tolist()):
-            at[first].append((number, 0))
-            at[last].append((number, 1))
-        return cls(lines, np.array([line.way for line in lines]), places, at)
-
-    def runs(self) -> Iterator[_Run]:
-        """All lines, each in one run."""
-        done = np.zeros(len(self.lines), dtype=bool)
-        for first in range(len(self.lines)):
-            if done[first]:
-                continue
-            seen = {first}
-            ahead = self._walk((first, 1), seen, done)
-            last = ahead[-1] if ahead else (first, 1)
-            onward = self._next(last)
-            closed = len(ahead) > 2 and onward is not None and onward[0] == first
-            back = [] if closed else self._walk((first, 0), seen, done)
-            steps = [(number, 1 - far) for number, far in reversed(back)] + [(first, 1), *ahead]
-            done[[number for number, _ in steps]] = True
-            number, far = steps[0]
-            points = [self.lines[number].points[1 - far]]
-            points += [self.lines[number].points[far] for number, far in steps]
-            yield _Run(tuple(self.lines[n] for n, _ in steps), np.array(points), closed)
-
-    def _walk(self, step: _Step, seen: set[int], done: npt.NDArray[np.bool_]) -> list[_Step]:
-        """The lines from the far end of one on."""
-        found: list[_Step] = []
-        while (after := self._next(step)) and after[0] not in seen and not done[after[0]]:
-            step = after[0], 1 - after[1]
-            seen.add(step[0])
-            found.append(step)
-        return found
-
-    def _next(self, step: _Step) -> _Step | None:
-        """The line that goes on after the far end of another, and its near end: the only one, or
-        the straightest by far."""
-        number, far = step
-        others = [item for item in self.at[int(self.places[number, far])] if item[0] != number]
-        if len(others) == 1:
-            return others[0]
-        way = self.ways[number] if far else -self.ways[number]
-        turns = sorted(
-            (turn, other)
-            for other in others
-            if (turn := abs(_turn(way, self.ways[other[0]] * (1 - 2 * other[1])))) < _LARGEST_TURN
-        )
-        if not turns or (len(turns) > 1 and turns[0][0] >= _STRAIGHTEST * turns[1][0]):
-            return None
-        return turns[0][1]
-
-
-def places_of(points: Points, near: float) -> _Ints:
-    """(n,) number of the place of each point; those that are near each other are at one."""
-    pairs = cKDTree(points).query_pairs(near, output_type="ndarray")
-    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(points), len(points)))
-    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
-
-
-def _turn(one: Points, other: Points) -> float:
-    return float(np.arctan2(one[0] * other[1] - one[1] * other[0], one @ other))
-
-
-def _arcs_along(run: _Run) -> Iterator[PaperStroke]:
+def _curves_along(run: Run) -> Iterator[PaperStroke]:
     """Arcs along a run, and its lines where there are none."""
     count = len(run.lines)
     if count < _FEWEST:
         yield from run.lines
         return
-    ways = np.diff(run.points, axis=0)
-    turns = np.angle(np.exp(1j * np.diff(np.arctan2(ways[:, 1], ways[:, 0]))))
-    bends = (np.abs(turns) <= _LARGEST_TURN) & (np.abs(turns) >= _SMALLEST_TURN)
-    if run.closed and not bends.all():
+    bends = Bends.of(run.points)
+    if run.closed and not bends.bend.all():
         # From a corner on nothing is cut in two.
-        cut = int(np.argmin(bends)) + 1
+        cut = int(np.argmin(bends.bend)) + 1
         lines = (*run.lines[cut:], *run.lines[:cut])
         points = np.concatenate([run.points[cut:-1], run.points[: cut + 1]])
-        yield from _arcs_along(_Run(lines, points, closed=False))
+        yield from _curves_along(Run(lines, points, closed=False))
         return
-    lengths = np.hypot(*ways.T)
+    begins = _beginnings(run.points)
     first = 0
     while first < count:
-        last = _arc_end(run.points, lengths, turns, bends, first)
-        arc = _arc(run.points[first : last + 1]) if last - first >= _FEWEST else None
-        if arc is None:
+        stop = bends.stop(first)
+        last, curve = first, None
+        if stop - first >= _FEWEST:
+            last, curve = _longest(run.points[first : stop + 1], first, begins[first])
+        if curve is None:
             yield run.lines[first]
             first += 1
         else:
-            yield replace(run.lines[first], curve=arc)
+            yield replace(run.lines[first], curve=curve)
             first = last
 
 
-def _arc_end(
-    points: Points, lengths: Points, turns: Points, bends: npt.NDArray[np.bool_], first: int
-) -> int:
-    """The last point up to which the chords from a point on lie on one circle."""
-    count = len(lengths)
-    last = first + 1
-    sign = 0.0
-    while last < count:
-        turn = turns[last - 1]
-        if not bends[last - 1] or (sign and np.sign(turn) != sign):
-            break
-        short, long = sorted((lengths[last - 1], lengths[last]))
-        is_inner = last - 1 != first and last != count - 1
-        if is_inner and long > _UNEVEN * short:
-            break
-        if last - first >= 2 and not _is_on_circle(points[first : last + 2]):
-            break
-        sign = np.sign(turn)
-        last += 1
-    return last
+def _beginnings(points: Points) -> list[bool]:
+    """Which points the fewest chords of an arc follow."""
+    windows = np.moveaxis(sliding_window_view(points, _FEWEST + 1, axis=0), 2, 1)
+    centres, radii = circles_through(windows)
+    off = np.abs(np.hypot(*np.moveaxis(windows - centres[:, None], 2, 0)) - radii[:, None])
+    return [*(off.max(axis=1) <= _off(radii)).tolist(), *[False] * _FEWEST]
+
+
+def _off(radius: Points) -> Points:
+    """mm that ends of chords may lie beside a circle of some radius."""
+    return np.minimum(_OFF, _LEAST_OFF + _OFF_SHARE * radius)
+
+
+def _longest(points: Points, first: int, is_round: bool) -> tuple[int, Curve | None]:
+    """The number of the last point of the longest curve from the first of some on, and the curve.
+
+    Args:
+        points: (n, 2) of chords that turn one way.
+        first: number of the first one.
+        is_round: whether the fewest chords lie on one circle.
+    """
+    far = len(points) - 1
+    if not is_round:
+        return first, None
+    on_circle = _farthest(points, _FEWEST, _is_on_circle)
+    if on_circle < far and far >= _FEWEST_OF_ELLIPSE:
+        # A short piece of an ellipse is nearly round.
+        on_ellipse = _farthest(points, _FEWEST_OF_ELLIPSE, _is_on_ellipse)
+        ellipse = _elliptic_arc(points[: on_ellipse + 1]) if on_ellipse > on_circle else None
+        if ellipse is not None:
+            return first + on_ellipse, ellipse
+    return first + on_circle, _arc(points[: on_circle + 1])
+
+
+def _farthest(points: Points, fewest: int, fits: Callable[[Points], bool]) -> int:
+    """The last point up to which points lie on one curve; 0 if the fewest do not.
+
+    By bisection, as the beginning of what lies on a curve does.
+    """
+    low, high = fewest, len(points) - 1
+    if not fits(points[: low + 1]):
+        return 0
+    if fits(points):
+        return high
+    # Most curves are short: they are doubled before they are halved.
+    while 2 * low < high and fits(points[: 2 * low + 1]):
+        low *= 2
+    high = min(high, 2 * low) - 1
+    while low < high:
+        middle = (low + high + 1) // 2
+        if fits(points[: middle + 1]):
+            low = middle
+        else:
+            high = middle - 1
+    return low
 
 
 def _is_on_circle(points: Points) -> bool:
     centre, radius = circle_through(points)
     off = float(np.abs(np.hypot(*(points - centre).T) - radius).max())
-    return off <= min(_OFF, _LEAST_OFF + _OFF_SHARE * radius)
+    return off <= float(_off(np.array(radius)))
 
 
 def _arc(points: Points) -> CircularArc | None:
@@ -239,10 +186,39 @@ def _arc(points: Points) -> CircularArc | None:
     away = points - centre
     angles = np.unwrap(np.arctan2(away[:, 1], away[:, 0]))
     sweep = float(angles[-1] - angles[0])
-    least = _SWEEP_OF_MANY if len(points) > _MANY else _SWEEP
-    if abs(sweep) < least:
+    is_many = len(points) > _MANY
+    lengths = np.hypot(*np.diff(points, axis=0).T)
+    if abs(sweep) < (_SWEEP_OF_MANY if is_many else _SWEEP):
         return None
-    if np.hypot(*(points[-1] - points[0])) < _MEET and abs(sweep) > np.pi:
+    if not is_many and lengths.max() > _EVEN * lengths.min():
+        return None
+    if np.hypot(*(points[-1] - points[0])) < MEET and abs(sweep) > np.pi:
         sweep = np.copysign(FULL_TURN, sweep)
     start = float(angles[0] if sweep > 0.0 else angles[-1])
     return CircularArc(to_point(centre), radius, wrapped(start), min(abs(sweep), FULL_TURN))
+
+
+def _is_on_ellipse(points: Points) -> bool:
+    ellipse = ellipse_through(points)
+    if ellipse is None or not ellipse.semi_minor > _FLATTEST * ellipse.semi_major:
+        return False
+    return bool(ellipse.distances(points).max() <= _LEAST_OFF)
+
+
+def _elliptic_arc(points: Points) -> Curve | None:
+    """The arc of an ellipse that points lie on, where it turns far enough."""
+    ellipse = ellipse_through(points)
+    if ellipse is None:
+        return None
+    local = ellipse.local(points) / (ellipse.semi_major, ellipse.semi_minor)
+    angles = np.unwrap(np.arctan2(local[:, 1], local[:, 0]))
+    steps, sweep = np.diff(angles), float(angles[-1] - angles[0])
+    one_way = (steps > 0.0).all() or (steps < 0.0).all()
+    if not one_way or not _SWEEP_OF_ELLIPSE <= abs(sweep) <= FULL_TURN + LARGEST_TURN:
+        return None
+    if np.hypot(*(points[-1] - points[0])) < MEET and abs(sweep) > np.pi:
+        sweep = np.copysign(FULL_TURN, sweep)
+    along = np.array([np.cos(ellipse.rotation), np.sin(ellipse.rotation)])
+    across = np.array([-along[1], along[0]])
+    axes = ellipse.semi_major * along, ellipse.semi_minor * across
+    return affine_arc(np.array(ellipse.centre), *axes, float(angles[0]), sweep)

@@ -1,6 +1,6 @@
 """A sheet by its strokes alone: what each stands for, the drawings that they are, and their roles.
 
-The order matters.  Curves are made whole and letters folded first, as neither says anything of the
+The order matters.  Letters are folded and curves made whole first, as neither says anything of the
 part alone.  The frame is told before dimensions, whose arrowheads seed what pens stand for; edges
 come last, as whatever is left, in the pens that draw outlines.
 """
@@ -12,7 +12,7 @@ import shapely
 from shapely import Polygon
 
 from gaussiancad_core.file_reading.dashed_lines import with_dashed_lines
-from gaussiancad_core.file_reading.drawn_letters import folded_letters
+from gaussiancad_core.file_reading.drawn_letters import drawn_words, folded_letters
 from gaussiancad_core.file_reading.whole_curves import once, with_whole_curves
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
@@ -74,9 +74,10 @@ def read_strokes(
         third_angle: log-odds for third angle by what it says of its projection.
         symbols: boxes of signs that are known, such as that of the projection, mm.
     """
-    labelled = LabelledStrokes.open(with_whole_curves(once(sheet.strokes)))
+    labelled, rows = _with_whole_strokes(sheet)
     labelled = _without_symbols(labelled, symbols)
     labelled, words, letters = folded_letters(sheet, labelled)
+    words = [*words, *rows]
     written = _Written(sheet, words, letters, heads, third_angle)
     area = drawing_area(sheet, labelled, words)
     framed = _read(labelled, area, written)
@@ -92,6 +93,17 @@ def _has_notes_beside(sheet: PaperSheet, area: DrawingArea) -> bool:
     """Whether anything is written beside an area: a frame goes around all that is."""
     outer = area.polygon.envelope
     return any(not outer.intersects(shapely.box(*text.box)) for text in sheet.texts)
+
+
+def _with_whole_strokes(sheet: PaperSheet) -> tuple[LabelledStrokes, list[Box]]:
+    """The strokes, each once and curves whole, and the boxes of words: those of drawn letters are
+    left as they are, as they are most of a sheet and show nothing of the part."""
+    strokes = once(sheet.strokes)
+    rows, members = drawn_words(strokes)
+    is_letter = set(members)
+    rest = [stroke for number, stroke in enumerate(strokes) if number not in is_letter]
+    labelled = LabelledStrokes.open([strokes[n] for n in members] + with_whole_curves(rest))
+    return labelled.told(range(len(members)), Label.TEXT, "row of drawn letters"), rows
 
 
 def _without_symbols(labelled: LabelledStrokes, symbols: Sequence[Box]) -> LabelledStrokes:

@@ -96,6 +96,8 @@ class PaperStroke:
     @cached_property
     def box(self) -> Box:
         """Around it, mm."""
+        if isinstance(self.curve, LineSegment):
+            return self.curve.box
         x0, y0 = self.points.min(axis=0).tolist()
         x1, y1 = self.points.max(axis=0).tolist()
         return x0, y0, x1, y1
@@ -103,6 +105,8 @@ class PaperStroke:
     @cached_property
     def length(self) -> float:
         """mm along it."""
+        if isinstance(self.curve, LineSegment):
+            return self.curve.length
         return float(np.hypot(*np.diff(self.points, axis=0).T).sum())
 
     @property
