@@ -103,7 +103,7 @@ def _with_whole_strokes(sheet: PaperSheet) -> tuple[LabelledStrokes, list[Box]]:
     is_letter = set(members)
     rest = [stroke for number, stroke in enumerate(strokes) if number not in is_letter]
     labelled = LabelledStrokes.open([strokes[n] for n in members] + with_whole_curves(rest))
-    return labelled.told(range(len(members)), Label.TEXT, "row of drawn letters"), rows
+    return labelled.with_label(range(len(members)), Label.TEXT, "row of drawn letters"), rows
 
 
 def _without_symbols(labelled: LabelledStrokes, symbols: Sequence[Box]) -> LabelledStrokes:
