@@ -21,7 +21,7 @@ from gaussiancad_core.geometry.points import Box, Point
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke, Points
 
-_TALLEST, _SMALLEST = 9.0, 0.6
+_TALLEST, _SMALLEST = 9.0, 0.15
 """mm of a letter, at most and at least."""
 
 _LONGEST = 3.0
@@ -308,19 +308,19 @@ def _rows(low: Points, high: Points) -> list[list[int]]:
 
 
 def _near_pairs(middles: Points, reach: Points) -> npt.NDArray[np.int64]:
-    """(m, 2) numbers of letters nearer to each other than either of them reaches.
+    """(m, 2) numbers of letters of which one reaches the other: a point is small beside a digit.
 
-    Letters of one size are asked at a time: those of a heading reach over hundreds of small ones.
+    Letters of one size are asked at a time, the largest of which reach over hundreds of small ones.
     """
     sizes = np.floor(np.log2(reach))
     found = [np.zeros((0, 2), dtype=np.int64)]
     for size in np.unique(sizes):
-        numbers = np.flatnonzero(sizes >= size)
+        numbers = np.flatnonzero(sizes <= size)
         near = float(reach[sizes == size].max())
         pairs = numbers[cKDTree(middles[numbers]).query_pairs(near, output_type="ndarray")]
         pairs = pairs[(sizes[pairs] == size).any(axis=1)]
         apart = np.hypot(*(middles[pairs[:, 0]] - middles[pairs[:, 1]]).T)
-        found.append(pairs[apart <= reach[pairs].min(axis=1)])
+        found.append(pairs[apart <= reach[pairs].max(axis=1)])
     return np.concatenate(found)
 
 

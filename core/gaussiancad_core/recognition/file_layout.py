@@ -13,7 +13,7 @@ from gaussiancad_core.sheet.special_views.cut_views import hatched_box, section_
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_core.sheet_model.labelled_strokes import Label
-from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
+from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import Arrangement, arranged_views
 
 _OTHER_PART, _OTHER_SIZE = 6.0, 0.1

@@ -30,7 +30,7 @@ from gaussiancad_core.sheet.views.sheet_layout import Layout, ProjectionSource, 
 from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
-from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
+from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import Arrangement, Placed, any_in_line, arranged_views
 from gaussiancad_protocol.codes import Code
 

@@ -13,12 +13,12 @@ from shapely import Polygon
 
 from gaussiancad_core.file_reading.dashed_lines import with_dashed_lines
 from gaussiancad_core.file_reading.drawn_letters import drawn_words, folded_letters
-from gaussiancad_core.file_reading.whole_curves import once, with_whole_curves
+from gaussiancad_core.file_reading.joined_chords import once, with_whole_curves
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
-from gaussiancad_core.structure.centre_lines import centre_lines_apart
+from gaussiancad_core.structure.centre_strokes import centre_lines_apart
 from gaussiancad_core.structure.dimension_lines import dimensions_apart
 from gaussiancad_core.structure.drawing_area import (
     DrawingArea,
@@ -32,7 +32,7 @@ from gaussiancad_core.structure.ruled_tables import tables_apart
 from gaussiancad_core.structure.shaded_pictures import with_picture_outlines
 from gaussiancad_core.views.drawing_kinds import with_kinds
 from gaussiancad_core.views.drawing_titles import with_titles
-from gaussiancad_core.views.drawn_views import DrawnView, drawn_views
+from gaussiancad_core.views.drawn_groups import DrawnView, drawn_views
 from gaussiancad_core.views.framed_views import Surety, surety_of_views
 from gaussiancad_core.views.role_search import Ranking, arranged_views
 

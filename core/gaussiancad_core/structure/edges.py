@@ -39,8 +39,8 @@ _CLOSED, _LOOSE, _ALONE, _NAMED, _CURVED = -1.0, 0.7, 3.0, -3.0, -0.7
 themselves, that the file names as visible edges, and that are round."""
 
 _FEW, _TOUCH = 5, 0.1
-"""Strokes that touch each other and close nothing up to which they are a sign, and mm within which
-they touch."""
+"""Strokes that touch each other, and neither close nor go around anything, up to which they are a
+sign, and mm within which they touch."""
 
 _STICKING_OUT = 0.25
 """mm of a stroke that bound nothing from which it sticks out of an outline."""
@@ -111,7 +111,10 @@ class _Meeting:
             graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
             groups = connected_components(graph, directed=False)[1]
             few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
-            odds = np.where(few[groups], _ALONE, odds)
+            for group in np.flatnonzero(few).tolist():
+                around = shapely.box(*shapely.total_bounds(np.array(lines)[groups == group]))
+                if not any(around.contains(lines[index]) for index in np.flatnonzero(closed)):
+                    odds[groups == group] = _ALONE
         return cls(closed, loose > _STICKING_OUT, odds)
 
 

@@ -8,7 +8,7 @@ import shapely
 from shapely import Polygon
 
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
-from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
+from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 
 _HATCHED, _FEWEST_HATCHES = 0.02, 3
 """Share of a section's outline that is hatched at least, and lines of that."""

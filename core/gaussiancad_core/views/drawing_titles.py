@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from gaussiancad_core.sheet_model.paper_sheet import PaperText
-from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
+from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 
 _SMALL = "small"
 """Stands for what is a detail if it is small."""

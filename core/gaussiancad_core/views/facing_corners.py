@@ -14,8 +14,8 @@ from shapely import LineString, Point
 
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
-from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
-from gaussiancad_core.views.view_levels import Places, distinct, is_painted
+from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
+from gaussiancad_core.views.stroke_levels import Places, distinct, is_painted
 
 _MOST = 6.0
 """Log-odds by corners, at most."""

@@ -13,7 +13,7 @@ import shapely
 from shapely import Polygon
 
 from gaussiancad_core.geometry.arcs import CircularArc
-from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
+from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 
 _VIEW = 0.1
 """Share of a frame's width and height that a view in it has at least: engraved letters have

@@ -15,9 +15,9 @@ import numpy as np
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.views.drawing_titles import PICTORIAL
-from gaussiancad_core.views.drawn_views import DrawingKind, DrawnView
+from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.facing_corners import odds_for_third
-from gaussiancad_core.views.view_levels import Levels, agreement, levels_of
+from gaussiancad_core.views.stroke_levels import Levels, agreement, levels_of
 
 _MOST_VIEWS, _BEAM, _KEPT = 7, 300, 3
 """Views, the largest ones, that are tried; arrangements that are followed, and kept of each front

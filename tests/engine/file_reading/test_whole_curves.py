@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.file_reading.joined_arcs import joined_arcs
-from gaussiancad_core.file_reading.whole_curves import once, with_whole_curves
+from gaussiancad_core.file_reading.joined_chords import once, with_whole_curves
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve

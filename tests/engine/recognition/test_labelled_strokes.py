@@ -18,7 +18,7 @@ from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.recognition.file_layout import doubtful_lines
 from gaussiancad_core.sheet_model.labelled_strokes import Label
-from gaussiancad_core.views.drawn_views import DrawingKind
+from gaussiancad_core.views.drawn_groups import DrawingKind
 
 Points = list[tuple[float, float]]
 

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 from gaussiancad_core.structure.shaded_pictures import PICTURE
-from gaussiancad_core.views.drawn_views import DrawnView
+from gaussiancad_core.views.drawn_groups import DrawnView
 
 Places = npt.NDArray[np.float64]
 """(n,) mm from where a view begins, in order."""
