@@ -1,8 +1,8 @@
 """Notes at holes, put to the circles that they speak of."""
 
 from collections.abc import Container, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from itertools import groupby
+from dataclasses import dataclass, replace
+from itertools import groupby, takewhile
 
 import numpy as np
 
@@ -11,11 +11,10 @@ from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.views import Arc, Linetype
 from gaussiancad_core.sheet.picture_noise import ONE_PLACE
-from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
+from gaussiancad_core.writing.callout_words import is_typical
 from gaussiancad_core.writing.callouts import NoteKind
-from gaussiancad_core.writing.dimension_layout import LOOSELY
-from gaussiancad_core.writing.note_texts import SheetNote
+from gaussiancad_core.writing.note_texts import GOING_ON, WIDER, SheetNote, gap_below
 from gaussiancad_core.writing.scale_agreement import ReadDimension
 from gaussiancad_protocol.codes import Code
 
@@ -29,7 +28,6 @@ _MINOR = 0.75
 """Diameter of the core hole of a thread as a share of the nominal one, at least (ISO 724)."""
 
 _HOLES = (NoteKind.DIAMETER, NoteKind.THREAD)
-_WIDER = (NoteKind.COUNTERBORE, NoteKind.COUNTERSINK)
 
 
 @dataclass(frozen=True)
@@ -38,12 +36,10 @@ class HoleNotes:
 
     Attributes:
         holes: those whose circles were found.
-        used: texts and boxes of the notes that speak of them.
         doubts: (code, sentence) of notes that do not fit what is drawn.
     """
 
     holes: tuple[NotedHole, ...]
-    used: frozenset[tuple[str, Box]]
     doubts: tuple[tuple[str, str], ...]
 
 
@@ -64,13 +60,12 @@ def hole_notes(
         dimensions: those with a circle tell which one a text points at.
     """
     pointed = {
-        (dimension.text, dimension.box): dimension.place
+        (dimension.text, dimension.box): (dimension.place,)
         for dimension in dimensions
         if isinstance(dimension.place, Arc)
     }
     circles = _circles(registered)
     holes: list[NotedHole] = []
-    used: set[tuple[str, Box]] = set()
     doubts: list[tuple[str, str]] = []
     taken: set[tuple[Role, Arc]] = set()
     groups = [sheet_notes for sheet_notes in _groups(notes) if _states_depth(sheet_notes)]
@@ -85,16 +80,14 @@ def hole_notes(
     )
     for group in groups:
         first = group[0]
-        at = pointed.get((first.text, first.box))
+        at = first.pointed or pointed.get((first.text, first.box), ())
         role, arcs = (
             _pointed_at(first.circle, circles)
             if first.circle is not None
             else _meant(group, circles, at, taken, registered.mm_per_pixel)
         )
         if role is None:
-            bores = tuple(_bores(registered, group))
-            holes += bores
-            used.update((each.text, each.box) for each in group if bores)
+            holes += _bores(registered, group)
             continue
         count = first.callout.count
         if count > 1 and len(arcs) != count:
@@ -111,10 +104,10 @@ def hole_notes(
                     ),
                 )
             )
-        used.update((each.text, each.box) for each in group)
         taken.update((role, circle) for circle in arcs)
-        holes += [_noted(registered, role, circle, group) for circle in arcs]
-    return HoleNotes(tuple(holes), frozenset(used), tuple(doubts))
+        noted = (_noted(registered, role, circle, group) for circle in arcs)
+        holes += [hole for hole in noted if hole.steps]
+    return HoleNotes(tuple(holes), tuple(doubts))
 
 
 def _states_depth(group: Sequence[SheetNote]) -> bool:
@@ -125,35 +118,39 @@ def _states_depth(group: Sequence[SheetNote]) -> bool:
 
 
 def _groups(notes: Sequence[SheetNote]) -> Iterator[list[SheetNote]]:
-    """Notes of one text, with what stands right below and goes on."""
+    """Notes of one text, with the lines right below that go on."""
     texts = [
         list(sheet_notes)
         for _, sheet_notes in groupby(notes, key=lambda note: (note.text, note.box))
     ]
-    below = {
-        index: next(
-            (
-                other
-                for other, above in enumerate(texts)
-                if other != index and _goes_on(above[-1].box, sheet_notes[0])
-            ),
-            None,
-        )
-        for index, sheet_notes in enumerate(texts)
-        if sheet_notes[0].callout.kind in (*_WIDER, NoteKind.DEPTH)
-    }
-    for index, this_notes in enumerate(texts):
-        if below.get(index) is None:
-            rest = [texts[other] for other, above in below.items() if above == index]
-            yield [*this_notes, *(note for each in rest for note in each)]
+    below: dict[int, int] = {}
+    for index, sheet_notes in enumerate(texts):
+        if sheet_notes[0].callout.kind not in GOING_ON:
+            continue
+        gaps = [
+            (gap, other)
+            for other, above in enumerate(texts)
+            if other != index and (gap := gap_below(above[-1].box, sheet_notes[0])) is not None
+        ]
+        if gaps:
+            below[min(gaps)[1]] = index
+    for first in sorted(set(range(len(texts))) - set(below.values())):
+        group, number = list(texts[first]), below.get(first)
+        while number is not None:
+            for note in texts[number]:
+                group = _continued(group, note)
+            number = below.get(number)
+        yield group
 
 
-def _goes_on(above: Box, note: SheetNote) -> bool:
-    """Whether a note stands right below a box, and begins within it."""
-    x0, y0, x1, y1 = note.box
-    height = min(y1 - y0, above[3] - above[1])
-    near = -0.5 * height <= y0 - above[3] <= LOOSELY * height
-    return near and x0 <= above[2] and above[0] <= x1
+def _continued(group: list[SheetNote], note: SheetNote) -> list[SheetNote]:
+    """The notes of one call-out with a further one, a depth in what it is the depth of as well."""
+    last = group[-1]
+    lacks = last.depth_mm is None and not last.callout.through
+    if note.callout.kind is NoteKind.DEPTH and last.callout.kind is not NoteKind.DEPTH and lacks:
+        said = replace(last.callout, depth=note.callout.value, through=note.callout.through)
+        group = [*group[:-1], replace(last, callout=said, depth_mm=note.value_mm)]
+    return [*group, note]
 
 
 def _circles(registered: RegisteredSheet) -> dict[Role, list[Arc]]:
@@ -181,7 +178,7 @@ def _pointed_at(
 def _meant(
     group: Sequence[SheetNote],
     circles: Mapping[Role, Sequence[Arc]],
-    pointed: Arc | None,
+    pointed: Sequence[Arc],
     taken: Container[tuple[Role, Arc]],
     scale: float,
 ) -> tuple[Role | None, list[Arc]]:
@@ -200,19 +197,19 @@ def _meant(
             ]
         )
     }
-    count = first.callout.count
+    count, typical = first.callout.count, is_typical(first.text)
     if not wider:
         by_role = {
-            role: _plain(arcs, circles[role]) if len(arcs) > count else arcs
+            role: _plain(arcs, circles[role]) if len(arcs) > count and not typical else arcs
             for role, arcs in by_role.items()
         }
     for role, this_arcs in by_role.items():
-        at = [
-            each for each in this_arcs if pointed is not None and _apart(pointed, each) <= ONE_PLACE
-        ]
+        at = [each for each in this_arcs if any(_apart(arc, each) <= ONE_PLACE for arc in pointed)]
         if at:
-            return role, at[:1] if count == 1 else this_arcs
-    roles = [role for role, arcs in by_role.items() if len(arcs) == count]
+            if len(pointed) > 1:
+                return role, at
+            return role, at[:1] if count == 1 and not typical else this_arcs
+    roles = [role for role, arcs in by_role.items() if len(arcs) == count or (typical and arcs)]
     return (roles[0], by_role[roles[0]]) if len(roles) == 1 else (None, [])
 
 
@@ -230,7 +227,7 @@ def _plain(arcs: Sequence[Arc], others: Sequence[Arc]) -> list[Arc]:
 
 def _is_around(note: SheetNote, circle: Arc, others: Sequence[Arc], scale: float) -> bool:
     """Whether what a note says to be wider is drawn around a circle."""
-    return note.callout.kind not in _WIDER or any(
+    return note.callout.kind not in WIDER or any(
         _apart(circle, other) <= ONE_PLACE and _fits(note, other, scale) for other in others
     )
 
@@ -260,26 +257,31 @@ def _bores(registered: RegisteredSheet, group: Sequence[SheetNote]) -> Iterator[
         role = next(this_role for this_role in Role if this_role.frame.look_axis[0] is about)
         along = role.frame.right_axis, role.frame.up_axis
         right, up = (sign * registered.views.size[axis.value] / 2.0 for axis, sign in along)
-        yield NotedHole(role, (right, up), (HoleStep(first.value_mm, None),), first.text)
+        yield NotedHole(
+            role, (right, up), (HoleStep(first.value_mm, None, (first.box,)),), first.text
+        )
 
 
 def _noted(
     registered: RegisteredSheet, role: Role, circle: Arc, group: Sequence[SheetNote]
 ) -> NotedHole:
     right, up = registered.placements[role].to_plane(np.array([circle.centre]))[0].tolist()
-    depth = next((note.depth_mm for note in group if note.callout.kind is NoteKind.DEPTH), None)
     steps = []
+    kinds = [sheet_note.callout.kind for sheet_note in group]
+    # A thread says how deep its core is where nothing else does.
+    cored = NoteKind.DIAMETER in kinds or any(view.has_hidden_lines for view in registered.drawn)
     for number, sheet_note in enumerate(group):
-        if sheet_note.callout.kind is NoteKind.DEPTH:
+        kind = sheet_note.callout.kind
+        of_thread = kind is NoteKind.THREAD and cored and not sheet_note.callout.through
+        if kind is NoteKind.DEPTH or of_thread:
             continue
         diameter = (
             2.0 * circle.radius * registered.mm_per_pixel if not number else sheet_note.value_mm
         )
         deep = sheet_note.depth_mm
-        if deep is None and not sheet_note.callout.through:
-            # A depth on a line of its own is that of what stands above it.
-            deep = depth
         if diameter is not None and (deep is not None or sheet_note.callout.through):
-            steps.append(HoleStep(diameter, deep))
+            said = takewhile(lambda each: each.callout.kind is NoteKind.DEPTH, group[number + 1 :])
+            boxes = sheet_note.box, *(each.box for each in said)
+            steps.append(HoleStep(diameter, deep, boxes))
     steps.sort(key=lambda step: step.diameter)
     return NotedHole(role, (right, up), tuple(steps), group[0].text)

@@ -1,7 +1,7 @@
 """Bézier curves back to what they stand for: lines, arcs, ellipses, and chains for all others."""
 
 import math
-from itertools import groupby
+from itertools import groupby, pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -11,12 +11,10 @@ from gaussiancad_core.files.file_curves import (
     MOST_CHORDS,
     SMALLEST_SWEEP,
     STRAIGHT,
-    Vector,
     affine_arc,
-    polygon_curves,
 )
 from gaussiancad_core.files.fitting import circle_through
-from gaussiancad_core.files.plotted import lines_and_arcs
+from gaussiancad_core.files.plotted import FEWEST_CHORDS, lines_and_arcs
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
@@ -37,17 +35,23 @@ def curves_from_beziers(beziers: list[npt.NDArray[np.float64]]) -> list[Curve]:
     whole = _whole_ellipse(beziers)
     if whole is not None:
         return [whole]
+    together = np.array(beziers)
+    straight = _are_straight(together)
+    arcs = _bezier_arcs(together)
+    free = iter(
+        _chains(together[[not s and a is None for s, a in zip(straight, arcs, strict=True)]])
+    )
     curves: list[Curve] = []
     run: list[tuple[npt.NDArray[np.float64], CircularArc, bool]] = []
-    for bezier in beziers:
-        if _is_straight(bezier):
-            curves += [*_joined(run), LineSegment(to_point(bezier[0]), to_point(bezier[3]))]
+    for bezier, is_straight, fitted in zip(beziers, straight, arcs, strict=True):
+        if is_straight or fitted is None:
+            curves += _joined(run)
             run = []
+        if is_straight:
+            curves.append(LineSegment(to_point(bezier[0]), to_point(bezier[3])))
             continue
-        fitted = _bezier_arc(bezier)
         if fitted is None:
-            curves += [*_joined(run), _chain(bezier)]
-            run = []
+            curves.append(next(free))
             continue
         if run and not (_same_circle(run[-1][1], fitted[0]) and run[-1][2] == fitted[1]):
             curves += _joined(run)
@@ -64,20 +68,49 @@ def curves_from_path(pieces: list[npt.NDArray[np.float64]], step: float | None) 
         step: px of the grid to which they were rounded, 0 of exact ones, by which arcs are
             recognised; None to leave lines as they are, and Bézier curves as chains.
     """
+    if len(pieces) == 1 and len(pieces[0]) == 2:
+        # Most paths of most files are one line.
+        start, end = pieces[0].tolist()
+        is_long = math.hypot(end[0] - start[0], end[1] - start[1]) > COMPUTED
+        return [LineSegment((start[0], start[1]), (end[0], end[1]))] if is_long else []
     curves: list[Curve] = []
     for is_bezier, group in groupby(
         (piece for piece in pieces if _extent(piece) > COMPUTED),
         key=lambda piece: len(piece) == 4,
     ):
         run = list(group)
-        if not is_bezier:
-            points = np.array([piece[0] for piece in run] + [run[-1][1]])
-            curves += polygon_curves(points) if step is None else lines_and_arcs(points, step)
+        if not is_bezier and step is not None and len(run) >= FEWEST_CHORDS:
+            curves += lines_and_arcs(np.array([*(piece[0] for piece in run), run[-1][1]]), step)
+        elif not is_bezier:
+            curves += [LineSegment(to_point(start), to_point(end)) for start, end in run]
         elif step is not None:
             curves += curves_from_beziers(run)
         else:
-            curves += [_chain(bezier) for bezier in run]
+            curves += _chains(np.array(run))
     return curves
+
+
+def outlines(subpaths: list[list[npt.NDArray[np.float64]]]) -> list[Chain]:
+    """The closed chains around filled areas; none around what has no area.
+
+    Args:
+        subpaths: pieces that join end to end, each as for :func:`curves_from_path`.
+    """
+    curved = [piece for pieces in subpaths for piece in pieces if len(piece) == 4]
+    flat = iter(_flattened(np.array(curved)) if curved else ())
+    found = []
+    for pieces in subpaths:
+        corners = [next(flat) if len(piece) == 4 else piece for piece in pieces]
+        if not corners:
+            continue
+        ring = [tuple(point) for chain in corners for point in chain[1:].tolist()]
+        first = to_point(pieces[0][0])
+        # Filling closes what the path leaves open.
+        ring = [first, *ring] if ring[-1] == first else [first, *ring, first]
+        ring = [ring[0], *(point for before, point in pairwise(ring) if point != before)]
+        if len(ring) > 3:
+            found.append(Chain(tuple(ring)))
+    return found
 
 
 def _extent(piece: npt.NDArray[np.float64]) -> float:
@@ -87,51 +120,73 @@ def _extent(piece: npt.NDArray[np.float64]) -> float:
     return math.hypot(max(across) - min(across), max(up) - min(up))
 
 
-def _is_straight(bezier: npt.NDArray[np.float64]) -> bool:
-    chord = bezier[3] - bezier[0]
-    length = float(np.hypot(*chord))
-    if length < STRAIGHT:
-        return bool(np.hypot(*(bezier - bezier[0]).T).max() < STRAIGHT)
-    across = (bezier[1:3] - bezier[0]) @ np.array([-chord[1], chord[0]]) / length
-    along = (bezier[1:3] - bezier[0]) @ chord / length
-    within = (along >= -STRAIGHT) & (along <= length + STRAIGHT)
-    return bool((np.abs(across) <= STRAIGHT).all() and within.all())
+def _are_straight(beziers: npt.NDArray[np.float64]) -> list[bool]:
+    """Which of (n, 4, 2) Bézier curves are lines."""
+    chords = beziers[:, 3] - beziers[:, 0]
+    lengths = np.hypot(*chords.T)
+    away = beziers - beziers[:, :1]
+    is_dot = np.hypot(*np.moveaxis(away, 2, 0)).max(axis=1) < STRAIGHT
+    along = chords / np.maximum(lengths, 1e-300)[:, None]
+    ahead = (away[:, 1:3] * along[:, None]).sum(axis=2)
+    off_chord = away[:, 1:3, 1] * along[:, None, 0] - away[:, 1:3, 0] * along[:, None, 1]
+    within = (ahead >= -STRAIGHT) & (ahead <= lengths[:, None] + STRAIGHT)
+    is_line = (np.abs(off_chord) <= STRAIGHT).all(axis=1) & within.all(axis=1)
+    return [bool(straight) for straight in np.where(lengths < STRAIGHT, is_dot, is_line)]
 
 
-def _point_at(bezier: npt.NDArray[np.float64], t: npt.NDArray[np.float64]) -> Vector:
-    t = t[:, None]
+def _powers(t: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """(n, 4) weights of the control points at (n,) parameters."""
     s = 1.0 - t
-    return (
-        s**3 * bezier[0]
-        + 3.0 * s * s * t * bezier[1]
-        + 3.0 * s * t * t * bezier[2]
-        + t**3 * bezier[3]
-    )
+    return np.stack([s**3, 3.0 * s * s * t, 3.0 * s * t * t, t**3], axis=1)
 
 
-def _bezier_arc(bezier: npt.NDArray[np.float64]) -> tuple[CircularArc, bool] | None:
-    """The arc that a Bézier curve stands for, and whether it turns from x towards y."""
-    first, last = bezier[1] - bezier[0], bezier[3] - bezier[2]
+def _points_at(
+    beziers: npt.NDArray[np.float64], t: npt.NDArray[np.float64]
+) -> npt.NDArray[np.float64]:
+    """(n, k, 2) points of (n, 4, 2) Bézier curves at (k,) parameters."""
+    return np.asarray(_powers(t) @ beziers)
+
+
+def _bezier_arcs(
+    beziers: npt.NDArray[np.float64],
+) -> list[tuple[CircularArc, bool] | None]:
+    """The arc that each of (n, 4, 2) Bézier curves stands for, and whether it turns from x towards
+    y; None for one that stands for none."""
+    start, end = beziers[:, 0], beziers[:, 3]
+    first, last = beziers[:, 1] - start, end - beziers[:, 2]
     # The centre lies on the normals at both ends.
-    system = np.array([first, last])
-    if abs(np.linalg.det(system)) <= 1e-12 * (np.hypot(*first) * np.hypot(*last) + 1e-300):
-        # A half circle has parallel tangents; its centre is the middle of its chord.
-        centre = (bezier[0] + bezier[3]) / 2.0
-    else:
-        centre = np.linalg.solve(system, [first @ bezier[0], last @ bezier[3]])
-    radii = np.hypot(*(bezier[[0, 3]] - centre).T)
-    radius = float(radii.mean())
-    points = _point_at(bezier, np.linspace(0.0, 1.0, 17))
-    away = np.abs(np.hypot(*(points - centre).T) - radius)
-    if away.max() > min(_ARC_DEVIATION * radius, 0.5):
-        return None
-    angles = np.unwrap(np.arctan2(points[:, 1] - centre[1], points[:, 0] - centre[0]))
-    steps = np.diff(angles)
-    sweep = float(angles[-1] - angles[0])
-    if not ((steps > 0.0).all() or (steps < 0.0).all()) or abs(sweep) < SMALLEST_SWEEP:
-        return None
-    start = angles[0] if sweep > 0.0 else angles[-1]
-    return CircularArc(to_point(centre), radius, wrapped(float(start)), abs(sweep)), sweep > 0.0
+    crossed = first[:, 0] * last[:, 1] - first[:, 1] * last[:, 0]
+    sizes = np.hypot(*first.T) * np.hypot(*last.T)
+    is_half = np.abs(crossed) <= 1e-12 * sizes + 1e-300
+    one, other = (first * start).sum(axis=1), (last * end).sum(axis=1)
+    met = np.stack(
+        [one * last[:, 1] - other * first[:, 1], other * first[:, 0] - one * last[:, 0]], axis=1
+    )
+    # A half circle has parallel tangents; its centre is the middle of its chord.
+    met /= np.where(is_half, 1.0, crossed)[:, None]
+    centres = np.where(is_half[:, None], (start + end) / 2.0, met)
+    radii = (np.hypot(*(start - centres).T) + np.hypot(*(end - centres).T)) / 2.0
+    away = _points_at(beziers, np.linspace(0.0, 1.0, 17)) - centres[:, None]
+    off = np.abs(np.hypot(*np.moveaxis(away, 2, 0)) - radii[:, None]).max(axis=1)
+    angles = np.unwrap(np.arctan2(away[:, :, 1], away[:, :, 0]), axis=1)
+    steps = np.diff(angles, axis=1)
+    sweeps = angles[:, -1] - angles[:, 0]
+    one_way = (steps > 0.0).all(axis=1) | (steps < 0.0).all(axis=1)
+    is_arc = (off <= np.minimum(_ARC_DEVIATION * radii, 0.5)) & one_way
+    is_arc &= np.abs(sweeps) >= SMALLEST_SWEEP
+    starts = np.where(sweeps > 0.0, angles[:, 0], angles[:, -1])
+    rows = zip(
+        is_arc.tolist(),
+        centres.tolist(),
+        radii.tolist(),
+        starts.tolist(),
+        sweeps.tolist(),
+        strict=True,
+    )
+    return [
+        (CircularArc((x, y), radius, wrapped(angle), abs(sweep)), sweep > 0.0) if fits else None
+        for fits, (x, y), radius, angle, sweep in rows
+    ]
 
 
 def _same_circle(a: CircularArc, b: CircularArc) -> bool:
@@ -167,8 +222,8 @@ def _whole_ellipse(beziers: list[npt.NDArray[np.float64]]) -> Curve | None:
         return None
     # In the frame of its half axes, an ellipse is the unit circle.
     to_circle = np.linalg.inv(np.stack([u, v], axis=1))
-    points = [_point_at(bezier, np.linspace(0.0, 1.0, 9)) for bezier in beziers]
-    unit = (np.concatenate(points) - centre) @ to_circle.T
+    points = _points_at(np.array(beziers), np.linspace(0.0, 1.0, 9)).reshape(-1, 2)
+    unit = (points - centre) @ to_circle.T
     away = np.abs(np.hypot(*unit.T) - 1.0)
     if away.max() > _ARC_DEVIATION or away.max() * size > 0.5:
         return None
@@ -183,12 +238,23 @@ def _whole_ellipse(beziers: list[npt.NDArray[np.float64]]) -> Curve | None:
     )
 
 
-def _chain(bezier: npt.NDArray[np.float64]) -> Chain:
-    bend = np.abs(bezier[:-2] - 2.0 * bezier[1:-1] + bezier[2:])
+def _chains(beziers: npt.NDArray[np.float64]) -> list[Chain]:
+    return [Chain(tuple((x, y) for x, y in points.tolist())) for points in _flattened(beziers)]
+
+
+def _flattened(beziers: npt.NDArray[np.float64]) -> list[npt.NDArray[np.float64]]:
+    """(k, 2) corners of a chain along each of (n, 4, 2) Bézier curves."""
+    bends = np.abs(np.diff(beziers, 2, axis=1))
     # A chord's error is at most an eighth of its squared step times the second derivative.
-    count = int(np.ceil(np.sqrt(0.75 * float(np.hypot(*bend.T).max()) / FLATNESS))) + 1
-    points = _point_at(bezier, np.linspace(0.0, 1.0, min(max(count, 2), MOST_CHORDS)))
-    return Chain(tuple(to_point(point) for point in points))
+    most = np.hypot(*np.moveaxis(bends, 2, 0)).max(axis=1, initial=0.0)
+    chords = np.clip(np.ceil(np.sqrt(0.75 * most / FLATNESS)), 1, MOST_CHORDS - 1)
+    counts = chords.astype(np.int64) + 1
+    owner = np.repeat(np.arange(len(beziers)), counts)
+    number = np.arange(len(owner)) - np.repeat(np.cumsum(counts) - counts, counts)
+    t = number / (counts[owner] - 1)
+    powers = _powers(t)
+    points = (powers[:, :, None] * beziers[owner]).sum(axis=1)
+    return np.split(points, np.cumsum(counts)[:-1]) if len(beziers) else []
 
 
 def _chains_linked(curves: list[Curve]) -> list[Curve]:

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.files.file_curves import FLATNESS
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.arcs import EllipticArc
-from gaussiancad_core.geometry.chains import Chain
+from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
 
 _PLACES = 5
@@ -51,22 +51,35 @@ def _repeated(strokes: Sequence[VectorStroke]) -> list[int]:
     if len(strokes) < 2:
         return []
     curves = [stroke.curve for stroke in strokes]
-    there = np.array([_places(curve) for curve in curves])
-    back = there[:, ::-1].reshape(len(there), -1)
-    there = there.reshape(len(there), -1)
-    tree = cKDTree(there)
-    near = [tree.query_ball_point(ways, FLATNESS, p=np.inf) for ways in (there, back)]
     left_out: set[int] = set()
-    for index, this_curve in enumerate(curves):
-        if index in left_out:
-            continue
-        for others, turned in zip(near, (False, True), strict=True):
-            left_out.update(
-                other
-                for other in others[index]
-                if other > index and _is_along(this_curve, curves[other], turned=turned)
-            )
+    first_of: dict[Hashable, int] = {}
+    for index, curve in enumerate(curves):
+        if first_of.setdefault(_exactly(curve), index) != index:
+            left_out.add(index)
+    rest = list(first_of.values())
+    there = _all_places([curves[index] for index in rest])
+    # Whichever way a curve is drawn, the middle of its places is one.
+    near = cKDTree(there.mean(axis=1)).query_pairs(FLATNESS, p=np.inf, output_type="ndarray")
+    one, other = near[np.lexsort(near.T[::-1])].T
+    for turned in (False, True):
+        places = there[:, ::-1] if turned else there
+        alike = (np.abs(there[one] - places[other]) <= FLATNESS).all(axis=(1, 2))
+        for first, second in zip(one[alike].tolist(), other[alike].tolist(), strict=True):
+            kept, repeated = rest[first], rest[second]
+            if kept not in left_out and _is_along(curves[kept], curves[repeated], turned=turned):
+                left_out.add(repeated)
     return sorted(left_out)
+
+
+def _exactly(curve: Curve) -> Hashable:
+    """What curves have in common that are the same to the last digit, lines whichever way."""
+    return frozenset((curve.start, curve.end)) if isinstance(curve, LineSegment) else curve
+
+
+def _all_places(curves: Sequence[Curve]) -> npt.NDArray[np.float64]:
+    """(m, n, 2) px: the places of curves of one type."""
+    lines = [(c.start, c.end) for c in curves if isinstance(c, LineSegment)]
+    return np.array(lines if lines else [_places(curve) for curve in curves])
 
 
 def _places(curve: Curve) -> npt.NDArray[np.float64]:

@@ -1,6 +1,7 @@
 """Simple DXF entities as curves, seen from above: LINE, ARC, CIRCLE, ELLIPSE, SPLINE, faces."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import astuple
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +19,8 @@ from ezdxf.path import from_hatch
 from ezdxf.render.hatching import HatchingError, hatch_entity
 
 from gaussiancad_core.files.file_curves import affine_arc, polygon_curves
+from gaussiancad_core.files.splines import Spline as PlaneSpline
+from gaussiancad_core.files.splines import spline_curves
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import FULL_TURN, to_point
@@ -138,12 +141,8 @@ def _circle(entity: Circle) -> Curve:
 def _spline(spline: Spline) -> list[Curve]:
     tool = spline.construction_tool()
     corners = np.array([(p.x, p.y) for p in tool.control_points])
-    _check_finite(corners)
-    size = float(np.ptp(corners, axis=0).max())
-    if size <= 0.0:
-        return []
-    points = np.array([(p.x, p.y) for p in spline.flattening(size * _FLATNESS)])
-    return [Chain(tuple(to_point(point) for point in points))] if len(points) > 1 else []
+    weights = np.array(tool.weights()) if tool.is_rational else None
+    return spline_curves(PlaneSpline(corners, np.array(tool.knots()), tool.degree, weights))
 
 
 def _sized(curves: Sequence[Curve]) -> list[Curve]:
@@ -152,7 +151,10 @@ def _sized(curves: Sequence[Curve]) -> list[Curve]:
     for curve in curves:
         if isinstance(curve, LineSegment):
             points = np.array((curve.start, curve.end))
+        elif isinstance(curve, Chain):
+            points = np.array(curve.points)
         else:
+            _check_finite(np.array(astuple(curve)[1:]))
             points = curve.vertices(np.inf)
         _check_finite(points)
         if np.ptp(points, axis=0).max() > 0.0:

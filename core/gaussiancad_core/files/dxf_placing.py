@@ -6,7 +6,7 @@ from gaussiancad_core.files.dxf_entities import DrawnCurve, Explosion
 from gaussiancad_core.files.dxf_text import PlacedText
 from gaussiancad_core.files.file_curves import placed
 from gaussiancad_core.files.file_grid import WrittenPath, line_ends, with_steps
-from gaussiancad_core.files.fitting import curve_along
+from gaussiancad_core.files.fitting import curve_along, thinned
 from gaussiancad_core.files.sizing import MILLIMETRE, Sizing
 from gaussiancad_core.files.vectors import StrokeKind, VectorDrawing, VectorStroke, VectorText
 from gaussiancad_core.geometry.chains import Chain, LineSegment
@@ -38,7 +38,7 @@ def _stroke(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> Vecto
     curve = placed(drawn.curve, sizing.scale, left, top)
     look = drawn.look
     if isinstance(curve, Chain) and look.kind is not StrokeKind.FILL:
-        curve = curve_along(np.array(curve.points))
+        curve = thinned(curve_along(np.array(curve.points)))
     if drawn.width is not None:
         width: float | None = drawn.width * sizing.scale
     elif look.weight is not None and sizing.on_paper and sizing.pixels_per_inch is not None:

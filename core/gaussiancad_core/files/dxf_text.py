@@ -1,12 +1,13 @@
 """Where the letters of DXF texts stand; their widths are estimated, as fonts are not asked."""
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
 from ezdxf.entities.mtext import MText
 from ezdxf.entities.text import Text
 from ezdxf.enums import TextEntityAlignment
-from ezdxf.tools.text import plain_text
+from ezdxf.tools.text import fast_plain_mtext, plain_text
 
 from gaussiancad_core.files.content import LONGEST_TEXT
 
@@ -15,6 +16,12 @@ _LETTER = 0.75
 
 _LINE_SPACING = 5.0 / 3.0
 """Distance of a paragraph's lines over the letters' height (DXF reference, MTEXT)."""
+
+_SIGN_FONT = re.compile(r"\\F(?:am|ai)?gdt[^;{}\\]*;([^{}\\]*)", re.IGNORECASE)
+"""Letters in a font of drawing signs, within an MTEXT."""
+
+_SIGNS = str.maketrans({"n": "\u2300", "v": "\u2334", "w": "\u2335", "x": "\u21a7"})
+"""What letters stand for in these fonts: diameter, counterbore, countersink, depth."""
 
 _COLUMNS = {"LEFT": 0.0, "CENTER": 0.5, "MIDDLE": 0.5, "RIGHT": 1.0}
 _ROWS = {"TOP": 1.0, "MIDDLE": 0.5, "BOTTOM": 0.0}
@@ -64,7 +71,9 @@ def placed_paragraph(text: MText) -> list[PlacedText]:
     Raises:
         ValueError: its place or size is no finite number.
     """
-    lines = [line.strip()[:LONGEST_TEXT] for line in text.plain_text(split=True)[:LONGEST_TEXT]]
+    content = _SIGN_FONT.sub(lambda found: found[1].translate(_SIGNS), text.text)
+    every = fast_plain_mtext(content, split=True)
+    lines = [line.strip()[:LONGEST_TEXT] for line in every[:LONGEST_TEXT]]
     height = float(text.dxf.char_height)
     attachment = int(text.dxf.get("attachment_point", 1)) - 1
     anchor = ((attachment % 3) / 2.0, 1.0 - (attachment // 3) / 2.0)

@@ -23,6 +23,7 @@ than it may be.  Of still fewer only the last decimal is asked, and so it is of 
 scales at which most is drawn: measuring takes its time.
 """
 
+import math
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -87,7 +88,13 @@ class WrittenPath:
     @property
     def scale(self) -> float:
         """px that a unit of the file is long."""
-        return float(np.sqrt(abs(np.linalg.det(self.matrix[:, :2]))))
+        return scale_of(self.matrix)
+
+
+def scale_of(matrix: Floats) -> float:
+    """How much longer a (2, 3) affine map makes lengths, in the geometric mean."""
+    (a, b, _), (c, d, _) = matrix.tolist()
+    return math.sqrt(abs(a * d - b * c))
 
 
 def rounding_step(ends: Floats, scale: float) -> float:
@@ -160,17 +167,24 @@ def with_steps(paths: Sequence[WrittenPath]) -> tuple[VectorStroke, ...]:
     own, exact around their middles; but those are rounded.  Then only the rest is asked.
     """
     alike: dict[str, list[WrittenPath]] = defaultdict(list)
+    # Most paths share a matrix.
+    names = {
+        id(path.matrix): f"{path.scale:.{_SAME_SCALE}g}"
+        for path in {id(path.matrix): path for path in paths}.values()
+    }
     for path in paths:
-        alike[_name(path)].append(path)
+        alike[names[id(path.matrix)]].append(path)
     most = sorted(alike, key=lambda name: -sum(len(path.ends) for path in alike[name]))
     asked = {name: rounding_step for name in most[:_MOST_SCALES]}
     steps = {
         name: _step(written_paths, asked.get(name, _last_decimal))
         for name, written_paths in alike.items()
     }
-    drawn = ((path, steps[_name(path)]) for path in paths)
+    drawn = ((path, steps[names[id(path.matrix)]]) for path in paths)
     return tuple(
-        replace(stroke, step=step) for path, step in drawn for stroke in path.strokes(step)
+        replace(stroke, step=step) if step else stroke
+        for path, step in drawn
+        for stroke in path.strokes(step)
     )
 
 
@@ -191,11 +205,8 @@ def line_ends(pieces: Iterable[Floats]) -> Floats:
     Args:
         pieces: (2, 2) the ends of lines and (4, 2) Bézier curves.
     """
-    return np.array([piece for piece in pieces if len(piece) == 2]).reshape(-1, 2, 2)
-
-
-def _name(path: WrittenPath) -> str:
-    return f"{path.scale:.{_SAME_SCALE}g}"
+    straight = [piece for piece in pieces if len(piece) == 2]
+    return np.concatenate(straight).reshape(-1, 2, 2) if straight else np.zeros((0, 2, 2))
 
 
 def _askew(ends: Floats) -> npt.NDArray[np.bool_]:

@@ -5,6 +5,7 @@ numbered ones, and the words for hidden and centre lines in the languages that l
 """
 
 import re
+from functools import lru_cache
 
 from gaussiancad_core.files.vectors import StrokeRole
 
@@ -101,6 +102,7 @@ _SHORT = 0.6
 """A dash under this share of the longest in a pattern is a short one, or a dot."""
 
 
+@lru_cache(maxsize=1024)
 def role_by_name(name: str) -> StrokeRole | None:
     """What a linetype's or a layer's name says; None if nothing."""
     folded = name.casefold()

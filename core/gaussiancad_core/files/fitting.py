@@ -13,8 +13,12 @@ from gaussiancad_core.files.file_curves import (
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
-from gaussiancad_core.geometry.ellipses import LEAST_SWEEP, LONGEST_CHORD
+from gaussiancad_core.geometry.ellipses import LEAST_SWEEP, LONGEST_CHORD, ellipse_through
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
+
+_FLAT = 1e-12
+"""Product of the spreads of points along and across, in the square of their sum, under which they
+are in line as far as rounding tells."""
 
 
 def circle_through(points: npt.NDArray[np.float64]) -> tuple[Vector, float]:
@@ -23,10 +27,44 @@ def circle_through(points: npt.NDArray[np.float64]) -> tuple[Vector, float]:
     local = points - middle
     scale = float(np.abs(local).max()) or 1.0
     local = local / scale
-    system = np.column_stack([2.0 * local, np.ones(len(local))])
-    solution = np.linalg.lstsq(system, (local**2).sum(axis=1), rcond=None)[0]
-    radius = float(np.sqrt(max(solution[2] + solution[:2] @ solution[:2], 0.0)))
-    return middle + solution[:2] * scale, radius * scale
+    squares = (local**2).sum(axis=1)
+    (xx, xy), (_, yy) = (local.T @ local).tolist()
+    right = 0.5 * (squares @ local)
+    x, y = right.tolist()
+    determinant = xx * yy - xy * xy
+    if determinant > _FLAT * (xx + yy) ** 2:
+        centre = np.array([(x * yy - y * xy) / determinant, (y * xx - x * xy) / determinant])
+    else:
+        # Of points in line the smallest is taken.
+        centre = right / ((xx + yy) or 1.0)
+    radius = float(np.sqrt(max(float(squares.mean()) + float(centre @ centre), 0.0)))
+    return middle + centre * scale, radius * scale
+
+
+def circles_through(
+    points: npt.NDArray[np.float64],
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    """(n, 2) centres and (n,) radii of :func:`circle_through` each of (n, k, 2) points."""
+    middles = points.mean(axis=1)
+    local = points - middles[:, None]
+    scales = np.abs(local).max(axis=(1, 2))
+    scales = np.where(scales > 0.0, scales, 1.0)
+    x, y = np.moveaxis(local / scales[:, None, None], 2, 0)
+    squares = x * x + y * y
+    xx, xy, yy = (x * x).sum(axis=1), (x * y).sum(axis=1), (y * y).sum(axis=1)
+    right, upward = 0.5 * (squares * x).sum(axis=1), 0.5 * (squares * y).sum(axis=1)
+    determinant, spread = xx * yy - xy * xy, np.maximum(xx + yy, 1e-300)
+    is_flat = determinant <= _FLAT * spread**2
+    under = np.where(is_flat, 1.0, determinant)
+    centres = np.stack(
+        [
+            np.where(is_flat, right / spread, (right * yy - upward * xy) / under),
+            np.where(is_flat, upward / spread, (upward * xx - right * xy) / under),
+        ],
+        axis=1,
+    )
+    radii = np.sqrt(np.maximum(squares.mean(axis=1) + (centres**2).sum(axis=1), 0.0))
+    return middles + centres * scales[:, None], radii * scales
 
 
 def curve_along(points: npt.NDArray[np.float64]) -> Curve:
@@ -51,6 +89,23 @@ def curve_along(points: npt.NDArray[np.float64]) -> Curve:
     return Chain(tuple(to_point(point) for point in points))
 
 
+def thinned(curve: Curve) -> Curve:
+    """A curve, with fewer corners of a smooth chain where it has more than its flatness asks for.
+
+    Args:
+        curve: px.
+    """
+    if not isinstance(curve, Chain) or len(curve.points) < 4:
+        return curve
+    points = np.array(curve.points)
+    # The distance of a corner from the middle of its neighbours grows by the square of the step.
+    bend = float(np.hypot(*np.diff(points, 2, axis=0).T).max()) / 2.0
+    step = int(np.sqrt(FLATNESS / max(bend, 1e-12)))
+    if step < 2:
+        return curve
+    return Chain((*curve.points[:-1:step], curve.points[-1]))
+
+
 def _arc_along(points: npt.NDArray[np.float64]) -> CircularArc | None:
     centre, radius = circle_through(points)
     away = np.abs(np.hypot(*(points - centre).T) - radius)
@@ -70,21 +125,12 @@ def _ellipse_along(points: npt.NDArray[np.float64]) -> Curve | None:
     """The ellipse that (n, 2) points lie on, by the conic through them."""
     if len(points) < 9:
         return None
-    middle = points.mean(axis=0)
-    size = float(np.abs(points - middle).max())
-    x, y = ((points - middle) / size).T
-    conic = np.linalg.svd(np.column_stack([x * x, x * y, y * y, x, y, np.ones_like(x)]))[2][-1]
-    form = np.array([[conic[0], conic[1] / 2.0], [conic[1] / 2.0, conic[2]]])
-    values, axes = np.linalg.eigh(form)
-    if values.prod() <= 1e-6 * np.abs(values).max() ** 2:
+    found = ellipse_through(points)
+    if found is None:
         return None
-    centre = np.linalg.solve(form, -conic[3:5] / 2.0)
-    level = centre @ form @ centre - conic[5]
-    halves = level / values
-    if (halves <= 0.0).any():
-        return None
-    u, v = (axes[:, index] * np.sqrt(halves[index]) * size for index in (0, 1))
-    centre = middle + centre * size
+    centre = np.array(found.centre)
+    along = np.array([np.cos(found.rotation), np.sin(found.rotation)])
+    u, v = found.semi_major * along, found.semi_minor * np.array([-along[1], along[0]])
     unit = (points - centre) @ np.linalg.inv(np.stack([u, v], axis=1)).T
     away = np.abs(np.hypot(*unit.T) - 1.0) * max(np.hypot(*u), np.hypot(*v))
     angles = np.unwrap(np.arctan2(unit[:, 1], unit[:, 0]))

@@ -84,7 +84,7 @@ class Fit:
             turns = place / step
             off = _off_turns(turns - np.angle(np.exp(2j * np.pi * turns).sum()) / (2.0 * np.pi))
             # Those that are on no grid moved the mean.
-            off = _off_turns(off - np.median(off))
+            off = _off_turns(off - _median(off))
             on += int((np.abs(off) <= near + _SINGLE * np.abs(turns)).sum())
             total += len(place)
         return on / total if total else 0.0
@@ -194,12 +194,22 @@ def _refined(places: Sequence[Floats], guess: float, off: float) -> float:
 
 
 def _best(places: Sequence[Floats], frequencies: Floats) -> float:
-    """The frequency at which the unit vectors of all numbers add up to the longest."""
-    length = np.zeros(len(frequencies))
-    for block in range(0, len(frequencies), 1024):
-        some = frequencies[block : block + 1024]
-        length[block : block + 1024] = sum(
-            np.abs(np.exp(2j * np.pi * np.outer(some, place - place[0])).sum(axis=1))
-            for place in places
-        )
-    return float(frequencies[int(length.argmax())])
+    """The one of even frequencies at which the unit vectors of all numbers add up to the longest.
+
+    A frequency is a coarse step and a fine one: of as many as there are, twice the root are turned.
+    """
+    fine = int(np.ceil(np.sqrt(len(frequencies))))
+    coarse = frequencies[::fine]
+    steps = frequencies[:fine] - frequencies[0]
+    length = np.zeros((len(coarse), fine))
+    for place in places:
+        away = 2j * np.pi * (place - place[0])
+        turned = np.exp(np.outer(steps, away)).T
+        length += np.abs(np.exp(np.outer(coarse, away)) @ turned)
+    return float(frequencies[int(length.ravel()[: len(frequencies)].argmax())])
+
+
+def _median(numbers: Floats) -> float:
+    """That of numpy loads more than there is to a lattice."""
+    ordered = np.sort(numbers)
+    return float(ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2]) / 2.0

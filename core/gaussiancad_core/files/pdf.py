@@ -23,7 +23,7 @@ from gaussiancad_core.files.content import (
     too_many_pages,
 )
 from gaussiancad_core.files.pdf_objects import PageMap, page_objects
-from gaussiancad_core.files.shown import SHOWN, shown_share
+from gaussiancad_core.files.shown import shown_strokes
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_protocol.codes import Code
@@ -132,7 +132,7 @@ def _read_page(document: pdfium.PdfDocument, path: Path, index: int) -> FileCont
     page = document[index]
     content = page_objects(page, PageMap(geometry.to_pixels(scale), path))
     grey = _render(page, width, height)
-    strokes = tuple(s for s in content.strokes if shown_share(s, grey) >= SHOWN)
+    strokes = shown_strokes(content.strokes, grey)
     page.close()
     vectors = VectorDrawing(strokes, content.texts, not content.pictures, pictures=content.pictures)
     shown = vectors if strokes or content.texts else None

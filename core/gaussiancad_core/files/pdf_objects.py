@@ -5,7 +5,8 @@ the coordinates in which a path was drawn, so they are mapped like its points.
 """
 
 import ctypes
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -14,9 +15,9 @@ import numpy.typing as npt
 import pypdfium2 as pdfium
 from pypdfium2 import raw
 
-from gaussiancad_core.files.beziers import curves_from_path
+from gaussiancad_core.files.beziers import curves_from_path, outlines
 from gaussiancad_core.files.content import DEEPEST, MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
-from gaussiancad_core.files.file_grid import Strokes, WrittenPath, line_ends, with_steps
+from gaussiancad_core.files.file_grid import Strokes, WrittenPath, scale_of, with_steps
 from gaussiancad_core.files.file_linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.files.pdf_texts import (
     Origins,
@@ -27,9 +28,7 @@ from gaussiancad_core.files.pdf_texts import (
     text_piece,
 )
 from gaussiancad_core.files.vectors import Colour, StrokeKind, StrokeRole, VectorStroke, VectorText
-from gaussiancad_core.geometry.chains import Chain, LineSegment
-from gaussiancad_core.geometry.curves import Curve
-from gaussiancad_core.geometry.points import Box, Point, to_point
+from gaussiancad_core.geometry.points import Box, Point
 
 Affine = npt.NDArray[np.float64]
 """(2, 3)"""
@@ -38,6 +37,9 @@ Pieces = list[npt.NDArray[np.float64]]
 """(2, 2) the ends of lines and (4, 2) Bézier curves."""
 
 _MAX_SEGMENTS = 4 * MAX_ELEMENTS
+
+_CLOSED = 1e-6
+"""Units of the path within which it ends where it begins."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +77,17 @@ class _Walk:
     pictures: list[Box] = field(default_factory=list)
     objects: int = 0
     segments: int = 0
+    _maps: dict[tuple[object, ...], Affine] = field(default_factory=dict)
+
+    def map_of(self, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> Affine:
+        """The map of an object: one array for all objects that are mapped alike."""
+        matrix = raw.FS_MATRIX()
+        key: tuple[object, ...] = (outer.tobytes(),)
+        if raw.FPDFPageObj_GetMatrix(item, matrix):
+            key += (matrix.a, matrix.b, matrix.c, matrix.d, matrix.e, matrix.f)
+        if key not in self._maps:
+            self._maps[key] = _composed(outer, _matrix(item))
+        return self._maps[key]
 
     def count(self, objects: int, segments: int) -> None:
         """Note work done.
@@ -160,18 +173,14 @@ def _take_path(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> None:
     fill, stroked = ctypes.c_int(), ctypes.c_int()
     if not raw.FPDFPath_GetDrawMode(item, fill, stroked) or not (fill.value or stroked.value):
         return
-    matrix = _composed(outer, _matrix(item))
+    matrix = walk.map_of(item, outer)
     subpaths = _subpaths(walk, item)
-    scale = float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
-    drawn = [
-        [piece @ matrix[:, :2].T + matrix[:, 2] for piece in this_subpaths]
-        for this_subpaths in subpaths
-    ]
+    scale = scale_of(matrix)
+    drawn = [subpath.mapped(matrix).pieces() for subpath in subpaths]
     strokes = _stroked(item, drawn, scale) if stroked.value else _filled(item, drawn)
     # Areas are filled with letters and arrow heads, which are often put on the sheet as they are.
-    ends = line_ends(
-        piece for this_subpaths in subpaths for piece in this_subpaths if stroked.value
-    )
+    lines = [subpath.line_ends() for subpath in subpaths] if stroked.value else []
+    ends = np.concatenate(lines) if lines else np.zeros((0, 2, 2))
     walk.paths.append(WrittenPath(strokes, ends, matrix))
 
 
@@ -180,9 +189,8 @@ def _filled(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces]) -> Strokes:
         return lambda _: []
     colour, layer = _colour(item, raw.FPDFPageObj_GetFillColor), _layer(item)
     found = [
-        VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, colour)
-        for curve in map(_outline, subpaths)
-        if curve is not None
+        VectorStroke(outline, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, colour)
+        for outline in outlines(subpaths)
     ]
     return lambda _: found
 
@@ -215,58 +223,87 @@ def _colour(item: raw.FPDF_PAGEOBJECT, getter: Callable[..., int]) -> Colour | N
     return red.value, green.value, blue.value
 
 
-def _subpaths(walk: _Walk, item: raw.FPDF_PAGEOBJECT) -> list[Pieces]:
+@dataclass(frozen=True, eq=False)
+class _Subpath:
+    """Pieces that join.
+
+    Attributes:
+        points: (n, 2) their points; the last one of a piece is the first one of the next.
+        firsts, counts: number of each one's first point; 2 points of a line, 4 of a Bézier curve.
+    """
+
+    points: npt.NDArray[np.float64]
+    firsts: list[int]
+    counts: list[int]
+
+    def mapped(self, matrix: Affine) -> "_Subpath":
+        """Its image."""
+        points = self.points @ matrix[:, :2].T + matrix[:, 2]
+        return _Subpath(points, self.firsts, self.counts)
+
+    def line_ends(self) -> npt.NDArray[np.float64]:
+        """(n, 2, 2) the ends of its lines."""
+        if self.counts == [2]:
+            return self.points[None, :2]
+        rows = zip(self.firsts, self.counts, strict=True)
+        firsts = np.array([first for first, count in rows if count == 2], dtype=np.int64)
+        return np.asarray(self.points[firsts[:, None] + (0, 1)])
+
+    def pieces(self) -> Pieces:
+        """Its pieces."""
+        return [
+            self.points[first : first + count]
+            for first, count in zip(self.firsts, self.counts, strict=True)
+        ]
+
+
+def _subpaths(walk: _Walk, item: raw.FPDF_PAGEOBJECT) -> list[_Subpath]:
     """Runs of pieces that join, in the coordinates in which the path was drawn."""
     count = raw.FPDFPath_CountSegments(item)
     walk.count(0, count)
-    subpaths: list[Pieces] = []
-    start = here = np.zeros(2)
-    controls: list[npt.NDArray[np.float64]] = []
+    subpaths: list[_Subpath] = []
+    points: list[Point] = [(0.0, 0.0)]
+    firsts: list[int] = []
+    counts: list[int] = []
+    controls = 0
     x, y = ctypes.c_float(), ctypes.c_float()
+    here = ctypes.byref(x), ctypes.byref(y)
+    segment_at, point_of = raw.FPDFPath_GetPathSegment, raw.FPDFPathSegment_GetPoint
+    kind_of, is_closed = raw.FPDFPathSegment_GetType, raw.FPDFPathSegment_GetClose
+
+    def finish(start: Point) -> None:
+        nonlocal points, firsts, counts, controls
+        if firsts:
+            subpaths.append(_Subpath(np.array(points), firsts, counts))
+        points, firsts, counts, controls = [start], [], [], 0
+
     for index in range(count):
-        segment = raw.FPDFPath_GetPathSegment(item, index)
-        raw.FPDFPathSegment_GetPoint(segment, x, y)
-        point = np.array((x.value, y.value))
-        kind = raw.FPDFPathSegment_GetType(segment)
+        segment = segment_at(item, index)
+        point_of(segment, *here)
+        point = x.value, y.value
+        kind = kind_of(segment)
         if kind == raw.FPDF_SEGMENT_MOVETO:
-            subpaths.append([])
-            start = here = point
+            finish(point)
         elif kind == raw.FPDF_SEGMENT_LINETO:
-            subpaths = subpaths or [[]]
-            subpaths[-1].append(np.array([here, point]))
-            here = point
+            firsts.append(len(points) - 1)
+            counts.append(2)
+            points.append(point)
         elif kind == raw.FPDF_SEGMENT_BEZIERTO:
-            subpaths = subpaths or [[]]
-            controls.append(point)
-            if len(controls) == 3:
-                subpaths[-1].append(np.array([here, *controls]))
-                here, controls = point, []
-        if raw.FPDFPathSegment_GetClose(segment) and subpaths:
-            if np.hypot(*(here - start)) > 1e-6:
-                subpaths[-1].append(np.array([here, start]))
-            here = start
-    return [pieces for pieces in subpaths if pieces]
-
-
-def _outline(pieces: Pieces) -> Curve | None:
-    """The closed chain around a filled area."""
-    curves = curves_from_path(pieces, None)
-    points = [point for curve in curves for point in _nodes(curve)[1:]]
-    if not points:
-        return None
-    first = to_point(pieces[0][0])
-    # Filling closes what the path leaves open.
-    ring = (first, *points) if points[-1] == first else (first, *points, first)
-    return Chain(ring) if len(ring) > 3 else None
-
-
-def _nodes(curve: Curve) -> Sequence[Point]:
-    """The ends of a line, or what stands for another curve."""
-    if isinstance(curve, Chain):
-        return curve.points
-    if isinstance(curve, LineSegment):
-        return curve.start, curve.end
-    return [to_point(point) for point in curve.vertices(np.inf)]
+            points.append(point)
+            controls += 1
+            if controls == 3:
+                firsts.append(len(points) - 4)
+                counts.append(4)
+                controls = 0
+        if is_closed(segment):
+            (x0, y0), (x1, y1) = points[0], points[-1]
+            if math.hypot(x1 - x0, y1 - y0) > _CLOSED:
+                firsts.append(len(points) - 1)
+                counts.append(2)
+                points.append(points[0])
+            finish(points[0])
+    finish((0.0, 0.0))
+    return subpaths
 
 
 def _dashes(item: raw.FPDF_PAGEOBJECT) -> tuple[float, ...]:

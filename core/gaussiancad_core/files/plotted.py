@@ -6,9 +6,10 @@ as long as they can be while all points lie within the rounding, and into its ow
 
 import numpy as np
 import numpy.typing as npt
+from numpy.lib.stride_tricks import sliding_window_view
 
 from gaussiancad_core.files.file_curves import MOST_CHORDS
-from gaussiancad_core.files.fitting import circle_through
+from gaussiancad_core.files.fitting import circle_through, circles_through
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
@@ -22,7 +23,7 @@ Points = npt.NDArray[np.float64]
 _UNEVEN = 4.0
 """Ratio of the lengths of neighbouring chords of one curve at most."""
 
-_FEWEST, _SMALLEST_SWEEP = 6, np.radians(15.0)
+FEWEST_CHORDS, _SMALLEST_SWEEP = 6, np.radians(15.0)
 """Chords and turn of an arc at least."""
 
 _BESIDE, _STEPS = 0.15, 0.8
@@ -61,8 +62,9 @@ def _ends_of_runs(points: Points, step: float) -> npt.NDArray[np.int64]:
 def _along_run(points: Points, offset: float) -> list[Curve]:
     pieces: list[tuple[int, int, bool]] = []
     first, last = 0, len(points) - 1
+    begins = _beginnings(points, offset)
     while first < last:
-        end = _farthest(points, first, offset)
+        end = _farthest(points, first, offset) if begins[first] else first
         is_arc = end > first
         end = end if is_arc else first + 1
         pieces.append((first, end, is_arc))
@@ -74,11 +76,24 @@ def _along_run(points: Points, offset: float) -> list[Curve]:
     ]
 
 
+def _beginnings(points: Points, offset: float) -> list[bool]:
+    """Which points the fewest chords of an arc follow."""
+    last = len(points) - 1
+    if last < FEWEST_CHORDS:
+        return [False] * last
+    windows = np.moveaxis(sliding_window_view(points, FEWEST_CHORDS + 1, axis=0), 2, 1)
+    centres, radii = circles_through(windows)
+    away = windows - centres[:, None]
+    off = np.abs(np.hypot(*np.moveaxis(away, 2, 0)) - radii[:, None]).max(axis=1)
+    return [*(off <= offset).tolist(), *[False] * (FEWEST_CHORDS - 1)]
+
+
 def _farthest(points: Points, first: int, offset: float) -> int:
-    """The last point up to which an arc runs from a point on, or that itself."""
+    """The last point up to which an arc runs from a point on, from which the fewest chords of one
+    do, or that itself."""
     # The longest that still fits, by bisection: an arc's beginning fits where it does.
-    low, high = first + _FEWEST, min(len(points) - 1, first + MOST_CHORDS)
-    if high < low or not _fits(points[first : low + 1], offset):
+    low, high = first + FEWEST_CHORDS, min(len(points) - 1, first + MOST_CHORDS)
+    if not _fits(points[first : low + 1], offset):
         return first
     while low < high:
         middle = (low + high + 1) // 2
@@ -86,28 +101,22 @@ def _farthest(points: Points, first: int, offset: float) -> int:
             low = middle
         else:
             high = middle - 1
-    return low if _sweep(points[first : low + 1]) >= _SMALLEST_SWEEP else first
+    return low if abs(_fit(points[first : low + 1])[1]) >= _SMALLEST_SWEEP else first
 
 
 def _fits(points: Points, offset: float) -> bool:
-    return _off(points) <= offset and abs(_turn(points)) <= FULL_TURN + LONGEST_CHORD
+    off, turn = _fit(points)
+    return off <= offset and abs(turn) <= FULL_TURN + LONGEST_CHORD
 
 
-def _off(points: Points) -> float:
-    """px that points lie beside their circle at most."""
+def _fit(points: Points) -> tuple[float, float]:
+    """px that points lie beside their circle at most, and radians that they go on around its
+    middle."""
     centre, radius = circle_through(points)
-    return float(np.abs(np.hypot(*(points - centre).T) - radius).max())
-
-
-def _turn(points: Points) -> float:
-    """Radians that points go on around the middle of their circle."""
-    centre, _ = circle_through(points)
-    angles = np.unwrap(np.arctan2(points[:, 1] - centre[1], points[:, 0] - centre[0]))
-    return float(angles[-1] - angles[0])
-
-
-def _sweep(points: Points) -> float:
-    return abs(_turn(points))
+    across, up = (points - centre).T
+    off = float(np.abs(np.hypot(across, up) - radius).max())
+    steps = np.diff(np.arctan2(up, across))
+    return off, float((steps - FULL_TURN * np.round(steps / FULL_TURN)).sum())
 
 
 def _balanced(points: Points, pieces: list[tuple[int, int, bool]]) -> list[tuple[int, int, bool]]:
@@ -116,9 +125,9 @@ def _balanced(points: Points, pieces: list[tuple[int, int, bool]]) -> list[tuple
     pieces = list(pieces)
     for index in range(len(pieces) - 1):
         (start, cut, is_arc), (_, end, follows) = pieces[index : index + 2]
-        places = range(max(start + _FEWEST, cut - _FEWEST), cut + 1)
+        places = range(max(start + FEWEST_CHORDS, cut - FEWEST_CHORDS), cut + 1)
         if is_arc and follows and places:
-            offs = [_off(points[start : k + 1]) + _off(points[k : end + 1]) for k in places]
+            offs = [_fit(points[start : k + 1])[0] + _fit(points[k : end + 1])[0] for k in places]
             best = places[int(np.argmin(offs))]
             pieces[index], pieces[index + 1] = (start, best, True), (best, end, True)
     return pieces

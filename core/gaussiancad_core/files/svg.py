@@ -21,7 +21,7 @@ from gaussiancad_core.files.content import (
     page_missing,
 )
 from gaussiancad_core.files.painting import render_svg
-from gaussiancad_core.files.shown import SHOWN, shown_share
+from gaussiancad_core.files.shown import shown_strokes
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_texts
@@ -104,7 +104,7 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
             path=path,
         )
     grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
-    shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= SHOWN)
+    shown = shown_strokes(strokes, grey)
     vectors = VectorDrawing(
         shown, tuple(texts), not safe.pictures, unit_px=None if sizing.pixels_per_inch else scale
     )

@@ -1,6 +1,6 @@
 """What notes say of round holes (ISO 129-1, ASME Y14.5): they go through, or how deep they are."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gaussiancad_core.model.axes import Role
 
@@ -12,10 +12,12 @@ class HoleStep:
     Attributes:
         diameter: mm, as it is drawn.
         depth: mm from the face that the hole is drawn on; None where it goes through.
+        notes: boxes of the notes that say so, px of the upright sheet.
     """
 
     diameter: float
     depth: float | None = None
+    notes: tuple[tuple[float, float, float, float], ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True)

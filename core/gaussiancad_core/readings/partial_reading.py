@@ -1,11 +1,11 @@
 """What can be told of a sheet whose views were not found: its lines, and where views may be."""
 
+from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.views import Linetype, Stroke
+from gaussiancad_core.recognition.file_views import part_of_file, strokes_of_file
 from gaussiancad_core.recognition.views_and_lines import SheetLines, in_worked_px
 from gaussiancad_core.report.job import Job
-from gaussiancad_core.sheet.graph.stroke_chains import with_whole_edges
-from gaussiancad_core.sheet.graph.stroke_roles import Label, labelled
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.tracing.file_strokes import stroke_along
 from gaussiancad_core.sheet.views.sheet_layout import (
@@ -34,18 +34,15 @@ def partial_lines(job: Job, sheet: OpenedSheet) -> SheetLines:
 
 def _file_strokes(sheet: OpenedSheet) -> tuple[Stroke, ...]:
     """The lines of the part, where the file tells them."""
-    height, width = sheet.shape
     drawing = sheet.image.vectors
     if drawing is None or sheet.turn.angle:
         return ()
-    found = labelled(drawing, (width, height), sheet.heads)
-    if found is None:
-        return ()
+    part = part_of_file(*strokes_of_file(drawing, sheet))
     strokes = [
-        *(
-            stroke_along(with_whole_edge.curve)
-            for with_whole_edge in with_whole_edges(found.of(Label.VISIBLE))
-        ),
-        *(stroke_along(stroke.curve, Linetype.HIDDEN) for stroke in found.of(Label.HIDDEN)),
+        stroke_along(
+            stroke.curve,
+            Linetype.HIDDEN if stroke.role is StrokeRole.HIDDEN else Linetype.VISIBLE,
+        )
+        for stroke in part.strokes
     ]
     return tuple(stroke for stroke in strokes if stroke is not None)

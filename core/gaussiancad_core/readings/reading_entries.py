@@ -101,8 +101,9 @@ def note_of(note_entry: NoteEntry, turn: Turn) -> SheetNote:
     )
     box = turn.box_to_upright(note_entry.box)
     circle = None if note_entry.circle is None else _circle(note_entry.circle, turn)
+    pointed = tuple(_circle(each, turn) for each in note_entry.points_at)
     return SheetNote(
-        note_entry.text, box, callout, note_entry.value_mm, note_entry.depth_mm, circle
+        note_entry.text, box, callout, note_entry.value_mm, note_entry.depth_mm, circle, pointed
     )
 
 

@@ -232,6 +232,7 @@ class NoteEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
         through: whether it says that it goes through.
         reference: whether the number is for reference only.
         circle: of the hole that it speaks of, where a person said so.
+        points_at: circles that its leader, or its row's label in a hole table, points at.
     """
 
     text: Text
@@ -243,6 +244,7 @@ class NoteEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     through: bool = False
     reference: bool = False
     circle: CircleShape | None = None
+    points_at: tuple[CircleShape, ...] = ()
 
 
 class Problem(Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -11,7 +11,7 @@ from gaussiancad_core import __version__
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.messages import args_of, event_fields
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.model.views import Stroke
+from gaussiancad_core.model.views import Arc, Stroke
 from gaussiancad_core.readings.reading_schema import (
     LARGEST,
     LINES,
@@ -219,6 +219,7 @@ def _note(note: SheetNote, turn: Turn) -> NoteEntry:
         depth_mm=note.depth_mm if (note.depth_mm or 0.0) <= LARGEST else None,
         through=said.through,
         reference=said.reference,
+        points_at=tuple(_circle(arc, turn) for arc in note.pointed),
     )
 
 
@@ -382,5 +383,9 @@ def _measured(dimension: ReadDimension, turn: Turn) -> Measured | None:
         ends = np.array([(at, across) for at in (place.low, place.high)])
         first, last = stored_points(ends if place.level else ends[:, ::-1], turn)
         return Measured(span=(first, last))
-    (centre,) = stored_points([place.centre], turn)
-    return Measured(circle=(*centre, round(place.radius * turn.scale, 4)))
+    return Measured(circle=_circle(place, turn))
+
+
+def _circle(arc: Arc, turn: Turn) -> tuple[float, float, float]:
+    (centre,) = stored_points([arc.centre], turn)
+    return *centre, round(arc.radius * turn.scale, 4)

@@ -7,9 +7,9 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.recognition.file_views import FileViews, file_views
 from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.graph.graph_views import GraphViews, graph_views
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.drawing_names import inside
@@ -51,8 +51,8 @@ def sheet_views(
 ) -> SheetViews:
     """Find the views of a sheet.
 
-    The pens of a file tell its part where one of them drew views that belong together; all else is
-    read from the picture.
+    The strokes of a file tell its views where these belong together; all else is read from the
+    picture.
 
     Args:
         sheet: as stored and upright.
@@ -112,37 +112,34 @@ def _found(
     stated: tuple[Projection | None, ProjectionSymbol | None],
     drawing: VectorDrawing | None,
 ) -> SheetViews:
-    """The views by the pens of a file, where they tell them; else by the picture."""
+    """The views by the strokes of a file, where they tell them; else by the picture."""
     projection, symbol = stated
-    by_pens = None
+    by_strokes = None
     if drawing is not None:
-        by_pens = graph_views(drawing, sheet, boxes, projection, symbol)
-        if by_pens is not None and len(by_pens.layout.boxes) > 1:
-            return _of_pens(by_pens)
-        if by_pens is not None and by_pens.is_all and not drawing.has_paper:
-            # A picture of it shows no more.
-            return _of_pens(by_pens)
+        by_strokes = file_views(drawing, sheet, boxes, projection, symbol)
+        if by_strokes is not None and (len(by_strokes.layout.boxes) > 1 or by_strokes.is_all):
+            return _of_strokes(by_strokes)
     if drawing is not None and not drawing.complete and projection is None and symbol is None:
         symbol = find_symbol(sheet, pictured=True)
     try:
         seen = picture_views(sheet, boxes, projection, symbol)
     except NoModelError:
-        if by_pens is None:
+        if by_strokes is None:
             raise
-        return _of_pens(by_pens)
-    if by_pens is not None and _is_one(by_pens.layout, seen.layout):
-        return _of_pens(by_pens)
+        return _of_strokes(by_strokes)
+    if by_strokes is not None and _is_one(by_strokes.layout, seen.layout):
+        return _of_strokes(by_strokes)
     vectors = VectorSheet(drawing, sheet.clean) if drawing is not None else None
     return SheetViews(seen.separated, seen.layout, vectors, seen.texts, seen.problem)
 
 
 def _is_one(alone: Layout, seen: Layout) -> bool:
-    """Whether what a picture shows is the one view that the pens tell, or pieces within it."""
+    """Whether what a picture shows is the one view that the strokes tell, or pieces within it."""
     (whole,) = alone.boxes.values()
     return len(seen.boxes) == 1 or all(inside(box, whole) for box in seen.boxes.values())
 
 
-def _of_pens(found: GraphViews) -> SheetViews:
+def _of_strokes(found: FileViews) -> SheetViews:
     return SheetViews(
         found.separated,
         found.layout,

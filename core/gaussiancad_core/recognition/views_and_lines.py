@@ -18,7 +18,6 @@ from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.report_entries import NoteReport, Unused, ViewReport
 from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask, line_mark
-from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
@@ -36,6 +35,7 @@ from gaussiancad_core.sheet.special_views.special_view_notes import (
     special_view_messages,
     why_unused,
 )
+from gaussiancad_core.sheet.special_views.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.special_views.thread_symbols import arcs_of, without_threads
 from gaussiancad_core.sheet.special_views.view_kinds import SECTIONS
 from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views
@@ -275,7 +275,8 @@ def _notes(image: SheetImage, scale: SheetScale | None) -> tuple[SheetNote, ...]
     """What the texts say that were read for the scale."""
     if scale is None:
         return ()
-    return notes_of(scale.texts, scale.unit, bare_point_is_inch=file_unit(image.vectors) is None)
+    bare_point_is_inch = file_unit(image.vectors) is None
+    return notes_of(scale.texts, scale.unit, scale.targets, bare_point_is_inch=bare_point_is_inch)
 
 
 def _number_unit(unit: FileUnit | None) -> Unit | None:

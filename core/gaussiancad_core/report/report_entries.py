@@ -104,7 +104,7 @@ class NoteReport:
         count: of how many features it speaks.
         depth_mm: how deep they are.
         through: whether it says that they go through.
-        used: whether the solid rests on it.
+        used: whether something was made from it that the solid has as the note says.
     """
 
     text: str

@@ -187,8 +187,6 @@ def _with_notes(
         other = replace(other, holes=of_other.holes)
     for code, message in stated.doubts:
         notes.doubt(code, message)
-    used = {turn.box_to_stored(box) for _, box in stated.used}
-    notes.tell(notes=tuple(replace(note, used=note.at in used) for note in notes.report.notes))
     return replace(found, assumed=replace(found.assumed, holes=stated.holes), other=other)
 
 

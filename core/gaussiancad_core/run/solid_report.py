@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.geometry.points import Point
@@ -15,12 +16,14 @@ from gaussiancad_core.model.section_planes import SectionRole
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.pictures.overlay import view_to_sheet
 from gaussiancad_core.report.assumed_holes import assumed_holes
+from gaussiancad_core.report.noted_results import keeps_thickness, kept_notes
 from gaussiancad_core.report.report_entries import (
     AlternativeReport,
     Assumption,
     ConflictReport,
     Disagreement,
     MeasuresReport,
+    NoteReport,
 )
 from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.report.section_report import assumed_planes, with_agreement
@@ -32,6 +35,7 @@ from gaussiancad_core.solid.measure_bounds import Measures
 from gaussiancad_core.solid.reasons import ASSUMED
 from gaussiancad_core.solid.search_trace import Attempt
 from gaussiancad_core.solid.verify import Flaw
+from gaussiancad_core.writing.callouts import NoteKind
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import Status
 
@@ -68,11 +72,30 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
         ),
         trace=tuple(_attempt(attempt, sheet) for attempt in result.trace),
     )
+    if result.shape is not None:
+        report = replace(report, notes=_compared_notes(report, model, result.shape, turn))
     conflict = result.conflict
     if conflict is None:
         return report
     lines = _conflict_lines(conflict, sheet)
     return replace(report, conflict=lines).doubted(*conflict_reason(conflict))
+
+
+def _compared_notes(
+    report: Report, model: ExactModel, shape: TopoDS_Shape, turn: Turn
+) -> tuple[NoteReport, ...]:
+    """The notes, those as used that speak of what the solid has as they say."""
+    kept = {turn.box_to_stored(box) for box in kept_notes(model.reading.holes, shape)}
+    unseen = model.reading.registered.unseen
+    return tuple(
+        replace(
+            note,
+            used=note.at in kept
+            if note.kind != NoteKind.THICKNESS.value
+            else note.value_mm is not None and keeps_thickness(note.value_mm, unseen, shape),
+        )
+        for note in report.notes
+    )
 
 
 class _Sheet:

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.picture_noise import LEVEL
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import Rule
 from gaussiancad_core.sheet.votes import HALF
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.writing.dimension_layout import ALONG, BESIDE, IN_LINE
 from gaussiancad_core.writing.dimension_texts import Span
 from gaussiancad_core.writing.sheet_texts import SheetText

@@ -1,7 +1,6 @@
 """Notes at features: what they name, how often, how large, how deep (ISO 129-1, ASME Y14.5).
 
-Words for *through*, *deep* and the like are those of English, German, Chinese, French, Italian and
-Russian drawings.
+Words are read as signs (:mod:`.callout_words`); what is read here is the grammar of signs.
 """
 
 import re
@@ -9,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum
 
+from gaussiancad_core.writing.callout_words import BORE, DEPTH, NUMBER, SINK, in_signs
 from gaussiancad_core.writing.numbers import (
-    DECIMAL,
     Sign,
     Unit,
     parse_dimension,
@@ -67,35 +66,42 @@ class Callout:
         return None if value is None else value * (self.unit or usual).millimetres
 
 
-_N = rf"(?<!\d)({DECIMAL})(?![.,]?\d)"
-_COUNT = re.compile(r"^\(?(\d{1,3})\s?[xX*](?=\s|\u00d8|[A-Z]|\d)\s?|(?<=\s)[xX]\s?(\d{1,3})$")
-_THROUGH = re.compile(
-    r"(?<![A-Za-z])(?:THRU|THROUGH|DURCH(?:GEHEND)?|DEBOUCHANT|PASSANTE?|PASSANT)\b(?:\s+ALL)?"
-    r"|\u5b8c\u5168\u8d2f\u7a7f|\u8d2f\u7a7f|\u901a\u5b54|\u0441\u043a\u0432\u043e\u0437\u043d\w*",
-    re.IGNORECASE,
-)
-_DEPTH = re.compile(
-    rf"(?:\u21a7|\u6df1|\bDEPTH\b|\bDP\.?|\bTIEF\b)\s?:?\s?{_N}|{_N}\s?(?:\bDEEP\b|\bTIEF\b)",
-    re.IGNORECASE,
-)
-_BORE = re.compile(
-    rf"(?:\u2334|\bC'?BORE\b|\bCOUNTERBORE\b|\bSENKUNG\b)\s?\u00d8?\s?{_N}", re.IGNORECASE
-)
-_SINK = re.compile(
-    rf"(?:\u2335|\bCSK\b|\bC'?SINK\b|\bCOUNTERSINK\b)\s?\u00d8?\s?{_N}"
-    rf"(?:\s?[xX]\s?{_N}\s?\u00b0)?",
-    re.IGNORECASE,
-)
+_N = rf"({NUMBER})"
 _THREAD = re.compile(
-    rf"\bM{_N}(?:\s?[xX]\s?{_N})?(?=$|[\s\-,;)]|\u6df1|\u21a7)|(#?\d{{1,2}}|\d/\d{{1,2}})-(\d{{2}})\s?UN[CF]",
+    rf"\bM{_N}(?:\s?[xX]\s?{_N})?(?=$|[\s\-,;)\u21a7])"
+    rf"|(#?\d{{1,2}}|\d/\d{{1,2}})-(\d{{2}})\s?UN[CF]"
 )
 _CHAMFER = re.compile(rf"{_N}\s?[xX]\s?{_N}\s?\u00b0|(?<![A-Za-z])C\s?{_N}(?![A-Za-z\d])")
 _ANGLE = re.compile(rf"^{_N}\s?\u00b0$")
+_DEPTH = re.compile(rf"{DEPTH}(\u221e|{NUMBER})")
+_WIDER = re.compile(rf"([{BORE}{SINK}])")
+_WIDE_ANGLE = re.compile(rf"(?:x\s?)?{_N}\s?\u00b0", re.IGNORECASE)
+_WIDE = re.compile(rf"(?:(?:\u00d8|DIA)\s?)?(?<![A-Za-z]){_N}", re.IGNORECASE)
+_SECOND = re.compile(rf"x\s?{_N}", re.IGNORECASE)
+_BEHIND = re.compile(
+    rf"(?:\u00d8\s?|(?<![\w\u00d8])(?<!\u00d8\s)){_N}(?:\s?x?\s?{_N}\s?\u00b0)?$"
+    rf"|(?<!\w){_N}\s?\u00b0$",
+    re.IGNORECASE,
+)
+"""What may stand in front of the word for a wider hole: its diameter, its angle."""
+
+_SINK_ANGLES = 60.0, 120.0
+"""Degrees that countersinks have, from and to (ISO 15065, ASME B18.3)."""
+
 _ALL = re.compile(
     r"\bALL\b|\bUNLESS\b|\bALLE\b|\bUNBEMASSTE?\b|\u672a\u6807|\u672a\u6ce8|\u6240\u6709",
     re.IGNORECASE,
 )
 _ROUND = re.compile(rf"(?<![A-Za-z])R\s?{_N}(?![A-Za-z])")
+
+_PARTING = " ,;/-()"
+"""Characters that part the features of one call-out."""
+
+_FIRST_DIAMETER = re.compile(rf"\u00d8\s?{_N}(?=\s)")
+"""A diameter before words of which nothing is known: a hole if it has a depth."""
+
+_OPEN = re.compile(r"\s?[xX]$")
+"""A sign of multiplication before a depth."""
 
 _SCREW_INCHES = {"4": 0.112, "6": 0.138, "8": 0.164, "10": 0.19}
 """Nominal diameters of numbered screws in inches (ASME B1.1)."""
@@ -121,7 +127,11 @@ def parse_callout(
         if thick is None:
             break
         found.append(Callout(NoteKind.THICKNESS, thick.value, unit=thick.unit))
-    found += _of_all(plain) if _ALL.search(plain) else _of_one(plain, bare_point_is_inch)
+    count, signs = in_signs(plain)
+    if _ALL.search(signs):
+        found += _of_all(plain)
+    else:
+        found += [replace(each, count=count) for each in _of_one(signs, bare_point_is_inch)]
     return tuple(replace(callout, reference=reference) for callout in found)
 
 
@@ -137,20 +147,85 @@ def thread_name(text: str) -> str | None:
     return "M" + "x".join(sizes)
 
 
-def _of_one(plain: str, bare_point_is_inch: bool) -> tuple[Callout, ...]:
-    """Notes about the features that they stand at."""
-    count, rest = _counted(plain)
-    through = _THROUGH.search(rest) is not None
-    rest = _THROUGH.sub(" ", rest).strip()
-    found = _feature(rest, bare_point_is_inch)
-    return tuple(_completed(callout, count, through) for callout in found)
+def _of_one(signs: str, bare_point_is_inch: bool) -> list[Callout]:
+    """Notes about the features that they stand at: a hole, and where it is wider."""
+    head, *rest = _WIDER.split(signs)
+    wider = []
+    for sign, behind in zip(rest[::2], rest[1::2], strict=True):
+        front = ""
+        if not _WIDE.search(_WIDE_ANGLE.sub(" ", _DEPTH.sub(" ", behind))) or _is_angle(head):
+            head, front = _split_behind(head)
+        wider.append((sign, f"{front} {behind}"))
+    callouts = _plain_features(head, bare_point_is_inch)
+    return [*callouts, *filter(None, (_wider(sign, body) for sign, body in wider))]
 
 
-def _completed(callout: Callout, count: int, through: bool) -> Callout:
-    """The same with what a note says of all that it names; what goes through is a hole."""
-    kind = NoteKind.DIAMETER if through and callout.kind is NoteKind.LENGTH else callout.kind
-    goes = through and kind in (NoteKind.DIAMETER, NoteKind.THREAD)
-    return replace(callout, kind=kind, count=count, through=goes)
+def _is_angle(head: str) -> bool:
+    return head.rstrip().endswith("\u00b0")
+
+
+def _split_behind(head: str) -> tuple[str, str]:
+    """What stands before a word for a wider hole, parted in front of what is said of that hole."""
+    found = _BEHIND.search(head.rstrip())
+    return (head, "") if found is None else (head[: found.start()], found[0])
+
+
+def _wider(sign: str, body: str) -> Callout | None:
+    """A counterbore or countersink by its sign and what is said of it; None without a diameter."""
+    depth, body = _taken(_DEPTH, body)
+    angle, body = _taken(_WIDE_ANGLE, body)
+    wide, body = _taken(_WIDE, body)
+    if wide is None:
+        return None
+    second, body = _taken(_SECOND, body)
+    more = value_of(second[1]) if second else None
+    deep = _value(depth)
+    degrees = _value(angle)
+    if sign == SINK and degrees is None and more and _SINK_ANGLES[0] <= more <= _SINK_ANGLES[1]:
+        degrees, more = more, None
+    kind = NoteKind.COUNTERBORE if degrees is None and sign == BORE else NoteKind.COUNTERSINK
+    return Callout(kind, value_of(wide[1]), depth=more if deep is None else deep, angle=degrees)
+
+
+def _value(found: re.Match[str] | None) -> float | None:
+    return None if found is None or found[1] == "\u221e" else value_of(found[1])
+
+
+def _plain_features(head: str, bare_point_is_inch: bool) -> list[Callout]:
+    """Features without a sign of a wider hole, each with the depth behind it."""
+    parts = _DEPTH.split(head)
+    found: list[Callout] = []
+    ahead: str | None = None
+    for number, part in enumerate(parts[::2]):
+        depth = parts[2 * number + 1] if 2 * number + 1 < len(parts) else None
+        words = _OPEN.sub("", part.strip(_PARTING))
+        feature = _plain_feature(words, bare_point_is_inch) if words else None
+        if feature is None and len(parts) > 1 and (first := _FIRST_DIAMETER.match(words)):
+            feature = _plain_feature(first[0], bare_point_is_inch)
+        if feature is not None:
+            if depth is None and ahead is not None:
+                depth, ahead = ahead, None
+            found.append(_deep(feature, depth))
+        elif words:
+            return found
+        elif depth is not None:
+            ahead = depth
+    if ahead is not None and not found:
+        return [_deep(Callout(NoteKind.DEPTH), ahead)]
+    return found
+
+
+def _deep(callout: Callout, depth: str | None) -> Callout:
+    """The same with its depth; what has one, or goes through, is a hole."""
+    if depth is None:
+        return callout
+    through = depth == "\u221e"
+    deep = None if through else value_of(depth)
+    if callout.kind is NoteKind.DEPTH:
+        return replace(callout, value=deep, through=through)
+    kind = NoteKind.DIAMETER if callout.kind is NoteKind.LENGTH else callout.kind
+    hole = kind in (NoteKind.DIAMETER, NoteKind.THREAD)
+    return replace(callout, kind=kind, depth=deep, through=through and hole)
 
 
 def _of_all(plain: str) -> tuple[Callout, ...]:
@@ -162,35 +237,6 @@ def _of_all(plain: str) -> tuple[Callout, ...]:
     if rounding:
         found.append(Callout(NoteKind.ALL_FILLETS, value_of(rounding[1])))
     return tuple(found)
-
-
-def _counted(plain: str) -> tuple[int, str]:
-    found = _COUNT.search(plain)
-    if found is None:
-        return 1, plain
-    rest = (plain[: found.start()] + " " + plain[found.end() :]).strip()
-    return int(found[1] or found[2]), rest
-
-
-def _feature(rest: str, bare_point_is_inch: bool) -> tuple[Callout, ...]:
-    depth, rest = _taken(_DEPTH, rest)
-    deep = value_of(depth[1] or depth[2]) if depth else None
-    found: list[Callout] = []
-    for pattern, kind in ((_BORE, NoteKind.COUNTERBORE), (_SINK, NoteKind.COUNTERSINK)):
-        match, rest = _taken(pattern, rest)
-        if match:
-            angle = value_of(match[2]) if kind is NoteKind.COUNTERSINK and match[2] else None
-            found.append(Callout(kind, value_of(match[1]), depth=deep, angle=angle))
-    if found and not rest:
-        return tuple(found)
-    first = _plain_feature(rest, bare_point_is_inch)
-    if first is None:
-        if deep is not None and not found and not rest:
-            return (Callout(NoteKind.DEPTH, deep),)
-        return tuple(found)
-    if deep is not None and not found:
-        first = replace(first, depth=deep)
-    return (first, *found)
 
 
 def _plain_feature(rest: str, bare_point_is_inch: bool) -> Callout | None:

@@ -71,12 +71,13 @@ def file_lines(
     strokes: Iterable[VectorStroke], turn: Turn
 ) -> list[tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]]:
     """The ends of the straight strokes of a vector file, px of the upright sheet."""
-    found = []
-    for stroke in strokes:
-        if isinstance(stroke.curve, LineSegment) and stroke.kind not in _NO_LINES:
-            start, end = turn.to_upright(np.array([stroke.curve.start, stroke.curve.end]))
-            found.append((start, end))
-    return found
+    lines = [
+        (stroke.curve.start, stroke.curve.end)
+        for stroke in strokes
+        if isinstance(stroke.curve, LineSegment) and stroke.kind not in _NO_LINES
+    ]
+    ends = turn.to_upright(np.array(lines).reshape(-1, 2)).reshape(-1, 2, 2)
+    return [(start, end) for start, end in ends]
 
 
 def file_rules(strokes: Iterable[VectorStroke], turn: Turn) -> list[Rule]:

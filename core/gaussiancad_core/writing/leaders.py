@@ -8,11 +8,11 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.model.views import Arc
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.picture_noise import ASLANT
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import rule_of
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.writing.dimension_layout import BESIDE, IN_LINE, MISSED
 from gaussiancad_core.writing.sheet_texts import SheetText
 
@@ -46,7 +46,8 @@ def leaders_of(marks: Iterable[Mark]) -> list[Leader]:
 
 
 def pointed_lines(heads: Iterable[Head], lines: Lines, turn: Turn) -> list[Leader]:
-    """Lines that end in an arrowhead, in whatever direction, each from its far end to the tip.
+    """Lines that end in an arrowhead, anywhere between its base and its tip, in whatever direction,
+    each from its far end to the tip.
 
     Args:
         heads: px of the sheet as stored.
@@ -63,7 +64,8 @@ def pointed_lines(heads: Iterable[Head], lines: Lines, turn: Turn) -> list[Leade
         way = (tip - back) / np.hypot(*(tip - back))
         parallel = np.abs(ways @ np.array([-way[1], way[0]])) <= ASLANT
         for at in (0, 1):
-            near = np.minimum(*(np.hypot(*(ends[:, at] - item).T) for item in (tip, back)))
+            ahead = np.clip((ends[:, at] - back) @ way, 0.0, head.length)
+            near = np.hypot(*(ends[:, at] - back - ahead[:, None] * way).T)
             far = ends[:, 1 - at]
             away = (back - far) @ way > 0.0
             found += [(start, tip) for start in far[parallel & away & (near <= MISSED)]]

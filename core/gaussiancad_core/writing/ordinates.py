@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import Rule
-from gaussiancad_core.writing.dimension_layout import BESIDE, CLOSE, LOOSELY
+from gaussiancad_core.writing.dimension_layout import ALONG, BESIDE, CLOSE, IN_LINE, LOOSELY, MISSED
 from gaussiancad_core.writing.sheet_texts import SheetText
 
 _ZERO = re.compile(r"[0O](?:[.,]0+)?")
@@ -26,14 +26,18 @@ def ordinate_length(
         zeros: the texts of the sheet that are zeros.
         rules: its narrow lines.
     """
-    line = _line_at_end(text.box, text.level, rules)
-    if line is None:
-        return None
     for zero in zeros:
         # A lone zero looks the same whichever way it is read.
-        if _in_row(text.box, zero.box, text.level):
-            start = _line_at_end(zero.box, text.level, rules)
-            if start is not None and start is not line:
+        if not _in_row(text.box, zero.box, text.level):
+            continue
+        for reach in (LOOSELY, ALONG):
+            line = _line_at_end(text.box, text.level, rules, reach)
+            start = _line_at_end(zero.box, text.level, rules, reach)
+            if line is None or start is None or start is line:
+                continue
+            # Lines farther away belong to a row of numbers if they begin or end in one row, too.
+            apart = min(abs(line.low - start.low), abs(line.high - start.high))
+            if reach == LOOSELY or apart <= MISSED:
                 return abs(line.at - start.at)
     return None
 
@@ -53,8 +57,9 @@ def _in_row(one: Box, two: Box, level: bool) -> bool:
     return min(abs(low - start), abs(high - end)) <= reach
 
 
-def _line_at_end(box: Box, level: bool, rules: Sequence[Rule]) -> Rule | None:
-    """The line that runs towards an end of a text, in line with it; the nearest."""
+def _line_at_end(box: Box, level: bool, rules: Sequence[Rule], reach: float) -> Rule | None:
+    """The line that runs towards an end of a text, in line with it, so many heights away at most:
+    of those that are best in line the nearest."""
     (low, high), (top, bottom) = _along(box, level), _across(box, level)
     height, middle = bottom - top, 0.5 * (top + bottom)
     near = [
@@ -63,8 +68,13 @@ def _line_at_end(box: Box, level: bool, rules: Sequence[Rule]) -> Rule | None:
         if rule.level is level
         and abs(rule.at - middle) <= CLOSE * height
         and (
-            -0.2 * height <= rule.low - high <= LOOSELY * height
-            or -0.2 * height <= low - rule.high <= LOOSELY * height
+            -0.2 * height <= rule.low - high <= reach * height
+            or -0.2 * height <= low - rule.high <= reach * height
         )
     ]
-    return min(near, key=lambda rule: abs(rule.at - middle), default=None)
+    best = min((abs(rule.at - middle) for rule in near), default=0.0)
+    return min(
+        (rule for rule in near if abs(rule.at - middle) <= best + IN_LINE),
+        key=lambda rule: max(rule.low - high, low - rule.high),
+        default=None,
+    )

@@ -12,10 +12,10 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.picture_noise import LEVEL, OVERRUN
 from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.writing.cutting_line_steps import stepped_path
 from gaussiancad_core.writing.dimension_layout import ALONG
 from gaussiancad_core.writing.leaders import Leader, pointed_lines

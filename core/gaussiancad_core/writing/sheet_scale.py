@@ -1,7 +1,7 @@
 """The scale of a sheet: from its dimensions, or from its paper and scale note."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
@@ -10,40 +10,23 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
-from gaussiancad_core.model.views import Arc, Segment
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.sheet.graph.arrowhead_shapes import without_heads
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.labels.label_evidence import meets_any
-from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
-from gaussiancad_core.sheet.tracing.level_rules import Rule, rule_of
-from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
-from gaussiancad_core.writing.dimension_layout import LIKELY, POSSIBLE
-from gaussiancad_core.writing.dimension_texts import (
-    Span,
-    adjacent_extents,
-    file_lines,
-    file_rules,
-    mark_rules,
-    spans_of,
+from gaussiancad_core.writing.measured_texts import (
+    dimensions_of,
+    measures_of,
+    pointed_circles,
+    with_tables,
 )
-from gaussiancad_core.writing.leaders import (
-    Leader,
-    circles_at,
-    leaders_of,
-    pointed_lines,
-    shelves_of,
-)
+from gaussiancad_core.writing.note_texts import Targets
 from gaussiancad_core.writing.number_units import Units, file_unit, noted_unit, other_size
-from gaussiancad_core.writing.numbers import DimensionText, Sign, Unit, parse_dimension, parse_scale
-from gaussiancad_core.writing.ordinates import is_zero, ordinate_length
+from gaussiancad_core.writing.numbers import Unit, parse_dimension, parse_scale
 from gaussiancad_core.writing.scale_agreement import (
     Agreement,
-    Candidate,
-    Dimension,
     Measure,
     ReadDimension,
     agree,
@@ -51,7 +34,6 @@ from gaussiancad_core.writing.scale_agreement import (
     usual_unit,
 )
 from gaussiancad_core.writing.sheet_texts import (
-    MOST_TEXTS,
     SheetText,
     fields_of,
     file_texts,
@@ -60,15 +42,8 @@ from gaussiancad_core.writing.sheet_texts import (
 )
 from gaussiancad_protocol.codes import Code
 
-_MOST_RULES = 5000
-"""Lines of a sheet that are looked at, the longest first: more take too long."""
-
 _MOST_NAMED = 5
 """Numbers that one message names at most."""
-
-_CUT = 0.7
-"""Distance of a text's beginning from a line across it, in its height, at which the line may have
-taken a letter: digits are narrower."""
 
 
 _ON_PAPER = Message(
@@ -106,6 +81,8 @@ class SheetScale:
         texts: all that was read, px of the upright sheet.
         unit: of numbers that do not name theirs.
         unit_noted: whether a note names it.
+        targets: circles and arcs that call-outs speak of, by their leaders or by the labels of a
+            hole table's rows.
     """
 
     mm_per_pixel: float | None
@@ -117,18 +94,7 @@ class SheetScale:
     texts: tuple[SheetText, ...] = ()
     unit: Unit = Unit.MILLIMETRE
     unit_noted: bool = False
-
-
-@dataclass(frozen=True)
-class _Lines:
-    """What dimensions may measure."""
-
-    rules: list[Rule]
-    edges: list[Rule]
-    arcs: list[Arc]
-    pairs: tuple[ArrowPair, ...] = ()
-    leaders: tuple[Leader, ...] = ()
-    boxes: tuple[Box, ...] = ()
+    targets: Targets = field(default_factory=dict)
 
 
 def find_scale(
@@ -153,8 +119,9 @@ def find_scale(
         texts = read_texts(sheet, marks)
     paper_scale, assumed = _paper_scale(image, texts)
     in_file = file_unit(image.vectors)
-    lines = _lines(sheet, texts, (marks, drawn))
-    dimensions = _dimensions(texts, marks, lines, bare_point_is_inch=in_file is None)
+    lines = measures_of(sheet, texts, (marks, drawn))
+    texts, rows = with_tables(texts, lines)
+    dimensions = dimensions_of(texts, lines, rows, bare_point_is_inch=in_file is None)
     units = Units(
         stated_unit,
         noted_unit(texts),
@@ -173,6 +140,7 @@ def find_scale(
         texts=texts,
         unit=unit,
         unit_noted=unit in (units.given, units.noted),
+        targets=rows | pointed_circles(texts, lines),
     )
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
@@ -246,93 +214,6 @@ def _ratios(texts: Sequence[SheetText], field: bool) -> set[float]:
     """The scales that notes name, in the title block or beside it."""
     found = (parse_scale(text.text) for text in texts if text.field is field)
     return {ratio for ratio in found if ratio is not None}
-
-
-def _lines(
-    sheet: OpenedSheet,
-    texts: Sequence[SheetText],
-    found: tuple[Sequence[Mark], Sequence[ReadView]],
-) -> _Lines:
-    marks, drawn = found
-    rules = mark_rules(marks)
-    pairs: tuple[ArrowPair, ...] = ()
-    leaders = leaders_of(marks)
-    drawing = sheet.image.vectors
-    if drawing is not None:
-        heads = sheet.heads
-        this_file_rules = file_rules(without_heads(drawing.strokes, heads), sheet.turn)
-        pairs = arrow_pairs(heads, this_file_rules, texts, sheet.turn)
-        leaders += pointed_lines(heads, file_lines(drawing.strokes, sheet.turn), sheet.turn)
-        # Marks of a file are its strokes, too, those of heads among them.
-        rules = this_file_rules if heads else rules + this_file_rules
-    rules = sorted(rules, key=lambda rule: rule.low - rule.high)[:_MOST_RULES]
-    strokes = [stroke for view in drawn for stroke in view.strokes]
-    edges = [rule_of(stroke.start, stroke.end) for stroke in strokes if isinstance(stroke, Segment)]
-    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
-    borders = [edge for edge in edges if edge is not None]
-    boxes = tuple(view.box for view in drawn)
-    return _Lines(rules, borders, arcs, pairs, tuple(leaders), boxes)
-
-
-def _dimensions(
-    texts: Sequence[SheetText], marks: Sequence[Mark], lines: _Lines, *, bare_point_is_inch: bool
-) -> tuple[Dimension, ...]:
-    shelves = shelves_of(marks)
-    zeros = [text for text in texts if is_zero(text)]
-    parsed = (
-        (text, parse_dimension(text.text, bare_point_is_inch=bare_point_is_inch))
-        for text in texts
-        if not text.field
-    )
-    numbers = [(text, said) for text, said in parsed if said is not None]
-    found = []
-    for text, said in numbers[:MOST_TEXTS]:
-        circles = circles_at(text, lines.leaders, shelves, lines.arcs)
-        candidates = _candidates(text, said, lines, circles)
-        ordinate = ordinate_length(text, zeros, lines.rules)
-        if ordinate and said.sign is Sign.LENGTH:
-            candidates = (Candidate(ordinate), *candidates)
-        found.append(Dimension(text.text, said, text.box, candidates, _is_cut(text, lines.rules)))
-    return tuple(found)
-
-
-def _is_cut(text: SheetText, rules: Sequence[Rule]) -> bool:
-    """Whether a line runs across a text where it begins, through letters that were not read."""
-    x0, y0, x1, y1 = text.box
-    height = y1 - y0 if text.level else x1 - x0
-    start, middle = (x0, (y0 + y1) / 2.0) if text.level else (y1, (x0 + x1) / 2.0)
-    return any(
-        rule.level is not text.level
-        and abs(rule.at - start) <= _CUT * height
-        and rule.low <= middle <= rule.high
-        for rule in rules
-    )
-
-
-def _candidates(
-    text: SheetText, said: DimensionText, lines: _Lines, circles: Sequence[Arc]
-) -> tuple[Candidate, ...]:
-    found = []
-    if said.sign is not Sign.RADIUS:
-        spans = (*_spans(text, lines), *adjacent_extents(text, lines.boxes))
-        found += [Candidate(span.length, span.weight, span) for span in spans]
-    # Where the sign was not read, the leader tells that it is a diameter.
-    times = 1.0 if said.sign is Sign.RADIUS else 2.0
-    weights = [LIKELY] + [POSSIBLE] * len(circles)
-    found += [
-        Candidate(times * arc.radius, weight, arc)
-        for arc, weight in zip(circles, weights, strict=False)
-    ]
-    return tuple(sorted(found, key=lambda candidate: -candidate.weight))
-
-
-def _spans(text: SheetText, lines: _Lines) -> tuple[Span, ...]:
-    """Where a sheet has arrowheads they tell what is a dimension line; other lines part it."""
-    if not lines.pairs:
-        return spans_of(text, lines.rules, lines.edges)
-    whole = arrow_spans(text, lines.pairs)
-    parts = spans_of(text, lines.rules, lines.edges) if whole else ()
-    return (*whole, *(replace(part, weight=POSSIBLE * part.weight) for part in parts))
 
 
 def _disagreement(found: Agreement) -> tuple[Note, ...]:

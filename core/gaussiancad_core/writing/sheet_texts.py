@@ -55,7 +55,8 @@ class SheetText:
         box: px of the upright sheet.
         level: whether it runs along x; otherwise it runs up the sheet.
         confidence: 0 to 1.
-        field: whether it stands in a field of the frame or title block.
+        field: whether it stands in a field of the frame or title block, or in a cell of a table.
+        exact: whether its characters are those of a file; others were read from pixels.
     """
 
     text: str
@@ -63,6 +64,7 @@ class SheetText:
     level: bool = True
     confidence: float = 1.0
     field: bool = False
+    exact: bool = False
 
 
 def file_texts(
@@ -82,7 +84,7 @@ def file_texts(
         if level or abs(np.cos(angle)) < PARALLEL:
             box = turn.box_to_upright(text.box)
             field = any(_holds(this_field, box) for this_field in fields)
-            found.append(SheetText(text.text.strip(), box, bool(level), field=field))
+            found.append(SheetText(text.text.strip(), box, bool(level), field=field, exact=True))
     return tuple(found)
 
 

@@ -345,6 +345,15 @@ def test_texts_have_boxes(read: Read) -> None:
         assert (content.grey[y0:y1, x0:x1] < 128).mean() > 0.05
 
 
+@pytest.mark.parametrize("font", ["\\Fgdt;", "\\fAIGDT|b0|i0|c0|p0;", "\\FAMGDT|c0;"])
+def test_letters_of_a_font_of_signs_are_these_signs(read: Read, font: str) -> None:
+    doc = _framed(_a4())
+    text = f"{{{font}n}}8 {{{font}x}}12\\P{{{font}v}} {{{font}n}}14\\P{{{font}w}}9 next"
+    doc.modelspace().add_mtext(text, dxfattribs={"char_height": 4, "insert": (20, 180)})
+    lines = [text.text for text in read(doc).vectors.texts]
+    assert lines == ["\u23008 \u21a712", "\u2334 \u230014", "\u23359 next"]
+
+
 def test_tilted_circles_are_ellipses(read: Read) -> None:
     doc = _framed(_a4())
     model = doc.modelspace()

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.files.fitting import curve_along
+from gaussiancad_core.files.fitting import circle_through, circles_through, curve_along, thinned
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 
@@ -44,3 +44,26 @@ def test_polygons_and_waves_are_neither() -> None:
     assert isinstance(curve_along(np.stack([x, 30 * np.sin(x / 50)], 1)), Chain)
     hyperbola = np.stack([x + 10, 1000 / (x + 10)], 1)
     assert isinstance(curve_along(hyperbola), Chain)
+
+
+def test_chains_have_no_more_corners_than_their_flatness_needs() -> None:
+    x = np.linspace(0, 40, 2000)
+    chain = curve_along(np.stack([x, 5 * np.sin(x / 5)], 1))
+    assert isinstance(chain, Chain)
+    few = thinned(chain)
+    assert isinstance(few, Chain)
+    assert len(few.points) < 100
+    assert few.distances(np.array(chain.points)).max() < 0.02
+    assert (few.points[0], few.points[-1]) == (chain.points[0], chain.points[-1])
+    assert thinned(few) == few
+
+
+def test_circles_through_many_points_at_once_are_those_one_by_one() -> None:
+    rng = np.random.default_rng(3)
+    points = rng.normal(0.0, 30.0, (40, 7, 2))
+    points[0] = np.linspace((0, 0), (70, 30), 7)
+    points[1] = (5.0, 6.0)
+    centres, radii = circles_through(points)
+    one_by_one = [circle_through(item) for item in points]
+    assert np.allclose(centres, [centre for centre, _ in one_by_one])
+    assert np.allclose(radii, [radius for _, radius in one_by_one])

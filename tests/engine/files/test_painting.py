@@ -5,7 +5,7 @@ import pytest
 
 from gaussiancad_core.files.fonts import known_font
 from gaussiancad_core.files.painting import paint, render_svg, unturned_size
-from gaussiancad_core.files.shown import shown_share
+from gaussiancad_core.files.shown import shown_shares
 from gaussiancad_core.files.vectors import (
     StrokeKind,
     StrokeRole,
@@ -33,8 +33,8 @@ def test_ink_lies_on_the_curves(ink_offsets: Callable) -> None:
         offsets = ink_offsets(grey, stroke)
         assert len(offsets) > 20
         assert abs(float(np.median(offsets))) < 0.08
-        assert shown_share(stroke, grey) == 1.0
-        assert shown_share(VectorStroke(LineSegment((390, 5), (399, 5)), None), grey) == 0.0
+        assert shown_shares([stroke], grey) == [1.0]
+        assert shown_shares([VectorStroke(LineSegment((390, 5), (399, 5)), None)], grey) == [0.0]
         ink = (255.0 - grey).sum() / 255.0
         assert ink == pytest.approx(stroke.curve.length * stroke.width, rel=0.05)
 

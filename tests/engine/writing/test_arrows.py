@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.tracing.level_rules import Rule
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.writing.arrows import ArrowPair, arrow_pairs, arrow_spans
 from gaussiancad_core.writing.sheet_texts import SheetText
 

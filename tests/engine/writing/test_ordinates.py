@@ -45,3 +45,14 @@ def test_without_a_zero_or_a_line_there_is_no_length() -> None:
 def test_zeros(text: str, zero: bool) -> None:
     assert is_zero(SheetText(text, ZERO.box)) is zero
     assert not is_zero(SheetText(text, ZERO.box, field=True))
+
+
+def test_far_lines_count_where_they_stand_in_a_row() -> None:
+    far = [Rule(True, rule.at, 160.0, 200.0) for rule in RULES]
+    assert [ordinate_length(text, [ZERO], far) for text in TEXTS] == [99.5, 150.25]
+    # An edge beyond the lines of the row is none of them.
+    edges = [Rule(True, rule.at, 206.0, 800.0) for rule in RULES]
+    found = [ordinate_length(text, [ZERO], [*edges[:2], *far]) for text in TEXTS]
+    assert found == [99.5, 150.25]
+    shifted = [far[0], *(Rule(True, rule.at, 185.0, 225.0) for rule in far[1:])]
+    assert [ordinate_length(text, [ZERO], shifted) for text in TEXTS] == [None, None]

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gaussiancad_core.model.axes import Axis, Role
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.writing.section_titles import named_sections
 from gaussiancad_core.writing.sheet_texts import SheetText
 from gaussiancad_core.writing.titles import Title, TitleKind, parse_title
@@ -62,21 +62,26 @@ def _letter(x: float, y: float, text: str = "A") -> SheetText:
 _TITLE = SheetText("A-A", (530.0, 70.0, 570.0, 86.0))
 
 
-def _arrows(x: float, way: float) -> tuple[list[Head], list[tuple[np.ndarray, np.ndarray]]]:
-    """Two arrows beside the front view, above and below it, with shafts from the cutting line."""
+def _arrows(
+    x: float, way: float, within: float = 0.0
+) -> tuple[list[Head], list[tuple[np.ndarray, np.ndarray]]]:
+    """Two arrows beside the front view, above and below it, with shafts from the cutting line to a
+    share of their heads."""
     heads, lines = [], []
     for y in (80.0, 270.0):
         heads.append(Head((x + way * 40.0, y), (way, 0.0), _HEAD))
-        lines.append((np.array([x, y]), np.array([x + way * (40.0 - _HEAD), y])))
+        end = 40.0 - (1.0 - within) * _HEAD
+        lines.append((np.array([x, y]), np.array([x + way * end, y])))
     return heads, lines
 
 
 @pytest.mark.parametrize(("way", "looks"), [(1.0, Role.LEFT), (-1.0, Role.RIGHT)])
-@given(x=st.floats(110.0, 290.0))
+@given(x=st.floats(110.0, 290.0), within=st.floats(0.0, 1.0))
 def test_two_arrows_with_the_titles_letter_tell_plane_and_direction(
-    way: float, looks: Role, x: float
+    way: float, looks: Role, x: float, within: float
 ) -> None:
-    heads, lines = _arrows(x, way)
+    """The cut is where the shafts begin, wherever between base and tip of a head they end."""
+    heads, lines = _arrows(x, way, within)
     texts = [_TITLE, _letter(x + way * 40.0, 60.0), _letter(x + way * 40.0, 290.0)]
     (found,) = named_sections(texts, heads, lines, _VIEWS, _STILL)
     assert found.box == _SIDE and found.cut_in is Role.FRONT
@@ -104,13 +109,15 @@ def test_without_arrows_or_with_other_letters_the_plane_is_not_known() -> None:
 
 
 @pytest.mark.parametrize("line_at", ["tips", "tails"])
-@given(y=st.floats(110.0, 240.0), before=st.floats(0.0, 2.0))
-def test_arrows_may_rest_on_the_line_with_their_tips(line_at: str, y: float, before: float) -> None:
+@given(y=st.floats(110.0, 240.0), before=st.floats(0.0, 2.0), within=st.floats(0.0, 1.0))
+def test_arrows_may_rest_on_the_line_with_their_tips(
+    line_at: str, y: float, before: float, within: float
+) -> None:
     """A tip ends at the middle of a line, or at its edge."""
     heads, lines = [], []
     for x in (70.0, 330.0):
         heads.append(Head((x, y), (0.0, 1.0), _HEAD))
-        lines.append((np.array([x, y - 40.0]), np.array([x, y - _HEAD])))
+        lines.append((np.array([x, y - 40.0]), np.array([x, y - (1.0 - within) * _HEAD])))
         at = y + before if line_at == "tips" else y - 40.0
         lines.append((np.array([x - 16.0, at]), np.array([x + 16.0, at])))
     texts = [_TITLE, _letter(50.0, y - 30.0), _letter(350.0, y - 30.0)]

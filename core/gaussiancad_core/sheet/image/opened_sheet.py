@@ -11,11 +11,11 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.files.vectors import VectorDrawing
-from gaussiancad_core.sheet.graph.arrowhead_shapes import Head, arrowheads
 from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.image.deskew import Turn, file_directions, find_turn
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL
+from gaussiancad_core.structure.arrowheads import Head, arrowheads
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,8 @@
 """Thread symbols among strokes (ISO 6410-1), in all views.
 
 Along its axis a thread is a whole circle and three quarters of another one about it; from the side
-the second one shows as two more lines.  These are no edges: what is left is the plain cylinder.
+the second one shows as two more lines, and one across them at the thread's depth.  These are no
+edges: what is left is the plain cylinder.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,6 +18,7 @@ from gaussiancad_core.sheet.annotations.erase import Told
 from gaussiancad_core.sheet.picture_noise import ONE_PLACE
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView
+from gaussiancad_core.sheet.special_views.thread_ends import ThreadSide, without_ends
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.votes import MOST, NEARLY_ALL
 
@@ -64,18 +66,26 @@ def without_threads(
         arcs: arcs in other pens than the part's, or of which nobody knows.
     """
     found = [symbol for view in drawn for symbol in _symbols(view, arcs)]
-    views = tuple(
-        replace(
-            view,
-            strokes=tuple(
-                stroke
-                for stroke in view.strokes
-                if not any(_is_of(stroke, symbol, view, drawn) for symbol in found)
-            ),
-        )
-        for view in drawn
-    )
+    views = tuple(_without(view, found, drawn) for view in drawn)
     return views, tuple(symbol.special for symbol in found)
+
+
+def _without(
+    view: ReadView, symbols: Sequence[ThreadSymbol], drawn: Sequence[ReadView]
+) -> ReadView:
+    """A view without the lines of thread symbols."""
+    left, sides = list(view.strokes), []
+    for symbol in symbols:
+        lines = [stroke for stroke in view.strokes if _is_of(stroke, symbol, view, drawn)]
+        left = [stroke for stroke in left if stroke not in lines]
+        for upright, thins, rims in _sides(symbol, view, drawn):
+            thin_lines = tuple(
+                line
+                for line in lines
+                if isinstance(line, Segment) and any(_runs_at(line, upright, at) for at in thins)
+            )
+            sides.append(ThreadSide(upright, thins, rims, thin_lines))
+    return replace(view, strokes=without_ends(left, sides))
 
 
 def arcs_of(stated: Told) -> list[Arc]:
@@ -161,20 +171,18 @@ def _has_rim_line(stroke: Segment, upright: bool, at: float, strokes: Sequence[S
 
 def _sides(
     symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]
-) -> Iterator[tuple[bool, tuple[float, ...], tuple[float, ...]]]:
+) -> Iterator[tuple[bool, tuple[float, float], tuple[float, float]]]:
     """Whether lines along the axis run upright in a view, and where those of the thin circle and
     those of the rim are, in the same order."""
     source = _box(symbol.role, drawn)
     for axis in _shared_axes_of(symbol.role, view.role):
         upright = view.role.frame.right_axis[0] is axis
-        thins, rims = (
-            tuple(
-                _across_of(view.role, view.box, axis, place)
-                for place in _places_of(symbol.role, source, axis, circle)
-            )
+        places = [
+            _across_of(view.role, view.box, axis, place)
             for circle in (symbol.thin, symbol.rim)
-        )
-        yield upright, thins, rims
+            for place in _places_of(symbol.role, source, axis, circle)
+        ]
+        yield upright, (places[0], places[1]), (places[2], places[3])
 
 
 def _seen_along(symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]) -> Iterator[Arc]:

@@ -1,5 +1,7 @@
 """Thread symbols of a file, in all views."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -90,3 +92,54 @@ def test_from_behind_the_thin_circle_is_hidden_and_goes_too() -> None:
     ]
     (_, rear), _ = without_threads(views, [arc])
     assert bore in rear.strokes and mirrored not in rear.strokes
+
+
+_X = _CENTRE[0]
+
+
+def _across(y: float, *ends: float) -> list[Segment]:
+    """Level lines from offset to offset from the thread's axis."""
+    return [Segment((_X + a, y), (_X + b, y), HIDDEN) for a, b in pairwise(ends)]
+
+
+def _blind(depth: float, bore: float, *more: Segment) -> list[Segment]:
+    """A thread that ends at a depth in a bore that ends at another one, from above."""
+    lines = [_upright(_X + sign * _THIN, 100.0, 100.0 + depth) for sign in (-1.0, 1.0)]
+    lines += [_upright(_X + sign * _RIM, 100.0, 100.0 + bore) for sign in (-1.0, 1.0)]
+    return [*lines, *_across(100.0 + bore, -_RIM, _RIM), *more]
+
+
+def _left(top: list[Segment], thin: float = _THIN, rim: float = _RIM) -> list[Stroke]:
+    """What is left of the lines of a view from above."""
+    views = [_view(Role.FRONT, _FRONT, _arc(rim, 1.0)), _view(Role.TOP, _TOP, *top)]
+    (_, above), _ = without_threads(views, [_arc(thin, 0.75)])
+    return list(above.strokes[4:])
+
+
+@pytest.mark.parametrize(
+    "ends",
+    [(-_THIN, _THIN), (-_THIN, -_RIM, _RIM, _THIN), (-_RIM, _RIM), (-_THIN, 0.0, _THIN)],
+    ids=["whole", "in pieces", "within the bore", "in halves"],
+)
+def test_the_line_at_the_depth_of_a_thread_is_no_edge(ends: tuple[float, ...]) -> None:
+    plain = _blind(40.0, 60.0)
+    assert _left([*plain, *_across(140.0, *ends)]) == plain[2:]
+
+
+def test_the_floor_of_a_bore_stays_where_its_thread_ends_with_it() -> None:
+    floors = _blind(60.0, 60.0)
+    assert _left(floors) == floors[2:]
+    one_line = [*floors[:-1], *_across(160.0, -_THIN, _THIN)]
+    assert _left(one_line) == floors[2:]
+
+
+def test_an_edge_that_is_wider_than_a_thread_stays_at_its_end() -> None:
+    edge = _across(140.0, -_THIN - 8.0, _THIN)
+    assert _left(_blind(40.0, 60.0, *edge)) == [*_blind(40.0, 60.0)[2:], *edge]
+
+
+def test_the_line_at_the_end_of_a_shafts_thread_is_no_edge() -> None:
+    shaft = [_upright(_X + sign * _THIN, 100.0, 200.0, VISIBLE) for sign in (-1.0, 1.0)]
+    thread = [_upright(_X + sign * _RIM, 100.0, 140.0, VISIBLE) for sign in (-1.0, 1.0)]
+    end = Segment((_X - _THIN, 140.0), (_X + _THIN, 140.0), VISIBLE)
+    assert _left([*shaft, *thread, end], thin=_RIM, rim=_THIN) == shaft

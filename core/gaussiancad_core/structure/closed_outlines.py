@@ -1,0 +1,49 @@
+"""Which strokes bound a face of the arrangement that they make, and the faces themselves."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from shapely import Polygon
+
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
+
+GRID = 0.02
+"""mm to which places are rounded, so that ends meet."""
+
+
+@dataclass(frozen=True, eq=False)
+class Faces:
+    """What strokes enclose.
+
+    Attributes:
+        faces: between them.
+        dangles: pieces with an end in the open, which bound nothing.
+    """
+
+    faces: tuple[Polygon, ...]
+    dangles: tuple[shapely.Geometry, ...]
+
+
+def faces_of(strokes: Sequence[PaperStroke]) -> Faces:
+    """The faces that strokes enclose, and what bounds none."""
+    if not strokes:
+        return Faces((), ())
+    whole = shapely.union_all([stroke.line for stroke in strokes], grid_size=GRID)
+    faces, cuts, dangles, _ = shapely.polygonize_full([whole])
+    return Faces(tuple(faces.geoms), (*dangles.geoms, *cuts.geoms))
+
+
+def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
+    """(n,) mm of each stroke that bound no face."""
+    free = np.zeros(len(strokes))
+    loose = faces_of(strokes).dangles
+    if loose:
+        lines = [stroke.line for stroke in strokes]
+        strips = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
+        numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
+        for number, piece in zip(numbers.tolist(), pieces.tolist(), strict=True):
+            free[number] += loose[piece].intersection(strips[number]).length
+    return free

@@ -1,0 +1,181 @@
+"""Which strokes are edges of the part: what closes outlines, in the pens that draw outlines.
+
+Geometry told some strokes as annotations already, and a pen that draws many of these draws no
+edges; one that closes outlines does.  Both are log-odds, and add up for each stroke.
+"""
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import log
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from gaussiancad_core.files.vectors import StrokeRole
+from gaussiancad_core.sheet_model.labelled_strokes import Flags, Label, LabelledStrokes
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen
+from gaussiancad_core.structure.closed_outlines import GRID, faces_of, loose_lengths
+from gaussiancad_core.structure.dimension_lines import GOES_ON
+
+_LONGEST_COUNTED = 30.0
+"""mm up to which a stroke says more the longer it is."""
+
+_DIMENSIONS, _ROUND = 3.0, 2.0
+"""Weight of dimension and extension lines, and of closed circles, for their pen."""
+
+_PRIOR, _RAREST = 10.0, 0.1
+"""mm that a pen draws as all do together before it is asked; share of annotations, or of edges, of
+all that a sheet has at least."""
+
+_PEN = 4.0
+"""Log-odds by a pen, at most."""
+
+_CLOSED, _LOOSE, _ALONE, _NAMED, _CURVED = -1.0, 0.7, 3.0, -3.0, -0.7
+"""Log-odds against an edge, of strokes that close outlines, that do not, that are a few by
+themselves, that the file names as visible edges, and that are round."""
+
+_FEW, _TOUCH = 5, 0.1
+"""Strokes that touch each other, and neither close nor go around anything, up to which they are a
+sign, and mm within which they touch."""
+
+_STICKING_OUT = 0.25
+"""mm of a stroke that bound nothing from which it sticks out of an outline."""
+
+_EXTENSION, _GOING_ON = 1.5, 2.5
+"""Log-odds against an edge, of what was told as an extension line, and as the other half of a
+dimension line."""
+
+_NARROW = 0.8
+"""Width of narrow lines in that of wide ones at most: half of it (ISO 128-2), or a step of the
+series of pens."""
+
+_ANNOTATIONS = (Label.DIMENSION, Label.EXTENSION, Label.CENTRE, Label.OTHER, Label.HATCH)
+
+
+def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
+    """The strokes, all of them told: visible and hidden edges, and annotations."""
+    dashed = [
+        number
+        for number in labelled.numbers(Label.OPEN)
+        if labelled.strokes[number].dashes or labelled.strokes[number].role is StrokeRole.HIDDEN
+    ]
+    labelled = labelled.with_label(dashed, Label.HIDDEN, "its dashes, or its name")
+    doubtful = [
+        number
+        for number in labelled.numbers(Label.EXTENSION, Label.DIMENSION)
+        if labelled.labels[number] is Label.EXTENSION or labelled.reasons[number] == GOES_ON
+    ]
+    tried = [*labelled.numbers(Label.OPEN), *doubtful]
+    meeting = _Meeting.of([labelled.strokes[number] for number in tried])
+    pens = _pen_odds(labelled, tried, meeting)
+    edges, others = [], []
+    for index, number in enumerate(tried):
+        odds = _against(labelled, number, pens) + float(meeting.odds[index])
+        if odds < 0.0:
+            edges.append(number)
+        elif labelled.labels[number] is Label.OPEN:
+            others.append(number)
+    labelled = labelled.with_label(edges, Label.EDGE, "closes outlines, or its pen does")
+    narrow = _narrow(labelled)
+    labelled = labelled.with_label(narrow, Label.OTHER, "narrower than the outlines, on none")
+    return labelled.with_label(others, Label.OTHER, "its pen draws annotations, or it is loose")
+
+
+@dataclass(frozen=True, eq=False)
+class _Meeting:
+    """How strokes meet each other.
+
+    Attributes:
+        closed: (n,) which bound faces along most of their length.
+        sticking_out: (n,) which have an end in the open.
+        odds: (n,) log-odds against an edge.
+    """
+
+    closed: Flags
+    sticking_out: Flags
+    odds: npt.NDArray[np.float64]
+
+    @classmethod
+    def of(cls, strokes: Sequence[PaperStroke]) -> "_Meeting":
+        loose = loose_lengths(strokes)
+        lengths = np.array([stroke.length for stroke in strokes])
+        closed = loose < 0.5 * lengths
+        odds = np.where(closed, _CLOSED, _LOOSE)
+        if len(strokes):
+            lines = [stroke.line for stroke in strokes]
+            pairs = shapely.STRtree(lines).query(lines, "dwithin", _TOUCH)
+            graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
+            groups = connected_components(graph, directed=False)[1]
+            few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
+            for group in np.flatnonzero(few).tolist():
+                around = shapely.box(*shapely.total_bounds(np.array(lines)[groups == group]))
+                if not any(around.contains(lines[index]) for index in np.flatnonzero(closed)):
+                    odds[groups == group] = _ALONE
+        return cls(closed, loose > _STICKING_OUT, odds)
+
+
+def _narrow(labelled: LabelledStrokes) -> list[int]:
+    """Numbers of edges in pens that are narrower than that of the outlines and draw none of these:
+    threads, and edges where faces meet smoothly (ISO 128-2)."""
+    numbers = labelled.numbers(Label.EDGE)
+    lengths: dict[float, float] = defaultdict(float)
+    for number in numbers:
+        lengths[labelled.strokes[number].pen.width] += labelled.strokes[number].length
+    if not lengths:
+        return []
+    wide = max(lengths, key=lambda width: lengths[width])
+    narrow = [
+        number for number in numbers if 0.0 < labelled.strokes[number].pen.width <= _NARROW * wide
+    ]
+    if not narrow:
+        return []
+    enclosed = shapely.union_all(faces_of([labelled.strokes[number] for number in numbers]).faces)
+    outside = enclosed.boundary.buffer(2.0 * GRID)
+    shapely.prepare(outside)
+    of_outlines = {
+        labelled.strokes[number].pen
+        for number in narrow
+        if outside.contains(labelled.strokes[number].line)
+    }
+    return [number for number in narrow if labelled.strokes[number].pen not in of_outlines]
+
+
+def _pen_odds(
+    labelled: LabelledStrokes, tried: Sequence[int], meeting: _Meeting
+) -> dict[Pen, float]:
+    """Log-odds against an edge by pen: what geometry told of its strokes, which stick out of
+    outlines, and how much of these it draws."""
+    closed = {number for number, is_closed in zip(tried, meeting.closed, strict=True) if is_closed}
+    out = {number for number, is_out in zip(tried, meeting.sticking_out, strict=True) if is_out}
+    against: dict[Pen, float] = defaultdict(float)
+    for_edges: dict[Pen, float] = defaultdict(float)
+    for number, (stroke, label) in enumerate(zip(labelled.strokes, labelled.labels, strict=True)):
+        length = min(stroke.length, _LONGEST_COUNTED)
+        if label in _ANNOTATIONS:
+            is_dimension = label in (Label.DIMENSION, Label.EXTENSION)
+            against[stroke.pen] += length * (_DIMENSIONS if is_dimension else 1.0)
+        elif label is Label.OPEN and number in out:
+            against[stroke.pen] += length
+        elif label is Label.OPEN and number in closed:
+            for_edges[stroke.pen] += length * (_ROUND if stroke.is_round else 1.0)
+    # What all pens draw together says nothing of one: a sheet of one pen has no odds by pens.
+    total = sum(against.values()) + sum(for_edges.values())
+    usual = float(np.clip(sum(against.values()) / max(total, 1e-9), _RAREST, 1.0 - _RAREST))
+    return {
+        pen: log((against[pen] + _PRIOR * usual) / (for_edges[pen] + _PRIOR * (1.0 - usual)))
+        - log(usual / (1.0 - usual))
+        for pen in {*against, *for_edges}
+    }
+
+
+def _against(labelled: LabelledStrokes, number: int, pens: dict[Pen, float]) -> float:
+    """Log-odds against a stroke as an edge, but for what it meets."""
+    stroke, label = labelled.strokes[number], labelled.labels[number]
+    odds = float(np.clip(pens.get(stroke.pen, 0.0), -_PEN, _PEN))
+    odds += {Label.EXTENSION: _EXTENSION, Label.DIMENSION: _GOING_ON}.get(label, 0.0)
+    odds += _NAMED if stroke.role is StrokeRole.VISIBLE else 0.0
+    return odds + (_CURVED if stroke.is_round else 0.0)
