@@ -67,12 +67,6 @@ class VectorStroke:
     colour: Colour | None = None
     step: float = 0.0
 
-    @property
-    def is_solid(self) -> bool:
-        """Whether it is a line without gaps, as far as names and dashes tell."""
-        line = self.kind is not StrokeKind.FILL and not self.dashes
-        return line and self.role not in (StrokeRole.HIDDEN, StrokeRole.CENTRE)
-
 
 @dataclass(frozen=True)
 class VectorText:

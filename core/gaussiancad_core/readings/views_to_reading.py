@@ -152,7 +152,9 @@ def sheet_reading(
         ),
         projection=ReadProjection(
             value=lines.layout.projection.value,
-            source="symbol" if lines.layout.symbol else lines.layout.source,
+            source="symbol"
+            if lines.layout.symbol is lines.layout.projection
+            else lines.layout.source,
             alternatives=tuple(alternative.value for alternative in lines.layout.alternatives),
         ),
         unit=_unit(scale),

@@ -37,6 +37,9 @@ from gaussiancad_protocol.codes import Code
 _GIVEN, _SAID = 40.0, 4.0
 """Log-odds for the projection that the user says, and for that of the sheet's words or symbol."""
 
+_BY_LINES = 3.0
+"""Log-odds over the other projection from which the lines tell it."""
+
 _HABIT = 2.5
 """Log-odds for the projection of the standard by which a program names its layers."""
 
@@ -276,10 +279,13 @@ def _found(
     source: ProjectionSource = "default"
     if projection is not None:
         source = "given"
-    elif symbol is not None and symbol.projection is best.projection:
+    elif symbol is not None:
+        # Corners may overrule it: then the sheet contradicts itself, which is said.
         source = "inferred"
         marks.append(symbol.mark)
         layout = replace(layout, symbol=symbol.projection)
+    elif _is_told_by_lines(reading, best):
+        source = "inferred"
     alternatives = () if projection is not None else (best.projection.other,)
     layout = replace(layout, source=source, alternatives=alternatives)
     separated = SeparatedSheet(painted, tuple(marks), hatched, has_paper=drawing.has_paper)
@@ -290,6 +296,13 @@ def _found(
         layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
     doubtful = doubtful_lines(reading, best, scale)
     return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed)
+
+
+def _is_told_by_lines(reading: StrokeReading, best: Arrangement) -> bool:
+    """Whether the lines themselves tell the projection."""
+    ranking = reading.ranking
+    is_ranked = ranking is not None and ranking.best.projection is best.projection
+    return is_ranked and ranking is not None and ranking.other_projection >= _BY_LINES
 
 
 def _in_px(stroke: PaperStroke, to_px: Similarity, scale: float) -> VectorStroke:

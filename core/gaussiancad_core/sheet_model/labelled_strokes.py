@@ -23,7 +23,6 @@ class Label(Enum):
     DIMENSION = "dimension"
     EXTENSION = "extension"
     ARROW = "arrow"
-    CUTTING = "cutting"
     TEXT = "text"
     FRAME = "frame"
     TABLE = "table"

@@ -39,6 +39,9 @@ _CUT, _CUT_FRONT, _SLANTED = 4.0, 5.0, 4.0
 _NAMED = 5.0
 """Log-odds for a role that is a view's name, and against any other."""
 
+_SMALL_FRONT = 0.5
+"""Log-odds against a front view that is smaller than another one."""
+
 _USUAL_THIRD = 0.3
 """Log-odds for third angle where nobody says which."""
 
@@ -203,6 +206,7 @@ class _Search:
         odds = self.third_angle / 2.0 * (1.0 if is_third else -1.0)
         odds += _USUAL_THIRD if is_third else 0.0
         odds -= self._odd(front, _CUT_FRONT)
+        odds -= _SMALL_FRONT if front else 0.0
         odds += self._by_name(front, Role.FRONT)
         beam: list[tuple[float, dict[int, Placed]]] = [(odds, {front: Placed(Role.FRONT)})]
         for number, view in enumerate(self.views):
