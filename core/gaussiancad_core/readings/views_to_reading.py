@@ -45,6 +45,7 @@ from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
+from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_core.writing.dimension_texts import Span
 from gaussiancad_core.writing.note_texts import SheetNote
 from gaussiancad_core.writing.numbers import Sign
@@ -391,3 +392,8 @@ def _measured(dimension: ReadDimension, turn: Turn) -> Measured | None:
 def _circle(arc: Arc, turn: Turn) -> tuple[float, float, float]:
     (centre,) = stored_points([arc.centre], turn)
     return *centre, round(arc.radius * turn.scale, 4)
+
+
+def _projection_source(layout: Layout) -> Literal["given", "symbol", "inferred", "default"]:
+    """What told the projection: a symbol that the lines contradict did not."""
+    return "symbol" if layout.symbol is layout.projection else layout.source
