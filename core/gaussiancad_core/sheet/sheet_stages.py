@@ -1,11 +1,12 @@
 """The sheet's stages in order: image -> named views with strokes -> views on shared axes."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.geometry.points import box_around
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.length_units import LONGEST_MM, SHORTEST_MM
@@ -16,6 +17,7 @@ from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.picture_noise import ON_LINE
 from gaussiancad_core.sheet.reading_options import Box, ReadingOptions
+from gaussiancad_core.sheet.registration.face_outlines import outline_of_strokes
 from gaussiancad_core.sheet.registration.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.registration.shared_axes import share_axes
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource, precision_of
@@ -51,6 +53,9 @@ _MOST_STROKES = 3000
 _ALONE = 0.6
 """Gaps by which a line may be longer than its only dash: lines at its ends cover the rest."""
 
+
+_CHORD = 1.5
+"""px of the chords that stand for a curve at most."""
 
 Ring = tuple[tuple[float, float], ...]
 """Corners of a polygon."""
@@ -175,7 +180,10 @@ def read_views(
             (strokes, step), source = exact[role], StrokesSource.VECTOR
         else:
             strokes = classify_strokes(shapes[role], rhythm, pens)
-        outline = find_outline(sheet, box, supersampling)
+        if source is StrokesSource.VECTOR:
+            outline = _outline_of(strokes, supersampling)
+        else:
+            outline = find_outline(sheet, box, supersampling)
         this_view_box = box
         if outline is not None:
             if source is StrokesSource.RASTER:
@@ -185,6 +193,12 @@ def read_views(
         dash = None if is_given else rhythm.dash + _ALONE * rhythm.gap
         drawn.append(ReadView(role, this_view_box, strokes, outline, source, dash, step))
     return tuple(drawn)
+
+
+def _outline_of(strokes: Sequence[Stroke], supersampling: int) -> Outline | None:
+    """What the visible strokes of a file enclose; None where that is open."""
+    curves = [stroke.vertices(_CHORD) for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
+    return outline_of_strokes(curves, box_around(np.concatenate(curves)), supersampling)
 
 
 def _check_outline(view: ReadView) -> None:

@@ -235,10 +235,9 @@ def _regions(
     kept = [i for i in range(1, count) if stats[i, cv2.CC_STAT_AREA] > smallest]
     kept.sort(key=lambda i: -stats[i, cv2.CC_STAT_AREA])
     found = [_region(labels, i, stats[i], half) for i in kept]
-    areas = [_filled(mask) for mask, _ in found]
     return tuple(
-        Region(mask, corner, _parents(index, found, areas))
-        for index, (mask, corner) in enumerate(found)
+        Region(mask, corner, around)
+        for (mask, corner), around in zip(found, parents_of(found), strict=True)
     )
 
 
@@ -251,6 +250,16 @@ def _region(
     x1, y1 = int(stat[0] + stat[2]) + reach, int(stat[1] + stat[3]) + reach
     other = (labels[y0:y1, x0:x1] != label).astype(np.uint8)
     return cv2.distanceTransform(other, cv2.DIST_L2, 5) < half + 0.5, (x0, y0)
+
+
+def parents_of(found: list[tuple[Mask, tuple[int, int]]]) -> list[tuple[int, ...]]:
+    """The regions that go around each of some, innermost first.
+
+    Args:
+        found: masks of regions, and their corners.
+    """
+    areas = [_filled(mask) for mask, _ in found]
+    return [_parents(index, found, areas) for index in range(len(found))]
 
 
 def _parents(
