@@ -300,7 +300,8 @@ class _Search:
         key = one, along, other, other_along, turned
         if key not in self._agreed:
             levels = self._levels[one][along], self._levels[other][other_along]
-            self._agreed[key] = agreement(*levels, is_turned=turned)
+            in_line = along == other_along and self._begins_with(one, other, along)
+            self._agreed[key] = agreement(*levels, is_turned=turned, is_in_line=in_line)
         return self._agreed[key]
 
     def _begins_with(self, one: int, other: int, along: int) -> bool:

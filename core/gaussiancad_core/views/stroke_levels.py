@@ -43,6 +43,10 @@ _ENOUGH = 8.0
 _AGAINST, _FOR = -3.0, 5.0
 """Log-odds by levels at most, either way."""
 
+_UNRELATED = -1.2
+"""The same against views in line: where hidden lines are left out, many show other lines than their
+neighbours."""
+
 
 @dataclass(frozen=True, eq=False)
 class Levels:
@@ -98,13 +102,14 @@ def _levels(strokes: Sequence[PaperStroke], low: float, axis: int) -> tuple[Plac
     return distinct([*places, *lines]), distinct(lines)
 
 
-def agreement(one: Levels, other: Levels, *, is_turned: bool) -> float:
+def agreement(one: Levels, other: Levels, *, is_turned: bool, is_in_line: bool = False) -> float:
     """Log-odds that two views show one axis: by their extents, then by their levels; minus infinity
     where their extents are apart.
 
     Args:
         one, other: along that axis.
         is_turned: whether it runs the other way in one of them.
+        is_in_line: whether the views begin at one place along it.
     """
     near = _NEAR + _NEAR_SHARE * max(one.extent, other.extent) + max(one.rough, other.rough) / 2.0
     if abs(one.extent - other.extent) > _FARTHEST * near:
@@ -120,5 +125,5 @@ def agreement(one: Levels, other: Levels, *, is_turned: bool) -> float:
         hit = log(_SHOWN / chance) if chance < _SHOWN else 0.0
         odds = np.where(is_there, hit, log((1.0 - _SHOWN) / (1.0 - chance)))
         total = float(odds.sum()) * min(1.0, _ENOUGH / len(inner))
-        found += float(np.clip(total, _AGAINST, _FOR))
+        found += float(np.clip(total, _UNRELATED if is_in_line else _AGAINST, _FOR))
     return found
