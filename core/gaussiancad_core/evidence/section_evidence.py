@@ -153,6 +153,9 @@ def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[C
             for (depth, after), (start, end) in zip(pairwise(depths), pairwise(places), strict=True)
             if abs(after - depth) < abs(end - start)
         ]
+        if not runs:
+            # It runs along the way in which the section looks, and cuts nothing square to that.
+            continue
         if len(runs) == 1:
             yield CutRegion(runs[0][0])
             return
