@@ -153,9 +153,7 @@ def sheet_reading(
         ),
         projection=ReadProjection(
             value=lines.layout.projection.value,
-            source="symbol"
-            if lines.layout.symbol is lines.layout.projection
-            else lines.layout.source,
+            source=_projection_source(lines.layout),
             alternatives=tuple(alternative.value for alternative in lines.layout.alternatives),
         ),
         unit=_unit(scale),

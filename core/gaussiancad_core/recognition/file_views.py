@@ -34,8 +34,9 @@ from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import Arrangement, Placed, any_in_line, arranged_views
 from gaussiancad_protocol.codes import Code
 
-_GIVEN, _SAID = 40.0, 4.0
-"""Log-odds for the projection that the user says, and for that of the sheet's words or symbol."""
+_GIVEN, _SAID = 1e3, 4.0
+"""Log-odds for the projection that the user says, which nothing outvotes, and for that of the
+sheet's words or symbol."""
 
 _BY_LINES = 3.0
 """Log-odds over the other projection from which the lines tell it."""
@@ -101,9 +102,7 @@ def file_views(
     third = _third_angle(drawing, projection, symbol)
     symbols = [symbol.mark.box] if symbol is not None else []
     reading, scale = strokes_of_file(drawing, sheet, third, symbols)
-    reading, fixed = _with_given(
-        reading, {r: scaled_box(box, 1 / scale) for r, box in given.items()}
-    )
+    reading, fixed = _with_given(reading, given, scale)
     best = _best(reading, third, fixed, projection)
     if best is None:
         return None
@@ -195,9 +194,9 @@ def _third_angle(
 
 
 def _with_given(
-    reading: StrokeReading, given: Mapping[Role, Box]
+    reading: StrokeReading, given: Mapping[Role, Box], scale: float
 ) -> tuple[StrokeReading, dict[int, Role]]:
-    """The reading with one drawing in each box that the user named, and their roles.
+    """The reading with one drawing in each box, px, that the user named, and their roles.
 
     Raises:
         UsageError: a box holds no drawing.
@@ -205,7 +204,8 @@ def _with_given(
     views = list(reading.views)
     fixed = []
     for role, box in given.items():
-        inside = [view for view in views if _is_middle_in(view.box, box)]
+        around = scaled_box(box, 1.0 / scale)
+        inside = [view for view in views if _is_middle_in(view.box, around)]
         if not inside:
             raise UsageError(
                 Code.EMPTY_VIEW_BOX,

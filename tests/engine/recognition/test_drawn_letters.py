@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from engine.recognition.labels_of_files import reading_of
 
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
-from gaussiancad_core.model.axes import Projection
+from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.file_views import file_views
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
@@ -146,3 +147,11 @@ def test_drawn_numbers_are_read_unless_the_file_has_as_many_as_texts(
     read = {text.text for text in read_texts(sheet, views.separated.marks)}
     assert set(words) <= read
     assert ("100.0" in read) is not numbers
+
+
+def test_a_box_without_lines_is_told_in_the_users_own_px(tmp_path: Path) -> None:
+    image = read_sheet(_sheet(tmp_path / "plain.svg"))
+    assert image.vectors is not None
+    given = {Role.FRONT: (1.0, 1.0, 2.0, 2.0)}
+    with pytest.raises(UsageError, match="in the box 1,1,2,2"):
+        file_views(image.vectors, OpenedSheet(image), given, None, None)
