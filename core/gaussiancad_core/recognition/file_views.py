@@ -1,4 +1,4 @@
-"""The views of a sheet whose file tells its strokes, with nothing painted but what is looked at."""
+"""The views of a sheet whose file tells its strokes."""
 
 import re
 from collections.abc import Mapping, Sequence
