@@ -54,6 +54,8 @@ class DrawnView:
         name: what its title calls it, in small letters: a role's name, or ``pictorial``; empty
             where it has none.
         title: its title as written.
+        rough: mm by which places of it may be off, as it was painted or traced; 0 of what a file
+            tells.
     """
 
     box: Box
@@ -65,6 +67,7 @@ class DrawnView:
     kind: DrawingKind = DrawingKind.PLAIN
     name: str = ""
     title: str = ""
+    rough: float = 0.0
 
     @property
     def size(self) -> tuple[float, float]:

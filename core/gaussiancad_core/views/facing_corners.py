@@ -80,7 +80,7 @@ def _votes(view: DrawnView, neighbour: DrawnView, axis: int, *, faces_high: bool
     near = list(_open_places(view, axis, high=faces_high))
     far = list(_open_places(view, axis, high=not faces_high))
     through = [*_corners(neighbour, axis, high=True), *_corners(neighbour, axis, high=False)]
-    reach = _AT_PICTURE if is_painted(view) else _AT_EDGE
+    reach = _AT_PICTURE if is_painted(view) else _AT_EDGE + view.rough / 2.0
     chance = min(
         _MOST_BY_CHANCE, _BY_CHANCE + 2.0 * reach * len(seen) / max(neighbour.size[axis], 1.0)
     )

@@ -67,7 +67,7 @@ class Levels:
 
 def levels_of(view: DrawnView) -> tuple[Levels, Levels]:
     """The levels of a view across the sheet and down it."""
-    rough = _ROUGH if is_painted(view) else 0.0
+    rough = _ROUGH if is_painted(view) else view.rough
     strokes = (*view.edges, *view.hidden)
     across, down = (_levels(strokes, view.box[axis], axis) for axis in (0, 1))
     return Levels(view.size[0], *across, rough), Levels(view.size[1], *down, rough)
