@@ -30,14 +30,14 @@ from gaussiancad_core.hull.visual_hull import visual_hull
 from gaussiancad_core.kernel.brep import moved_to_origin, tessellate
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.meshes import TriangleMesh
+from gaussiancad_core.recognition.picture_layout import Stated, picture_layout
 from gaussiancad_core.run.exact_stage import find_exact
-from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.colouring import coloured
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, read_views, register_views
-from gaussiancad_core.sheet.views.role_score import Drawings, arrange
-from gaussiancad_core.sheet.views.sheet_layout import view_clusters
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
 from gaussiancad_protocol.modes import Preset, Recipe
@@ -119,9 +119,10 @@ def registered_of(part: Part) -> RegisteredSheet:
     """The part's clean sheet, drawn and read."""
     with tempfile.TemporaryDirectory() as folder:
         path = draw_clean(part.build(), Path(folder) / "sheet.png")
-        clean = clean_sheet(read_sheet(path).grey)
-    layout = arrange(Drawings(view_clusters(clean.ink, 0.0), clean.ink), {}, Projection.THIRD)
-    found = register_views(read_views(clean, layout), ReadingOptions())
+        sheet = OpenedSheet(read_sheet(path), 0)
+    bare = SeparatedSheet(sheet.clean, ())
+    layout = picture_layout(sheet, bare, Stated({}, Projection.THIRD))[1]
+    found = register_views(read_views(sheet.clean, layout), ReadingOptions())
     return replace(found, views=coloured(found.views, ReadingOptions().colour))
 
 

@@ -16,7 +16,14 @@ from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.recognition.file_layout import doubtful_lines, layout_of, scaled_box
+from gaussiancad_core.recognition.drawn_layout import (
+    chosen_views,
+    doubtful_lines,
+    layout_of,
+    scaled_box,
+    third_angle_odds,
+    with_projection,
+)
 from gaussiancad_core.recognition.stroke_reading import StrokeReading, read_strokes
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
@@ -26,20 +33,13 @@ from gaussiancad_core.sheet.special_views.cut_areas import cut_areas
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.vector_views.stroke_chains import with_whole_edges
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
-from gaussiancad_core.sheet.views.sheet_layout import Layout, ProjectionSource, may_be_views
+from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views
 from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
-from gaussiancad_core.views.role_search import Arrangement, Placed, any_in_line, arranged_views
+from gaussiancad_core.views.role_search import Arrangement
 from gaussiancad_protocol.codes import Code
-
-_GIVEN, _SAID = 1e3, 4.0
-"""Log-odds for the projection that the user says, which nothing outvotes, and for that of the
-sheet's words or symbol."""
-
-_BY_LINES = 3.0
-"""Log-odds over the other projection from which the lines tell it."""
 
 _HABIT = 2.5
 """Log-odds for the projection of the standard by which a program names its layers."""
@@ -99,11 +99,11 @@ def file_views(
     """
     if sheet.turn.angle:
         return None
-    third = _third_angle(drawing, projection, symbol)
+    third = third_angle_odds(projection, symbol, _usual(drawing))
     symbols = [symbol.mark.box] if symbol is not None else []
     reading, scale = strokes_of_file(drawing, sheet, third, symbols)
     reading, fixed = _with_given(reading, given, scale)
-    best = _best(reading, third, fixed, projection)
+    best = chosen_views(reading.views, reading.ranking, fixed, third)
     if best is None:
         return None
     upright = {number: placed for number, placed in best.placed.items() if not placed.turn}
@@ -150,24 +150,6 @@ def part_of_file(reading: StrokeReading, scale: float) -> VectorDrawing:
     return VectorDrawing((*with_whole_edges(edges), *hidden), ())
 
 
-def _best(
-    reading: StrokeReading,
-    third: float,
-    fixed: Mapping[int, Role],
-    projection: Projection | None,
-) -> Arrangement | None:
-    """The views in their roles: two and more that the user named are taken as they are."""
-    if len(fixed) > 1:
-        placed = {number: Placed(role) for number, role in fixed.items()}
-        return Arrangement(placed, projection or Projection.THIRD, 0.0)
-    ranking = arranged_views(reading.views, third, fixed) if fixed else reading.ranking
-    if ranking is None:
-        return None
-    boxes = [reading.views[number].box for number in ranking.best.placed]
-    # Where nothing is in line a layout of the file may bring the views together.
-    return ranking.best if len(boxes) == 1 or fixed or any_in_line(boxes) else None
-
-
 def _paper(drawing: VectorDrawing, sheet: OpenedSheet) -> PaperSheet:
     grey = sheet.image.grey
     paper = paper_of_file(drawing, sheet.shape, sheet.image.pixels_per_inch)
@@ -179,14 +161,8 @@ def _paper(drawing: VectorDrawing, sheet: OpenedSheet) -> PaperSheet:
     return replace(paper, paint=paint)
 
 
-def _third_angle(
-    drawing: VectorDrawing, projection: Projection | None, symbol: ProjectionSymbol | None
-) -> float:
-    """Log-odds for third angle by what the user, the sheet and its layers say."""
-    if projection is not None:
-        return _GIVEN if projection is Projection.THIRD else -_GIVEN
-    if symbol is not None:
-        return _SAID if symbol.projection is Projection.THIRD else -_SAID
+def _usual(drawing: VectorDrawing) -> float:
+    """Log-odds for third angle by the standards after which its program names layers."""
     layers = " ".join({stroke.layer for stroke in drawing.strokes})
     if _ISO.search(layers):
         return -_HABIT
@@ -275,19 +251,11 @@ def _found(
     texts = {text.box for text in drawing.texts}
     words = (scaled_box(box, scale) for box in reading.words)
     marks += [Mark(AnnotationKind.TEXT, box) for box in words if box not in texts]
-    layout = layout_of(reading, best, hatched, scale)
-    source: ProjectionSource = "default"
-    if projection is not None:
-        source = "given"
-    elif symbol is not None:
-        # Corners may overrule it: then the sheet contradicts itself, which is said.
-        source = "inferred"
+    boxes = [scaled_box(view.box, scale) for view in reading.views]
+    layout = layout_of(reading.views, boxes, best, hatched)
+    layout = with_projection(layout, reading.ranking, projection, symbol)
+    if symbol is not None and projection is None:
         marks.append(symbol.mark)
-        layout = replace(layout, symbol=symbol.projection)
-    elif _is_told_by_lines(reading, best):
-        source = "inferred"
-    alternatives = () if projection is not None else (best.projection.other,)
-    layout = replace(layout, source=source, alternatives=alternatives)
     separated = SeparatedSheet(painted, tuple(marks), hatched, has_paper=drawing.has_paper)
     is_all = drawing.complete and not may_be_views(layout.left_out)
     area = reading.area
@@ -296,13 +264,6 @@ def _found(
         layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
     doubtful = doubtful_lines(reading, best, scale)
     return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed)
-
-
-def _is_told_by_lines(reading: StrokeReading, best: Arrangement) -> bool:
-    """Whether the lines themselves tell the projection."""
-    ranking = reading.ranking
-    is_ranked = ranking is not None and ranking.best.projection is best.projection
-    return is_ranked and ranking is not None and ranking.other_projection >= _BY_LINES
 
 
 def _in_px(stroke: PaperStroke, to_px: Similarity, scale: float) -> VectorStroke:

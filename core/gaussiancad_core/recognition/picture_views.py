@@ -9,6 +9,7 @@ import numpy.typing as npt
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.recognition.picture_layout import Stated, picture_layout
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.deskew import Turn
@@ -20,11 +21,8 @@ from gaussiancad_core.sheet.labels.labels_network import InkLabels, ink_labels, 
 from gaussiancad_core.sheet.labels.plain_labels import plain_labels
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.pictorial_alone import as_pictorial
-from gaussiancad_core.sheet.special_views.principal_views import LayoutRequest
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.views.sheet_layout import Layout
-from gaussiancad_core.sheet.views.view_search import STUB, arranged, lone_view, with_symbol
-from gaussiancad_core.writing.captions import captions_of
 from gaussiancad_core.writing.sheet_scale import read_texts
 from gaussiancad_core.writing.sheet_texts import SheetText
 from gaussiancad_protocol.codes import Code
@@ -76,23 +74,20 @@ def picture_views(
     seen = replace(clean, hidden_odds=labels.hidden_odds()) if problem is None else clean
     separated = separate_by_labels(seen, labels, _upright_tint(sheet.image.tint, sheet.turn))
     texts = read_texts(sheet, separated.marks)
-    stated_projection = symbol.projection if symbol else projection
-    request = LayoutRequest(
-        given,
-        stated_projection,
-        STUB * separated.part.stroke_width,
-        captions=() if given else captions_of(texts),
-    )
     try:
-        found = arranged(sheet, separated, request)
+        found = picture_layout(sheet, separated, Stated(given, projection, symbol, texts))
     except NoModelError as error:
-        alone = None
-        if error.code == Code.ONE_VIEW and not given:
-            alone = lone_view(sheet, separated, replace(request, captions=()))
-        if alone is None:
-            raise as_pictorial(error, separated) from error
-        found = alone
-    return PictureViews(*with_symbol(*found, symbol), texts, problem)
+        raise as_pictorial(error, separated) from error
+    return PictureViews(*_with_symbol(*found, symbol), texts, problem)
+
+
+def _with_symbol(
+    separated: SeparatedSheet, layout: Layout, symbol: ProjectionSymbol | None
+) -> tuple[SeparatedSheet, Layout]:
+    """The same with the place of the projection symbol, where there is one."""
+    if symbol is None:
+        return separated, layout
+    return replace(separated, marks=(*separated.marks, symbol.mark)), layout
 
 
 def _check_pieces(ink: npt.NDArray[np.bool_]) -> None:

@@ -9,7 +9,6 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from gaussiancad_core.model.axes import Role
-
 from gaussiancad_core.sheet_model.paper_sheet import PaperText
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 
@@ -128,7 +127,10 @@ def _given(
     for side in (-1.0, 1.0, 0.0):
         away = np.array([[_away(text, view, side) for view in views] for _, text in names])
         rows, columns = linear_sum_assignment(np.minimum(away, _FAR))
-        pairs = [(r, c) for r, c in zip(rows, columns, strict=True) if away[r, c] < _REACH]
+        # Several names, all on one side of their drawings, are no matter of distance.
+        together = side != 0.0 and len(names) > 1 and bool((away[rows, columns] < inf).all())
+        reach = inf if together and len(rows) == len(names) else _REACH
+        pairs = [(r, c) for r, c in zip(rows, columns, strict=True) if away[r, c] < reach]
         total = sum(float(away[pair]) for pair in pairs)
         tried.append((-len(pairs), side == 0.0, total, pairs))
     pairs = min(tried)[-1]

@@ -92,7 +92,7 @@ def _votes(view: DrawnView, neighbour: DrawnView, axis: int, *, faces_high: bool
             if not _has(through, place):
                 is_seen = float(np.abs(seen - place).min()) < reach
                 total += sign * (hit if is_seen else miss)
-    return total * (_WEIGHT_OF_PICTURE if is_painted(view) else _WEIGHT)
+    return total * (_WEIGHT_OF_PICTURE if is_painted(view) or view.rough else _WEIGHT)
 
 
 def _has(places: list[float], place: float) -> bool:

@@ -39,7 +39,7 @@ _CUT, _CUT_FRONT, _SLANTED = 4.0, 5.0, 4.0
 _NAMED = 5.0
 """Log-odds for a role that is a view's name, and against any other."""
 
-_SMALL_FRONT = 0.5
+_SMALL_FRONT = 1.0
 """Log-odds against a front view that is smaller than another one."""
 
 _USUAL_THIRD = 0.3

@@ -25,6 +25,9 @@ _ROUGH = 0.45
 _FARTHEST = 1.6
 """Difference of two extents at most, in what places differ by."""
 
+_FARTHER, _LONGER = 3.0, 2.0
+"""The same more, per mm that places are rough; log-odds against each of these."""
+
 _EXTENT = 3.0
 """Log-odds for two views that are as long as each other."""
 
@@ -39,6 +42,9 @@ _SHOWN, _MOST_BY_CHANCE = 0.75, 0.9
 
 _ENOUGH = 8.0
 """Lines beyond which more say no more."""
+
+_WEIGHT_OF_ROUGH = 0.4
+"""Share of these log-odds that count where places are rough: they are off together."""
 
 _AGAINST, _FOR = -3.0, 5.0
 """Log-odds by levels at most, either way."""
@@ -112,9 +118,11 @@ def agreement(one: Levels, other: Levels, *, is_turned: bool, is_in_line: bool =
         is_in_line: whether the views begin at one place along it.
     """
     near = _NEAR + _NEAR_SHARE * max(one.extent, other.extent) + max(one.rough, other.rough) / 2.0
-    if abs(one.extent - other.extent) > _FARTHEST * near:
+    apart = abs(one.extent - other.extent) / near
+    rough = max(one.rough, other.rough)
+    if apart > _FARTHEST + _FARTHER * rough:
         return -inf
-    found = _EXTENT
+    found = _EXTENT - _LONGER * max(0.0, apart - _FARTHEST)
     for lines, places in ((one.lines, other.places), (other.lines, one.places)):
         inner = lines[(lines > 3.0 * near) & (lines < one.extent - 3.0 * near)]
         if not len(inner) or not len(places):
@@ -125,5 +133,6 @@ def agreement(one: Levels, other: Levels, *, is_turned: bool, is_in_line: bool =
         hit = log(_SHOWN / chance) if chance < _SHOWN else 0.0
         odds = np.where(is_there, hit, log((1.0 - _SHOWN) / (1.0 - chance)))
         total = float(odds.sum()) * min(1.0, _ENOUGH / len(inner))
+        total *= _WEIGHT_OF_ROUGH if rough else 1.0
         found += float(np.clip(total, _UNRELATED if is_in_line else _AGAINST, _FOR))
     return found

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 import pytest
+from engine.sheet.layouts_drawn import drawn_layout
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.drawing.degrade import finished
@@ -25,8 +26,7 @@ from gaussiancad_core.sheet.sheet_stages import (
     read_views,
     register_views,
 )
-from gaussiancad_core.sheet.views.role_score import Drawings, arrange
-from gaussiancad_core.sheet.views.sheet_layout import Layout, view_clusters
+from gaussiancad_core.sheet.views.sheet_layout import Layout
 from sample_parts import sample
 
 Point = tuple[float, float]
@@ -233,7 +233,7 @@ def _drawn(part: str, style: str, views: str, projection: str) -> Sheet:
 def _read(part: str, style: str, views: str, projection: str) -> ReadCase:
     sheet = _drawn(part, style, views, projection)
     clean = clean_sheet(_grey(sheet.image))
-    layout = arrange(Drawings(view_clusters(clean.ink, 0.0), clean.ink), {}, sheet.projection)
+    layout = drawn_layout(sheet, clean)
     found = read_views(clean, layout)
     return ReadCase(sheet, clean, layout, found, register_views(found, ReadingOptions()))
 

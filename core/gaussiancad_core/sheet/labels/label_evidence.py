@@ -12,6 +12,10 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.points import FULL_TURN, to_point
+from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Stroke
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
 from gaussiancad_core.sheet.labels.ink_classes import PART, Evidence, InkClass
@@ -58,6 +62,7 @@ class LabelledLine:
             decided.
         confidence: 0 to 1, how sure that is.
         why: what decided.
+        curve: px, of a straight one and of a piece of a circle; None of what is neither.
     """
 
     points: Floats
@@ -67,6 +72,7 @@ class LabelledLine:
     margin: float
     confidence: float
     why: Evidence
+    curve: LineSegment | CircularArc | None = None
 
     @property
     def is_part(self) -> bool:
@@ -90,7 +96,7 @@ def labelled_lines(
         labelled: the pieces of each.
     """
     return tuple(
-        _line(points_along(shape.geometry, piece.run.run, COARSE_STEP) + _CENTRE, piece)
+        _line(shape, piece)
         for shape, pieces in zip(shapes, labelled, strict=True)
         for piece in pieces
     )
@@ -120,7 +126,8 @@ def labelled_curves(
     return tuple(found)
 
 
-def _line(points: Floats, piece: LabelledRun) -> LabelledLine:
+def _line(shape: InkedShape, piece: LabelledRun) -> LabelledLine:
+    points = points_along(shape.geometry, piece.run.run, COARSE_STEP) + _CENTRE
     margin = piece.margin if piece.is_part else -piece.margin
     # Near a tie its ink tells nothing, whatever speaks for the decision beside it.
     stated = abs(margin) * log_odds_factor()
@@ -133,7 +140,17 @@ def _line(points: Floats, piece: LabelledRun) -> LabelledLine:
         margin,
         _share(stated),
         piece.why,
+        _curve(shape, piece, points),
     )
+
+
+def _curve(shape: InkedShape, piece: LabelledRun, points: Floats) -> LineSegment | CircularArc:
+    geometry, run = shape.geometry, piece.run.run
+    if isinstance(geometry, Line):
+        return LineSegment(to_point(points[0]), to_point(points[-1]))
+    (x, y), radius = geometry.centre, geometry.radius
+    sweep = min(run.length / radius, FULL_TURN)
+    return CircularArc((x + _CENTRE, y + _CENTRE), radius, run.start / radius, sweep)
 
 
 @dataclass(frozen=True, eq=False)

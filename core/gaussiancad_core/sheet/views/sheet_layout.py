@@ -64,17 +64,6 @@ def view_clusters(
     return [_without_stubs(box, ink, stub_width) for box in find_clusters(ink, has_paper=has_paper)]
 
 
-def lone_layout(clusters: list[Box], projection: Projection | None) -> Layout | None:
-    """The layout of a sheet of one view, which is called the front view; None where there are more
-    clusters as large as views."""
-    large = may_be_views(clusters)
-    if len(large) != 1:
-        return None
-    rest = tuple(box for box in clusters if box != large[0])
-    source: ProjectionSource = "default" if projection is None else "given"
-    return Layout({Role.FRONT: large[0]}, projection or Projection.THIRD, source, (), rest)
-
-
 def may_be_views(clusters: Iterable[Box]) -> list[Box]:
     """Those of some clusters that are as large as a view is at least, both ways."""
     return [box for box in clusters if min(_width(box), _height(box)) >= SMALLEST_VIEW]

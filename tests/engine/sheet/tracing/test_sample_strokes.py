@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from engine.sheet.layouts_drawn import drawn_layout
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.drawn_sheet import compose_sheet, draw_sheet, part_lines
@@ -18,8 +19,6 @@ from gaussiancad_core.sheet.image.clean_ink import clean_sheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.sheet_stages import read_views
-from gaussiancad_core.sheet.views.role_score import Drawings, arrange
-from gaussiancad_core.sheet.views.sheet_layout import view_clusters
 from sample_parts.classed import PartClass, classed_part
 
 Read = Callable[..., Any]
@@ -70,7 +69,7 @@ def _view(part: TopoDS_Shape, role: Role, grey: Grey) -> tuple[list[Stroke], lis
     """The strokes of a part's view as they were drawn, and as read from a clean sheet."""
     sheet = draw_sheet(part, VIEWS, Projection.THIRD, PRESETS["clean"])
     clean = clean_sheet(grey(sheet.image))
-    layout = arrange(Drawings(view_clusters(clean.ink, 0.0), clean.ink), {}, Projection.THIRD)
+    layout = drawn_layout(sheet, clean)
     found = next(view for view in read_views(clean, layout) if view.role is role)
     drawn = next(view for view in sheet.views if view.role is role)
     return list(as_plain_strokes(drawn.strokes)), list(found.strokes)
