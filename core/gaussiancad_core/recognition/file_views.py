@@ -24,6 +24,7 @@ from gaussiancad_core.recognition.drawn_layout import (
     third_angle_odds,
     with_projection,
 )
+from gaussiancad_core.recognition.shaded_views import ShadedViews, shaded_views
 from gaussiancad_core.recognition.stroke_reading import StrokeReading, read_strokes
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
@@ -68,6 +69,7 @@ class FileViews:
         doubtful: boxes in px of lines that run from edge to edge and are no edges for their pen.
         is_all: whether no other drawing, and no picture, lies beside the views.
         frame_guessed: whether the layout's frame may as well be the part's outline.
+        shaded: views that are shaded pictures; None where none is.
     """
 
     separated: SeparatedSheet
@@ -76,6 +78,7 @@ class FileViews:
     doubtful: tuple[Box, ...] = ()
     is_all: bool = False
     frame_guessed: bool = False
+    shaded: ShadedViews | None = None
 
 
 def file_views(
@@ -263,7 +266,8 @@ def _found(
     if area.is_framed and not drawing.has_paper:
         layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
     doubtful = doubtful_lines(reading, best, scale)
-    return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed)
+    shaded = shaded_views(reading, best, sheet, scale)
+    return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed, shaded)
 
 
 def _in_px(stroke: PaperStroke, to_px: Similarity, scale: float) -> VectorStroke:

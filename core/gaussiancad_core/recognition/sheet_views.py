@@ -9,6 +9,7 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.file_views import FileViews, file_views
 from gaussiancad_core.recognition.picture_views import picture_views
+from gaussiancad_core.recognition.shaded_views import ShadedViews
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
@@ -33,6 +34,7 @@ class SheetViews:
         labels_problem: why a picture was read without the labels network; None where it was not.
         other_pens: boxes in px of strokes in other pens than the part's that may be its own.
         frame_guessed: whether the layout's frame may as well be the part's outline.
+        shaded: views that a file has as shaded pictures; None where there are none.
     """
 
     separated: SeparatedSheet
@@ -42,6 +44,7 @@ class SheetViews:
     labels_problem: Message | None = None
     other_pens: tuple[Box, ...] = ()
     frame_guessed: bool = False
+    shaded: ShadedViews | None = None
 
 
 def sheet_views(
@@ -146,4 +149,5 @@ def _of_strokes(found: FileViews) -> SheetViews:
         found.vectors,
         other_pens=found.doubtful,
         frame_guessed=found.frame_guessed,
+        shaded=found.shaded,
     )

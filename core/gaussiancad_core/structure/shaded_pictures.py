@@ -25,8 +25,9 @@ _SMALLEST, _LARGEST = 20.0, 0.5
 _LEAST = 15.0
 """mm^2 of a figure in it at least."""
 
-_CORNER_PX, _LINE_PX = 1.2, 3
-"""px by which an outline may run beside a figure's; width at which lines over it are taken off."""
+_CORNER_PX, _LINE_PX, _WIDE_PX = 1.2, 3, 7
+"""px by which an outline may run beside a figure's; width at which lines over it are taken off,
+and that no line has."""
 
 _LINE = 0.12
 """mm from the middle of the line that is painted around a figure to its outer side."""
@@ -37,7 +38,7 @@ _AROUND = 0.6
 _DRAWN = 0.97
 """Share of a figure's width and height that edges span where the file draws it itself."""
 
-_OVER = (
+OVER = (
     Label.DIMENSION,
     Label.EXTENSION,
     Label.CENTRE,
@@ -45,6 +46,7 @@ _OVER = (
     Label.TEXT,
     Label.OTHER,
 )
+"""What is drawn over pictures and does not belong to them."""
 
 
 def with_picture_outlines(
@@ -60,7 +62,7 @@ def with_picture_outlines(
     if sheet.paint is None or not sheet.pictures:
         return labelled
     edges = labelled.of(Label.EDGE)
-    over = labelled.of(*_OVER)
+    over = labelled.of(*OVER)
     found: list[PaperStroke] = []
     for box in sheet.pictures:
         frame = shapely.box(*box)
@@ -88,11 +90,14 @@ def _figures(sheet: PaperSheet, box: Box, over: Sequence[PaperStroke]) -> Iterat
         return
     scale = sheet.px_per_mm
     mask = (grey < _WHITE).astype(np.uint8)
+    # What is wider than lines is shaded, whatever is drawn over it.
+    wide = cv2.morphologyEx(mask, cv2.MORPH_OPEN, np.ones((_WIDE_PX, _WIDE_PX), np.uint8))
     frame = shapely.box(*box)
     for stroke in over:
         if frame.intersects(shapely.box(*stroke.box)):
             places = np.rint((stroke.points - np.array(box[:2])) * scale - 0.5).astype(np.int32)
             cv2.polylines(mask, [places], False, 0, _LINE_PX)
+    mask |= wide
     corner = np.floor(np.array(box[:2]) * scale + 0.5) / scale
     for contour in cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]:
         if cv2.contourArea(contour) < _LEAST * scale * scale:

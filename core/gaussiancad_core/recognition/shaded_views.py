@@ -1,0 +1,127 @@
+"""Views that a file has as shaded pictures: their lines, traced where they were drawn.
+
+The outline of the shading tells where such a view is, and stands for it where no lines were drawn,
+or these do not close.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+import shapely
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.model.axes import Role
+from gaussiancad_core.recognition.stroke_reading import StrokeReading
+from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.image.valley_lines import valley_sheet
+from gaussiancad_core.sheet.reading_options import Box
+from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
+from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_core.sheet.votes import HALF
+from gaussiancad_core.structure.shaded_pictures import OVER
+from gaussiancad_core.views.role_search import Arrangement
+from gaussiancad_core.views.stroke_levels import is_painted
+
+_AROUND = 3.0
+"""px around a view's box in which its ink is traced."""
+
+_ENCLOSED = 0.95
+"""Share of the shading that traced lines enclose at least, where they tell a view."""
+
+_BESIDE, _STEP = 3.0, 1.0
+"""px from an outline from which a line is none of it, and between the points that tell that."""
+
+
+@dataclass(frozen=True, eq=False)
+class ShadedViews:
+    """Views that are shaded pictures.
+
+    Attributes:
+        sheet: the ink of their lines.
+        areas: px^2 of the shading of each.
+    """
+
+    sheet: CleanSheet
+    areas: Mapping[Role, float]
+
+
+def shaded_views(
+    reading: StrokeReading, best: Arrangement, sheet: OpenedSheet, scale: float
+) -> ShadedViews | None:
+    """The views of a file that are shaded pictures; None where there are none.
+
+    Args:
+        reading: of the file.
+        best: its views in their roles.
+        sheet: that, upright as stored.
+        scale: px per mm.
+    """
+    painted = {
+        placed.role: reading.views[number]
+        for number, placed in best.placed.items()
+        if is_painted(reading.views[number])
+    }
+    if not painted:
+        return None
+    rings = [
+        [np.array(part.exterior.coords) * scale for part in shapely.get_parts(view.outline)]
+        for view in painted.values()
+    ]
+    over = [stroke.points * scale for stroke in reading.labelled.of(*OVER)]
+    ink = valley_sheet(sheet.image.grey, rings, over, sheet.turn)
+    areas = {role: float(view.outline.area) * scale**2 for role, view in painted.items()}
+    return ShadedViews(ink, areas) if ink.ink.any() else None
+
+
+def with_traced_lines(
+    drawn: tuple[ReadView, ...], layout: Layout, shaded: ShadedViews | None
+) -> tuple[ReadView, ...]:
+    """The views, shaded ones by their traced lines where these close.
+
+    Args:
+        drawn: the views of a file, shaded ones by their outlines.
+        layout: where they are.
+        shaded: those that are; None where none is.
+    """
+    if shaded is None:
+        return drawn
+    boxes = {role: _around(layout.boxes[role]) for role in shaded.areas if role in layout.boxes}
+    traced = {view.role: view for view in read_views(shaded.sheet, replace(layout, boxes=boxes))}
+    return tuple(
+        _with_lines(view, traced[view.role], shaded.areas[view.role])
+        if view.role in traced
+        else view
+        for view in drawn
+    )
+
+
+def _with_lines(view: ReadView, traced: ReadView, area: float) -> ReadView:
+    """A shaded view by its traced lines where these enclose it; else its outline with those within.
+
+    Args:
+        view: its outline.
+        traced: its lines.
+        area: px^2 of its shading.
+    """
+    if traced.outline is not None and _area(traced) > _ENCLOSED * area:
+        return traced
+    along = cKDTree(np.concatenate([stroke.sample(_STEP) for stroke in view.strokes]))
+    within = [
+        stroke
+        for stroke in traced.strokes
+        if (along.query(stroke.sample(_STEP))[0] > _BESIDE).mean() > HALF
+    ]
+    return replace(view, strokes=(*view.strokes, *within))
+
+
+def _area(view: ReadView) -> float:
+    """px^2 that a view's outline encloses, holes too."""
+    outline = view.closed
+    return float((outline.depth > 0.0).sum()) / outline.supersampling**2
+
+
+def _around(box: Box) -> Box:
+    x0, y0, x1, y1 = box
+    return x0 - _AROUND, y0 - _AROUND, x1 + _AROUND, y1 + _AROUND
