@@ -65,6 +65,9 @@ _ROUND, _FLAT = 0.05, 1e-3
 """mm within which the ends of strokes lie on one circle; product of their spreads along and across
 in the square of the sum, under which they are in line."""
 
+_MAY_WRITE = (StrokeRole.OTHER, StrokeRole.UNKNOWN)
+"""What strokes stand for by their names of which letters may be drawn."""
+
 _CONCENTRIC = 0.05
 """mm within which arcs have one middle."""
 
@@ -137,7 +140,7 @@ def _by_pen(labelled: LabelledStrokes) -> Iterable[list[int]]:
     of_pen: dict[object, list[int]] = {}
     for number in labelled.numbers(Label.OPEN):
         stroke = labelled.strokes[number]
-        if stroke.dashes or stroke.role is StrokeRole.VISIBLE or stroke.size > _TALLEST:
+        if stroke.dashes or stroke.role not in _MAY_WRITE or stroke.size > _TALLEST:
             continue
         if stroke.length <= _LONGEST * _TALLEST:
             of_pen.setdefault(stroke.pen, []).append(number)
