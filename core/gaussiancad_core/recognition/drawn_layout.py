@@ -35,6 +35,9 @@ sheet's words or symbol."""
 _BY_LINES = 3.0
 """Log-odds over the other projection from which the lines tell it."""
 
+_SURE = 4.6
+"""Log-odds from which views belong together that stand in line with none: a hundred to one."""
+
 _MEETS = 0.1
 """mm within which a line ends at an edge."""
 
@@ -138,8 +141,8 @@ def chosen_views(
 ) -> Arrangement | None:
     """The views in their roles; nothing where the drawings tell none.
 
-    Two and more that the user named are taken as they are.  Where no two are in line all drawings
-    as large as views have to belong together.
+    Two and more that the user named are taken as they are.  Where no two are in line they have to
+    be sure by what they show.
 
     Args:
         views: the drawings of the sheet.
@@ -155,7 +158,8 @@ def chosen_views(
     if ranking is None:
         return None
     boxes = [views[number].box for number in ranking.best.placed]
-    return ranking.best if len(boxes) == 1 or fixed or any_in_line(boxes) else None
+    is_sure = ranking.best.odds >= _SURE or fixed
+    return ranking.best if len(boxes) == 1 or is_sure or any_in_line(boxes) else None
 
 
 def _other_parts(views: Sequence[DrawnView], rest: Sequence[int], least: float) -> list[list[int]]:

@@ -102,7 +102,7 @@ def picture_layout(
         raise no_views(large)
     boxes = chosen.drawings.boxes
     layout = layout_of(chosen.drawings.views, boxes, chosen.best, separated.hatched)
-    if not stated.given:
+    if len(stated.given) < 2:
         _check_size(layout, large)
     layout = with_projection(layout, chosen.ranking, stated.projection, stated.symbol)
     return separated, _with_names(layout, separated, pieced)

@@ -7,7 +7,7 @@ from math import tau
 import numpy as np
 import pytest
 from engine.recognition.labels_of_files import labels_of, reading_of
-from gaussiancad_core.recognition.file_layout import doubtful_lines
+from gaussiancad_core.recognition.drawn_layout import doubtful_lines
 
 from gaussiancad_core.files.vectors import (
     StrokeKind,
