@@ -5,7 +5,7 @@ length, a centre line where long and short ones take turns (ISO 128-2).
 """
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -45,8 +45,12 @@ _ALIKE, _ALIKE_OF_THREE, _LONGEST_OF_THREE = 1.5, 1.3, 6.0
 """The longest dash of a hidden line in its shortest at most; where there are but three, and mm that
 these have at most."""
 
-_RING_PIECE, _RING_LOOSE = 5.0, 0.08
-"""mm of a dash of a circle at most, and to what is next to its ends at least."""
+_LOOSE, _LEAST_FREE = 0.08, 0.5
+"""mm from the ends of a dash to those of others at least, for it to touch nothing; share of the
+dashes of a line that touch nothing at either end."""
+
+_RING_PIECE = 5.0
+"""mm of a dash of a circle at most."""
 
 _RING_NEAR, _RING_NEIGHBOURS = 8.0, 6
 """mm within which a dash's neighbours are asked, and how many of them."""
@@ -68,11 +72,12 @@ _RING_SHOWN, _RING_OPEN = 0.6, 3.0
 def with_dashed_lines(labelled: LabelledStrokes) -> LabelledStrokes:
     """The strokes with whole lines and circles in place of dashes that nothing is said of yet."""
     is_open = [n for n in labelled.numbers(Label.OPEN) if not labelled.strokes[n].dashes]
-    pieces, lines = _lines(labelled.strokes, is_open)
+    loose = set(_loose(labelled.strokes, is_open))
+    pieces, lines = _lines(labelled.strokes, is_open, loose)
     rest = [
         number
         for number in is_open
-        if number not in pieces and labelled.strokes[number].length < _RING_PIECE
+        if number in loose - pieces and labelled.strokes[number].length < _RING_PIECE
     ]
     ring_pieces, rings = _rings(labelled.strokes, rest)
     reason = "dash of a line or circle"
@@ -94,9 +99,13 @@ class _Dash:
 
 
 def _lines(
-    strokes: Sequence[PaperStroke], numbers: Sequence[int]
+    strokes: Sequence[PaperStroke], numbers: Sequence[int], loose: Set[int]
 ) -> tuple[set[int], list[PaperStroke]]:
-    """Numbers of dashes, and the lines that they are."""
+    """Numbers of dashes, and the lines that they are.
+
+    Edges of a comb are in line at even gaps, too: unless their file names them, most dashes touch
+    nothing at either end.
+    """
     by_way = defaultdict(list)
     for number in numbers:
         stroke = strokes[number]
@@ -113,7 +122,8 @@ def _lines(
         along = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
         for row in _rows(strokes, alike, along):
             kind = role if is_named and len(row) >= fewest else _rhythm(row)
-            if kind is not None:
+            free = sum(dash.number in loose for dash in row)
+            if kind is not None and (is_named or free > _LEAST_FREE * len(row)):
                 pieces |= {dash.number for dash in row}
                 found.append(_whole(strokes[row[0].number], row, along, kind))
     return pieces, found
@@ -185,9 +195,8 @@ def _rings(
     """Numbers of short pieces, and the circles that they are the dashes of."""
     pieces: list[int] = []
     found = []
-    loose = _loose(strokes, numbers)
-    for pen in dict.fromkeys(strokes[number].pen for number in loose):
-        alike = [number for number in loose if strokes[number].pen == pen]
+    for pen in dict.fromkeys(strokes[number].pen for number in numbers):
+        alike = [number for number in numbers if strokes[number].pen == pen]
         if _RING_FEWEST <= len(alike) <= _RING_MOST:
             for members, ring in _rings_of(strokes, alike):
                 pieces += members
@@ -197,10 +206,10 @@ def _rings(
 
 def _loose(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> list[int]:
     """Those that nothing touches at either end."""
-    if len(numbers) < _RING_FEWEST:
+    if not numbers:
         return []
     ends = np.concatenate([strokes[number].ends for number in numbers])
-    is_free = (cKDTree(ends).query(ends, k=2)[0][:, 1] > _RING_LOOSE).reshape(-1, 2).all(axis=1)
+    is_free = (cKDTree(ends).query(ends, k=2)[0][:, 1] > _LOOSE).reshape(-1, 2).all(axis=1)
     return [number for number, free in zip(numbers, is_free, strict=True) if free]
 
 
