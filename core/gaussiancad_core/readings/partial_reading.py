@@ -3,7 +3,7 @@
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.views import Linetype, Stroke
-from gaussiancad_core.recognition.file_views import part_of_file, strokes_of_file
+from gaussiancad_core.recognition.file_views import strokes_of_file
 from gaussiancad_core.recognition.views_and_lines import SheetLines, in_worked_px
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
@@ -34,15 +34,14 @@ def partial_lines(job: Job, sheet: OpenedSheet) -> SheetLines:
 
 def _file_strokes(sheet: OpenedSheet) -> tuple[Stroke, ...]:
     """The lines of the part, where the file tells them."""
-    drawing = sheet.image.vectors
-    if drawing is None or sheet.turn.angle:
+    file = strokes_of_file(sheet)
+    if file is None:
         return ()
-    part = part_of_file(*strokes_of_file(drawing, sheet))
     strokes = [
         stroke_along(
             stroke.curve,
             Linetype.HIDDEN if stroke.role is StrokeRole.HIDDEN else Linetype.VISIBLE,
         )
-        for stroke in part.strokes
+        for stroke in file.part.strokes
     ]
     return tuple(stroke for stroke in strokes if stroke is not None)

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +30,7 @@ from gaussiancad_core.recognition.stroke_reading import StrokeReading, read_stro
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.clean_ink import painted_sheet
+from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.special_views.cut_areas import cut_areas
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
@@ -37,7 +39,7 @@ from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views
 from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
-from gaussiancad_core.structure.arrowheads import Head
+from gaussiancad_core.structure.arrowheads import Head, arrowheads
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import Arrangement
 from gaussiancad_protocol.codes import Code
@@ -81,9 +83,61 @@ class FileViews:
     shaded: ShadedViews | None = None
 
 
-def file_views(
-    drawing: VectorDrawing,
+@dataclass(frozen=True, eq=False)
+class FileStrokes:
+    """A file, and what its strokes stand for.
+
+    Attributes:
+        drawing: of the file, px of the upright sheet.
+        sheet: that.
+        reading: mm of paper.
+        scale: px per mm.
+        third: log-odds for third angle by what the user and the sheet say.
+    """
+
+    drawing: VectorDrawing
+    sheet: OpenedSheet
+    reading: StrokeReading
+    scale: float
+    third: float = 0.0
+
+    @cached_property
+    def part(self) -> VectorDrawing:
+        """The part's strokes, px: whole visible edges, and hidden ones."""
+        labelled, to_px = self.reading.labelled, Similarity(self.scale)
+        edges = [_in_px(stroke, to_px, self.scale) for stroke in labelled.of(Label.EDGE)]
+        hidden = [_in_px(stroke, to_px, self.scale) for stroke in labelled.of(Label.HIDDEN)]
+        return VectorDrawing((*with_whole_edges(edges), *hidden), ())
+
+
+def strokes_of_file(
     sheet: OpenedSheet,
+    projection: Projection | None = None,
+    symbol: ProjectionSymbol | None = None,
+) -> FileStrokes | None:
+    """What the strokes of a sheet's file stand for; None of a picture.
+
+    Args:
+        sheet: as stored and upright.
+        projection: as told by the user, or nothing.
+        symbol: of the sheet, where it has one.
+    """
+    if sheet.image.vectors is None:
+        return None
+    drawing = _upright(sheet.image.vectors, sheet.turn)
+    paper = _paper(drawing, sheet)
+    scale = paper.px_per_mm
+    heads = [
+        Head((head.tip[0] / scale, head.tip[1] / scale), head.way, head.length / scale)
+        for head in (arrowheads(drawing.strokes) if sheet.turn.angle else sheet.heads)
+    ]
+    third = third_angle_odds(projection, symbol, _usual(drawing))
+    signs = [scaled_box(symbol.mark.box, 1.0 / scale)] if symbol is not None else []
+    return FileStrokes(drawing, sheet, read_strokes(paper, heads, third, signs), scale, third)
+
+
+def file_views(
+    file: FileStrokes,
     given: Mapping[Role, Box],
     projection: Projection | None,
     symbol: ProjectionSymbol | None,
@@ -91,8 +145,7 @@ def file_views(
     """The views of a sheet by the strokes of its file; nothing where these tell none.
 
     Args:
-        drawing: of the file, in px of the sheet, which has to be upright as stored.
-        sheet: that.
+        file: with its strokes.
         given: boxes that the user named, px.
         projection: as told by the user, or nothing.
         symbol: of the sheet, where it has one.
@@ -100,57 +153,29 @@ def file_views(
     Raises:
         UsageError: a given box holds no stroke.
     """
-    if sheet.turn.angle:
-        return None
-    third = third_angle_odds(projection, symbol, _usual(drawing))
-    symbols = [symbol.mark.box] if symbol is not None else []
-    reading, scale = strokes_of_file(drawing, sheet, third, symbols)
-    reading, fixed = _with_given(reading, given, scale)
-    best = chosen_views(reading.views, reading.ranking, fixed, third)
+    reading, fixed = _with_given(file.reading, given, file.scale)
+    best = chosen_views(reading.views, reading.ranking, fixed, file.third)
     if best is None:
         return None
     upright = {number: placed for number, placed in best.placed.items() if not placed.turn}
     if not upright:
         return None
-    file = _File(drawing, sheet, reading, scale)
-    return _found(file, replace(best, placed=upright), projection, symbol)
+    named = replace(file, reading=reading)
+    return _found(named, replace(best, placed=upright), projection, symbol)
 
 
-def strokes_of_file(
-    drawing: VectorDrawing,
-    sheet: OpenedSheet,
-    third_angle: float = 0.0,
-    symbols: Sequence[Box] = (),
-) -> tuple[StrokeReading, float]:
-    """What the strokes of a file stand for, in mm of paper, and px of the sheet per mm.
-
-    Args:
-        drawing: of the file, in px of the sheet, which has to be upright as stored.
-        sheet: that.
-        third_angle: log-odds for third angle by what it says of its projection.
-        symbols: boxes of signs that are known, px.
-    """
-    paper = _paper(drawing, sheet)
-    scale = paper.px_per_mm
-    heads = [
-        Head((head.tip[0] / scale, head.tip[1] / scale), head.way, head.length / scale)
-        for head in sheet.heads
-    ]
-    signs = [scaled_box(box, 1.0 / scale) for box in symbols]
-    return read_strokes(paper, heads, third_angle, signs), scale
-
-
-def part_of_file(reading: StrokeReading, scale: float) -> VectorDrawing:
-    """The part's strokes, px: whole visible edges, and hidden ones.
-
-    Args:
-        reading: of the file.
-        scale: px per mm.
-    """
-    to_px = Similarity(scale)
-    edges = [_in_px(stroke, to_px, scale) for stroke in reading.labelled.of(Label.EDGE)]
-    hidden = [_in_px(stroke, to_px, scale) for stroke in reading.labelled.of(Label.HIDDEN)]
-    return VectorDrawing((*with_whole_edges(edges), *hidden), ())
+def _upright(drawing: VectorDrawing, turn: Turn) -> VectorDrawing:
+    """A drawing turned with its sheet."""
+    if not turn.angle:
+        return drawing
+    stored = turn.scale * turn.centre[0], turn.scale * turn.centre[1]
+    level = Similarity(1.0 / turn.scale, -turn.angle, origin=stored, offset=turn.centre)
+    return replace(
+        drawing,
+        strokes=tuple(replace(one, curve=one.curve.mapped(level)) for one in drawing.strokes),
+        texts=tuple(replace(one, box=turn.box_to_upright(one.box)) for one in drawing.texts),
+        pictures=tuple(turn.box_to_upright(box) for box in drawing.pictures),
+    )
 
 
 def _paper(drawing: VectorDrawing, sheet: OpenedSheet) -> PaperSheet:
@@ -222,18 +247,8 @@ def _merged(views: Sequence[DrawnView]) -> DrawnView:
     )
 
 
-@dataclass(frozen=True, eq=False)
-class _File:
-    """A file, and what its strokes tell; px of the sheet per mm."""
-
-    drawing: VectorDrawing
-    sheet: OpenedSheet
-    reading: StrokeReading
-    scale: float
-
-
 def _found(
-    file: _File,
+    file: FileStrokes,
     best: Arrangement,
     projection: Projection | None,
     symbol: ProjectionSymbol | None,
@@ -241,7 +256,7 @@ def _found(
     drawing, sheet, reading, scale = file.drawing, file.sheet, file.reading, file.scale
     labelled = reading.labelled
     to_px = Similarity(scale)
-    part = part_of_file(reading, scale)
+    part = file.part
     painted = painted_sheet(part, sheet.shape, sheet.turn)
     centres = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.CENTRE)]
     hatches = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.HATCH)]

@@ -4,10 +4,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.recognition.file_views import FileViews, file_views
+from gaussiancad_core.recognition.file_views import (
+    FileStrokes,
+    FileViews,
+    file_views,
+    strokes_of_file,
+)
 from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.recognition.shaded_views import ShadedViews
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
@@ -67,16 +71,16 @@ def sheet_views(
         UsageError: a given box holds no ink.
     """
     boxes = dict(given or {})
-    drawing = sheet.image.vectors
     symbol = None if projection is not None else find_symbol(sheet) or noted_projection(sheet)
     stated = projection, symbol
+    file = strokes_of_file(sheet, projection, symbol)
     try:
-        return _found(sheet, boxes, stated, drawing)
+        return _found(sheet, boxes, stated, file)
     except NoModelError:
         # A box alone fixes one view; what is found without it stands where it is that view there.
         if len(boxes) != 1:
             raise
-        found = _holding(sheet, boxes, stated, drawing)
+        found = _holding(sheet, boxes, stated, file)
         if found is None:
             raise
         return found
@@ -86,12 +90,12 @@ def _holding(
     sheet: OpenedSheet,
     given: dict[Role, Box],
     stated: tuple[Projection | None, ProjectionSymbol | None],
-    drawing: VectorDrawing | None,
+    file: FileStrokes | None,
 ) -> SheetViews | None:
     """What is found without the only given box, if that is one of its views and has its name there,
     or is the only one."""
     try:
-        found = _found(sheet, {}, stated, drawing)
+        found = _found(sheet, {}, stated, file)
     except NoModelError:
         return None
     ((role, given_box),) = given.items()
@@ -113,16 +117,15 @@ def _found(
     sheet: OpenedSheet,
     boxes: dict[Role, Box],
     stated: tuple[Projection | None, ProjectionSymbol | None],
-    drawing: VectorDrawing | None,
+    file: FileStrokes | None,
 ) -> SheetViews:
     """The views by the strokes of a file, where they tell them; else by the picture."""
     projection, symbol = stated
-    by_strokes = None
-    if drawing is not None:
-        by_strokes = file_views(drawing, sheet, boxes, projection, symbol)
-        if by_strokes is not None and (len(by_strokes.layout.boxes) > 1 or by_strokes.is_all):
-            return _of_strokes(by_strokes)
-    if drawing is not None and not drawing.complete and projection is None and symbol is None:
+    by_strokes = file_views(file, boxes, projection, symbol) if file is not None else None
+    if by_strokes is not None and (len(by_strokes.layout.boxes) > 1 or by_strokes.is_all):
+        return _of_strokes(by_strokes)
+    is_mixed = file is not None and not file.drawing.complete
+    if is_mixed and projection is None and symbol is None:
         symbol = find_symbol(sheet, pictured=True)
     try:
         seen = picture_views(sheet, boxes, projection, symbol)
@@ -132,7 +135,7 @@ def _found(
         return _of_strokes(by_strokes)
     if by_strokes is not None and _is_one(by_strokes.layout, seen.layout):
         return _of_strokes(by_strokes)
-    vectors = VectorSheet(drawing, sheet.clean) if drawing is not None else None
+    vectors = VectorSheet(file.part, sheet.clean) if file is not None else None
     return SheetViews(seen.separated, seen.layout, vectors, seen.texts, seen.problem)
 
 

@@ -12,6 +12,3 @@ SAME_POINT = 0.02
 
 DOT = 0.05
 """px up to which a stroke is a dot, and has no direction."""
-
-PLOTTED = 0.15
-"""px, where dashes were plotted one by one: plotters round to 1/1200 inch."""

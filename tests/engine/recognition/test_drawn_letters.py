@@ -12,7 +12,7 @@ from gaussiancad_core.errors import UsageError
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.recognition.file_views import file_views
+from gaussiancad_core.recognition.file_views import FileStrokes, file_views, strokes_of_file
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.writing.sheet_scale import ScaleSource, find_scale, read_texts
@@ -114,11 +114,17 @@ def _sheet(path: Path, more: str = "") -> Path:
     return path
 
 
+def _strokes(sheet: OpenedSheet) -> FileStrokes:
+    found = strokes_of_file(sheet)
+    assert found is not None
+    return found
+
+
 def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
     image = read_sheet(_sheet(tmp_path / "plotted.svg"))
     sheet = OpenedSheet(image)
     assert image.vectors is not None and not image.vectors.texts
-    views = file_views(image.vectors, sheet, {}, Projection.THIRD, None)
+    views = file_views(_strokes(sheet), {}, Projection.THIRD, None)
     assert views is not None and len(views.layout.boxes) == 3
     found = find_scale(sheet, views.separated.marks, ())
     assert sorted(dimension.text for dimension in found.dimensions if dimension.used) == [
@@ -142,7 +148,7 @@ def test_drawn_numbers_are_read_unless_the_file_has_as_many_as_texts(
     image = read_sheet(_sheet(tmp_path / "noted.svg", "".join(notes)))
     sheet = OpenedSheet(image)
     assert image.vectors is not None and image.vectors.texts
-    views = file_views(image.vectors, sheet, {}, Projection.THIRD, None)
+    views = file_views(_strokes(sheet), {}, Projection.THIRD, None)
     assert views is not None
     read = {text.text for text in read_texts(sheet, views.separated.marks)}
     assert set(words) <= read
@@ -154,4 +160,4 @@ def test_a_box_without_lines_is_told_in_the_users_own_px(tmp_path: Path) -> None
     assert image.vectors is not None
     given = {Role.FRONT: (1.0, 1.0, 2.0, 2.0)}
     with pytest.raises(UsageError, match="in the box 1,1,2,2"):
-        file_views(image.vectors, OpenedSheet(image), given, None, None)
+        file_views(_strokes(OpenedSheet(image)), given, None, None)

@@ -7,7 +7,6 @@ from math import tau
 import numpy as np
 import pytest
 from engine.recognition.labels_of_files import labels_of, reading_of
-from gaussiancad_core.recognition.drawn_layout import doubtful_lines
 
 from gaussiancad_core.files.vectors import (
     StrokeKind,
@@ -17,6 +16,7 @@ from gaussiancad_core.files.vectors import (
 )
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.recognition.drawn_layout import doubtful_lines
 from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.views.drawn_groups import DrawingKind
 

@@ -19,9 +19,6 @@ from gaussiancad_core.sheet.vector_views.curve_intervals import Span
 
 Floats = npt.NDArray[np.float64]
 
-_WIDEST_GAP = 60.0
-"""px between plotted dashes of one line."""
-
 
 @dataclass(frozen=True)
 class Track:
@@ -45,12 +42,11 @@ _RoundStroke = tuple[VectorStroke, CircularArc | EllipticArc]
 """A stroke and its curve."""
 
 
-def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
+def tracks_of(strokes: Sequence[VectorStroke]) -> list[Track]:
     """All lines, circles and ellipses of some strokes; chains are passed over.
 
     Args:
         strokes: of a view.
-        tolerance: px, :data:`EXACT` or :data:`.file_noise.PLOTTED`.
     """
     lines = [(stroke, stroke.curve) for stroke in strokes if isinstance(stroke.curve, LineSegment)]
     rounds = [
@@ -58,41 +54,36 @@ def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
         for stroke in strokes
         if isinstance(stroke.curve, CircularArc | EllipticArc)
     ]
-    return _line_tracks(lines, tolerance) + _round_tracks(rounds, tolerance)
+    return _line_tracks(lines) + _round_tracks(rounds)
 
 
-def _line_tracks(
-    strokes: Sequence[tuple[VectorStroke, LineSegment]], tolerance: float
-) -> list[Track]:
+def _line_tracks(strokes: Sequence[tuple[VectorStroke, LineSegment]]) -> list[Track]:
     ends = np.array([(line.start, line.end) for _, line in strokes]).reshape(-1, 2, 2)
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
     free = np.ones(len(strokes), bool)
     found = []
     for seed in np.argsort(-lengths, kind="stable"):
         if free[seed]:
-            members, line = _collinear(int(seed), ends, free, tolerance)
+            members, line = _collinear(int(seed), ends, free)
             free[members] = False
             spans = np.sort(line.coordinates(ends[members].reshape(-1, 2))[0].reshape(-1, 2))
             found.append(_track(line, [strokes[index][0] for index in members], spans))
     return found
 
 
-def _collinear(
-    seed: int, ends: Floats, free: npt.NDArray[np.bool_], tolerance: float
-) -> tuple[list[int], Line]:
+def _collinear(seed: int, ends: Floats, free: npt.NDArray[np.bool_]) -> tuple[list[int], Line]:
     """The pieces on the line through a piece, which gets surer as it grows."""
     members = [seed]
     low, high = ends[seed]
-    reach = np.inf if tolerance <= EXACT else _WIDEST_GAP
     while True:
         line = _through(low, high)
         along, across = line.coordinates(ends.reshape(-1, 2))
         along, across = along.reshape(-1, 2), across.reshape(-1, 2)
-        alike = free & (np.abs(across).max(axis=1) <= tolerance)
+        alike = free & (np.abs(across).max(axis=1) <= EXACT)
         alike[members] = False
         first, last = line.coordinates(np.array([low, high]))[0]
         gap = np.maximum(along.min(axis=1) - last, first - along.max(axis=1))
-        near = np.flatnonzero(alike & (gap <= reach))
+        near = np.flatnonzero(alike)
         if not len(near):
             return members, line
         # Pieces within what is known are as sure; of those beyond the nearest comes first.
@@ -109,11 +100,11 @@ def _through(low: Floats, high: Floats) -> Line:
     return Line((float(low[0]), float(low[1])), (float(way[0]), float(way[1])))
 
 
-def _round_tracks(strokes: Sequence[_RoundStroke], tolerance: float) -> list[Track]:
+def _round_tracks(strokes: Sequence[_RoundStroke]) -> list[Track]:
     groups: list[tuple[Circle | WholeEllipse, list[_RoundStroke]]] = []
     for stroke in sorted(strokes, key=lambda stroke: -stroke[1].length):
         geometry = stroke[1].carrier
-        same = next((held for item, held in groups if _same(item, geometry, tolerance)), None)
+        same = next((held for item, held in groups if _same(item, geometry)), None)
         if same is None:
             groups.append((geometry, [stroke]))
         else:
@@ -128,15 +119,15 @@ def _round_tracks(strokes: Sequence[_RoundStroke], tolerance: float) -> list[Tra
     ]
 
 
-def _same(first: Circle | WholeEllipse, other: Circle | WholeEllipse, tolerance: float) -> bool:
-    if np.hypot(*np.subtract(first.centre, other.centre)) > tolerance:
+def _same(first: Circle | WholeEllipse, other: Circle | WholeEllipse) -> bool:
+    if np.hypot(*np.subtract(first.centre, other.centre)) > EXACT:
         return False
     if isinstance(first, Circle) and isinstance(other, Circle):
-        return abs(first.radius - other.radius) <= tolerance
+        return abs(first.radius - other.radius) <= EXACT
     if isinstance(first, Circle) or isinstance(other, Circle):
         return False
     points = other.at(np.arange(8, dtype=np.float64) * (np.pi / 4))
-    return bool(first.distances(points).max() <= tolerance)
+    return bool(first.distances(points).max() <= EXACT)
 
 
 def _round_span(geometry: Circle | WholeEllipse, curve: CircularArc | EllipticArc) -> Span:

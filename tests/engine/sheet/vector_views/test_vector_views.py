@@ -9,6 +9,7 @@ import pytest
 
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.recognition.file_views import strokes_of_file
 from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
@@ -27,7 +28,9 @@ def read(path, change=lambda grey: grey) -> tuple[ReadView, ...]:  # noqa: ANN00
     image = replace(stored, grey=change(stored.grey))
     sheet = OpenedSheet(image)
     seen = picture_views(sheet, {}, Projection.THIRD)
-    vectors = VectorSheet(image.vectors, sheet.clean)
+    file = strokes_of_file(sheet)
+    assert file is not None
+    vectors = VectorSheet(file.part, sheet.clean)
     return read_views(seen.separated.part, seen.layout, vectors=vectors)
 
 

@@ -5,7 +5,7 @@ import pytest
 from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
+from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_gap
 
 _DASHES = [(k * 9.0, k * 9.0 + 6.0) for k in range(6)]
 
@@ -50,8 +50,8 @@ def test_a_dash_at_either_end_may_be_half_of_one() -> None:
         )
         for low, high in spans
     ]
-    (tracks,), dashes = tracks_and_dashes([strokes], 2.0)
-    found = strokes_of(tracks, strokes, dashes)
+    (tracks,), gap = tracks_and_gap([strokes])
+    found = strokes_of(tracks, strokes, gap)
     assert sorted((s.start[1], *sorted((s.start[0], s.end[0]))) for s in found) == [
         pytest.approx((10.0, 0.0, 191.0)),
         pytest.approx((50.0, 0.0, 79.0)),
@@ -68,8 +68,8 @@ def _found(
         )
         for low, high in spans
     ]
-    (tracks,), dashes = tracks_and_dashes([strokes], 2.0)
-    found = strokes_of(tracks, strokes, dashes)
+    (tracks,), gap = tracks_and_gap([strokes])
+    found = strokes_of(tracks, strokes, gap)
     assert {stroke.linetype for stroke in found} == {Linetype.HIDDEN}
     ends = (sorted((stroke.start[0] - 10.0, stroke.end[0] - 10.0)) for stroke in found)
     return sorted((low, high) for low, high in ends)
