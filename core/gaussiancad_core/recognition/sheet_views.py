@@ -8,7 +8,6 @@ from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.file_views import FileViews, file_views
-from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
@@ -121,6 +120,9 @@ def _found(
             return _of_strokes(by_strokes)
     if drawing is not None and not drawing.complete and projection is None and symbol is None:
         symbol = find_symbol(sheet, pictured=True)
+    # What reads pixels is compiled: a sheet whose strokes tell its views waits for none of it.
+    from gaussiancad_core.recognition.picture_views import picture_views
+
     try:
         seen = picture_views(sheet, boxes, projection, symbol)
     except NoModelError:

@@ -7,7 +7,7 @@ import msgspec
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.pictures.preview import png_bytes
+from gaussiancad_core.pictures.png_pictures import png_bytes
 from gaussiancad_core.processes.events import Listener, Progress, Silence
 from gaussiancad_core.readings.boxed_views import Reread, with_read_views
 from gaussiancad_core.readings.cleaned_lines import DXF_FILE, SVG_FILE, lines_dxf, lines_svg

@@ -11,7 +11,7 @@ from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.erase import masked
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.broken_views import Break, find_breaks, may_be_broken

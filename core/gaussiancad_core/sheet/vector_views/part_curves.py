@@ -13,8 +13,8 @@ from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.sheet.file_noise import DOT
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.line_conventions import THIN
 from gaussiancad_core.sheet.picture_noise import COARSE_STEP
 from gaussiancad_core.sheet.votes import MOST

@@ -10,7 +10,7 @@ from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Stroke
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.vector_views.missed_ends import missed_px
 from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, Mask, part_curves
