@@ -111,11 +111,22 @@ class _Meeting:
             graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
             groups = connected_components(graph, directed=False)[1]
             few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
-            for group in np.flatnonzero(few).tolist():
-                around = shapely.box(*shapely.total_bounds(np.array(lines)[groups == group]))
-                if not any(around.contains(lines[index]) for index in np.flatnonzero(closed)):
-                    odds[groups == group] = _ALONE
+            few[_going_around(np.array(lines), groups, closed)] = False
+            odds[few[groups]] = _ALONE
         return cls(closed, loose > _STICKING_OUT, odds)
+
+
+def _going_around(
+    lines: npt.NDArray[np.object_], groups: npt.NDArray[np.int32], closed: Flags
+) -> npt.NDArray[np.int64]:
+    """Numbers of the groups in whose boxes lines lie that bound faces."""
+    sides = shapely.bounds(lines).T
+    low, high = np.full((2, groups.max() + 1), np.inf), np.full((2, groups.max() + 1), -np.inf)
+    for axis in range(2):
+        np.minimum.at(low[axis], groups, sides[axis])
+        np.maximum.at(high[axis], groups, sides[axis + 2])
+    boxes = shapely.STRtree(shapely.box(*low, *high))
+    return np.unique(boxes.query(lines[closed], "within")[1])
 
 
 def _narrow(labelled: LabelledStrokes) -> list[int]:
