@@ -124,11 +124,14 @@ def _rows(
 ) -> Iterator[list[_Dash]]:
     """Lines of one direction that follow each other, with gaps between them."""
     across = np.array([-along[1], along[0]])
-    dashes = []
-    for number in numbers:
-        start, end = np.sort(strokes[number].points @ along).tolist()
-        offset = float(strokes[number].points.mean(axis=0) @ across)
-        dashes.append(_Dash(start, end, offset, number))
+    points = np.array([strokes[number].points for number in numbers])
+    spans, offsets = np.sort(points @ along, axis=1), points.mean(axis=1) @ across
+    dashes = [
+        _Dash(start, end, offset, number)
+        for (start, end), offset, number in zip(
+            spans.tolist(), offsets.tolist(), numbers, strict=True
+        )
+    ]
     dashes.sort(key=lambda dash: dash.offset)
     tracks = [dashes[:1]]
     for before, dash in pairwise(dashes):

@@ -41,9 +41,9 @@ def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
     free = np.zeros(len(strokes))
     loose = faces_of(strokes).dangles
     if loose:
-        lines = [stroke.line for stroke in strokes]
-        strips = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
+        lines = np.array([stroke.line for stroke in strokes])
         numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
-        for number, piece in zip(numbers.tolist(), pieces.tolist(), strict=True):
-            free[number] += loose[piece].intersection(strips[number]).length
+        strips = shapely.buffer(lines, 2.0 * GRID, cap_style="flat")
+        along = shapely.intersection(np.array(loose)[pieces], strips[numbers])
+        np.add.at(free, numbers, shapely.length(along))
     return free

@@ -78,7 +78,7 @@ def drawing_area(sheet: PaperSheet, labelled: LabelledStrokes, words: Sequence[B
     ruled = [
         stroke
         for stroke in labelled.of(Label.OPEN)
-        if is_ruled(stroke) and stroke.length > _SHORTEST
+        if stroke.length > _SHORTEST and is_ruled(stroke)
     ]
     longer = [
         LineString([line.points[0] - _OVERRUN * line.way, line.points[1] + _OVERRUN * line.way])

@@ -48,7 +48,7 @@ def tables_apart(
     ruled = [
         labelled.strokes[number].line
         for number in open_numbers
-        if is_ruled(labelled.strokes[number]) and labelled.strokes[number].length > _SHORTEST
+        if labelled.strokes[number].length > _SHORTEST and is_ruled(labelled.strokes[number])
     ]
     if len(ruled) < _FEWEST_LINES:
         return labelled, []
