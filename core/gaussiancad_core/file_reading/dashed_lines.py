@@ -10,12 +10,12 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.near_points import near_lists, near_pairs
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Points
@@ -203,8 +203,8 @@ def _loose(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> list[int]:
     if len(numbers) < _RING_FEWEST:
         return []
     ends = np.concatenate([strokes[number].ends for number in numbers])
-    is_free = (cKDTree(ends).query(ends, k=2)[0][:, 1] > _RING_LOOSE).reshape(-1, 2).all(axis=1)
-    return [number for number, free in zip(numbers, is_free, strict=True) if free]
+    touched = set((near_pairs(ends, _RING_LOOSE) // 2).reshape(-1).tolist())
+    return [number for index, number in enumerate(numbers) if index not in touched]
 
 
 def _rings_of(
@@ -214,10 +214,10 @@ def _rings_of(
     ends = np.array([strokes[number].ends for number in numbers])
     middles = np.array([_middle(strokes[number]) for number in numbers])
     free = np.ones(len(numbers), dtype=bool)
-    asked = min(_RING_NEIGHBOURS, len(numbers))
-    distances, neighbours = cKDTree(middles).query(middles, k=asked)
+    neighbours = near_lists(middles, middles, _RING_NEAR)
     for first in range(len(numbers)):
-        near = neighbours[first][distances[first] < _RING_NEAR]
+        away = np.hypot(*(middles[neighbours[first]] - middles[first]).T)
+        near = np.array(neighbours[first])[np.argsort(away, kind="stable")][:_RING_NEIGHBOURS]
         tried = [_on_ring(ends[[first, n]], ends, middles) & free for n in near if n != first]
         tried = [on for on in tried if free[first] and on[first]]
         if not tried:

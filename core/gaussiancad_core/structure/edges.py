@@ -12,10 +12,9 @@ from math import log
 import numpy as np
 import numpy.typing as npt
 import shapely
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.files.vectors import StrokeRole
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.sheet_model.labelled_strokes import Flags, Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen
 from gaussiancad_core.structure.closed_outlines import GRID, faces_of, loose_lengths
@@ -108,8 +107,7 @@ class _Meeting:
         if len(strokes):
             lines = [stroke.line for stroke in strokes]
             pairs = shapely.STRtree(lines).query(lines, "dwithin", _TOUCH)
-            graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
-            groups = connected_components(graph, directed=False)[1]
+            groups = connected_groups(pairs.T, len(lines))
             few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
             few[_going_around(np.array(lines), groups, closed)] = False
             odds[few[groups]] = _ALONE
@@ -117,7 +115,7 @@ class _Meeting:
 
 
 def _going_around(
-    lines: npt.NDArray[np.object_], groups: npt.NDArray[np.int32], closed: Flags
+    lines: npt.NDArray[np.object_], groups: npt.NDArray[np.int64], closed: Flags
 ) -> npt.NDArray[np.int64]:
     """Numbers of the groups in whose boxes lines lie that bound faces."""
     sides = shapely.bounds(lines).T

@@ -5,10 +5,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 
@@ -102,8 +101,7 @@ def _beside_each_other(
         return
     lines = [strokes[number].line for number in numbers]
     pairs = shapely.STRtree(lines).query(lines, "dwithin", _NEAR)
-    graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
-    groups = connected_components(graph, directed=False)[1]
+    groups = connected_groups(pairs.T, len(lines))
     for group in np.unique(groups).tolist():
         members = np.flatnonzero(groups == group).tolist()
         if len(members) >= fewest:

@@ -173,7 +173,7 @@ def test_a_file_whose_strokes_tell_its_views_loads_nothing_that_follows_pixels(
     code, heavy = _loaded("read", str(tmp_path / "plate.svg"), "--output", str(tmp_path / "o"))
     reading = json.loads((tmp_path / "o" / "reading.json").read_text("utf-8"))
     assert code == 0 and {view["role"] for view in reading["views"]} == {"front", "top"}
-    assert "cv2" in heavy and not heavy & {"numba", "onnxruntime", "OCP"}
+    assert "cv2" in heavy and not heavy & {"scipy", "numba", "onnxruntime", "OCP"}
 
 
 def test_batch_goes_on_after_a_sheet_that_fails(

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
@@ -103,6 +102,9 @@ def _left_of_centre_lines(
     thin = _thin_lines(strokes)
     if not len(thin) or not others:
         return found
+    # Where the strokes of a file tell its views, nobody asks this.
+    from scipy.spatial import cKDTree
+
     annotations = cKDTree(np.concatenate([_places(curve) for curve in others]))
     # Dashes of a hidden line go on in each other.
     owner = np.repeat(thin, [len(_places(strokes[index].curve)) for index in thin])
