@@ -15,14 +15,22 @@ Numbers = npt.NDArray[np.int64]
 _ALL_AT_ONCE = 1 << 14
 """Pairs up to which all are looked at: cells take longer."""
 
+_MANY = 5000
+"""Points from which a tree is quicker, as long as it takes to load."""
+
 _AXES, _CELLS = 3, 1 << 20
 """Coordinates that tell cells, and cells along each, at most: a cell's number has 64 bits."""
 
 
 def near_pairs(points: Points, reach: float) -> Numbers:
     """(m, 2) numbers of (n, d) points at most so far apart, each pair once and in order."""
-    pairs = pairs_between(points, points, reach)
-    return pairs[pairs[:, 0] < pairs[:, 1]]
+    if len(points) <= _MANY:
+        pairs = pairs_between(points, points, reach)
+        return pairs[pairs[:, 0] < pairs[:, 1]]
+    from scipy.spatial import cKDTree
+
+    one, other = cKDTree(points).query_pairs(reach, output_type="ndarray").T
+    return np.stack(np.divmod(np.sort(one * len(points) + other), len(points)), axis=1)
 
 
 def pairs_between(points: Points, others: Points, reach: float) -> Numbers:

@@ -8,7 +8,7 @@ import shapely
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.near_points import near_lists
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Points
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Points, lines_of
 from gaussiancad_core.structure.arrowheads import Head
 
 GOES_ON = "goes on from a dimension line"
@@ -60,7 +60,7 @@ def dimensions_apart(labelled: LabelledStrokes, heads: Sequence[Head]) -> Labell
     items = [labelled.strokes[number] for number in numbers]
     if not items:
         return labelled
-    tree = shapely.STRtree([item.line for item in items])
+    tree = shapely.STRtree(lines_of(items))
     dimensions: set[int] = set()
     extensions: set[int] = set()
     for head in heads:

@@ -16,7 +16,7 @@ import shapely
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.sheet_model.labelled_strokes import Flags, Label, LabelledStrokes
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen, lines_of
 from gaussiancad_core.structure.closed_outlines import GRID, faces_of, loose_lengths
 from gaussiancad_core.structure.dimension_lines import GOES_ON
 
@@ -105,11 +105,11 @@ class _Meeting:
         closed = loose < 0.5 * lengths
         odds = np.where(closed, _CLOSED, _LOOSE)
         if len(strokes):
-            lines = [stroke.line for stroke in strokes]
+            lines = lines_of(strokes)
             pairs = shapely.STRtree(lines).query(lines, "dwithin", _TOUCH)
             groups = connected_groups(pairs.T, len(lines))
             few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
-            few[_going_around(np.array(lines), groups, closed)] = False
+            few[_going_around(lines, groups, closed)] = False
             odds[few[groups]] = _ALONE
         return cls(closed, loose > _STICKING_OUT, odds)
 

@@ -9,7 +9,7 @@ import shapely
 
 from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.geometry.points import Box
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, lines_of
 from gaussiancad_core.structure.closed_outlines import faces_of
 
 _NEAR = 0.3
@@ -124,7 +124,7 @@ def _gathered(edges: Sequence[PaperStroke]) -> list[list[PaperStroke]]:
     """Groups of edges that touch, with those that lie in their boxes; the largest first."""
     if not edges:
         return []
-    lines = [edge.line for edge in edges]
+    lines = lines_of(edges)
     pairs = shapely.STRtree(lines).query(lines, "dwithin", _NEAR)
     numbers = connected_groups(pairs.T, len(edges))
     groups: list[list[PaperStroke]] = [[] for _ in range(int(numbers.max()) + 1)]

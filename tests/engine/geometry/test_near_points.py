@@ -16,7 +16,7 @@ from gaussiancad_core.geometry.near_points import (
     [
         *[(40, 2, 0.2, 1.0), (400, 2, 0.05, 1.0), (400, 3, 0.2, 1.0), (300, 5, 0.4, 1.0)],
         # All of one place, none near, coordinates a billion apart, one row.
-        *[(300, 2, 0.1, 0.0), (300, 2, 0.0, 1.0), (300, 2, 1.0, 1e9), (400, 1, 1e-3, 1.0)],
+        *[(150, 2, 0.1, 0.0), (300, 2, 0.0, 1.0), (300, 2, 1.0, 1e9), (400, 1, 1e-3, 1.0)],
     ],
 )
 def test_those_are_found_that_all_pairs_tell(
@@ -34,6 +34,12 @@ def test_those_are_found_that_all_pairs_tell(
     )
     own = np.hypot.reduce(points[:, None] - points[None], axis=2) <= reach
     assert np.array_equal(near_pairs(points, reach), np.argwhere(np.triu(own, 1)))
+
+
+def test_many_points_have_the_pairs_that_cells_tell() -> None:
+    points = np.random.default_rng(5).random((6000, 2))
+    pairs = pairs_between(points, points, 0.01)
+    assert np.array_equal(near_pairs(points, 0.01), pairs[pairs[:, 0] < pairs[:, 1]])
 
 
 def test_no_points_are_near_none() -> None:
