@@ -32,8 +32,8 @@ def test_those_are_found_that_all_pairs_tell(
     assert [(one, other) for one, near in enumerate(lists) for other in near] == list(
         map(tuple, wanted.tolist())
     )
-    own = np.hypot.reduce(points[:, None] - points[None], axis=2) <= reach
-    assert np.array_equal(near_pairs(points, reach), np.argwhere(np.triu(own, 1)))
+    is_near = np.hypot.reduce(points[:, None] - points[None], axis=2) <= reach
+    assert np.array_equal(near_pairs(points, reach), np.argwhere(np.triu(is_near, 1)))
 
 
 def test_many_points_have_the_pairs_that_cells_tell() -> None:
