@@ -41,6 +41,8 @@ _MODULES = tuple(
     for name in (
         "run.pipeline",
         "recognition.views_and_lines",
+        "recognition.picture_views",
+        "sheet.tracing.traced_views",
         "run.exact_stage",
         "run.ink_stage",
         "run.solid_report",

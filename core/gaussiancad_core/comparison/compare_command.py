@@ -13,7 +13,7 @@ from gaussiancad_core.comparison.comparison_report import Comparison, comparison
 from gaussiancad_core.comparison.deviation import Deviation, ply_bytes
 from gaussiancad_core.comparison.deviation_picture import deviation_picture
 from gaussiancad_core.comparison.model_files import read_model
-from gaussiancad_core.pictures.preview import png_bytes
+from gaussiancad_core.pictures.png_pictures import png_bytes
 from gaussiancad_core.storage.outputs import OutputFolder
 
 COMPARISON_FILES = ("comparison.json", "comparison.html", "deviation.ply", "deviation.png")

@@ -16,7 +16,7 @@ from scipy.ndimage import map_coordinates, uniform_filter1d
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import AROUND, EVEN, FEWEST_PLACES
 from gaussiancad_core.sheet.registration.view_registration import Placement
 

@@ -91,6 +91,9 @@ class Chords:
         for first in range(len(self.lines)):
             if done[first]:
                 continue
+            if all(len(self.at[place]) == 1 for place in self.places[first].tolist()):
+                yield Run((self.lines[first],), self.ends[first], False)
+                continue
             seen = {first}
             ahead = self._walk((first, 1), seen, done)
             last = ahead[-1] if ahead else (first, 1)

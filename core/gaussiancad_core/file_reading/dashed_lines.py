@@ -10,12 +10,12 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.near_points import near_lists, near_pairs
 from gaussiancad_core.geometry.points import FULL_TURN, to_point, wrapped
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Points
@@ -134,11 +134,14 @@ def _rows(
 ) -> Iterator[list[_Dash]]:
     """Lines of one direction that follow each other, with gaps between them."""
     across = np.array([-along[1], along[0]])
-    dashes = []
-    for number in numbers:
-        start, end = np.sort(strokes[number].points @ along).tolist()
-        offset = float(strokes[number].points.mean(axis=0) @ across)
-        dashes.append(_Dash(start, end, offset, number))
+    points = np.array([strokes[number].points for number in numbers])
+    spans, offsets = np.sort(points @ along, axis=1), points.mean(axis=1) @ across
+    dashes = [
+        _Dash(start, end, offset, number)
+        for (start, end), offset, number in zip(
+            spans.tolist(), offsets.tolist(), numbers, strict=True
+        )
+    ]
     dashes.sort(key=lambda dash: dash.offset)
     tracks = [dashes[:1]]
     for before, dash in pairwise(dashes):
@@ -209,8 +212,8 @@ def _loose(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> list[int]:
     if not numbers:
         return []
     ends = np.concatenate([strokes[number].ends for number in numbers])
-    is_free = (cKDTree(ends).query(ends, k=2)[0][:, 1] > _LOOSE).reshape(-1, 2).all(axis=1)
-    return [number for number, free in zip(numbers, is_free, strict=True) if free]
+    touched = set((near_pairs(ends, _LOOSE) // 2).reshape(-1).tolist())
+    return [number for index, number in enumerate(numbers) if index not in touched]
 
 
 def _rings_of(
@@ -220,10 +223,10 @@ def _rings_of(
     ends = np.array([strokes[number].ends for number in numbers])
     middles = np.array([_middle(strokes[number]) for number in numbers])
     free = np.ones(len(numbers), dtype=bool)
-    asked = min(_RING_NEIGHBOURS, len(numbers))
-    distances, neighbours = cKDTree(middles).query(middles, k=asked)
+    neighbours = near_lists(middles, middles, _RING_NEAR)
     for first in range(len(numbers)):
-        near = neighbours[first][distances[first] < _RING_NEAR]
+        away = np.hypot(*(middles[neighbours[first]] - middles[first]).T)
+        near = np.array(neighbours[first])[np.argsort(away, kind="stable")][:_RING_NEIGHBOURS]
         tried = [_on_ring(ends[[first, n]], ends, middles) & free for n in near if n != first]
         tried = [on for on in tried if free[first] and on[first]]
         if not tried:

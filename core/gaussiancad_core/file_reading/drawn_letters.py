@@ -10,13 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.near_points import connected_groups, near_pairs, pairs_between
 from gaussiancad_core.geometry.points import Box, Point
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke, Points
@@ -147,7 +145,7 @@ def _by_pen(labelled: LabelledStrokes) -> Iterable[list[int]]:
     return of_pen.values()
 
 
-def _long_ends(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> cKDTree | None:
+def _long_ends(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> Points | None:
     """The ends of a pen's other strokes, which letters do not touch."""
     if not numbers:
         return None
@@ -159,7 +157,7 @@ def _long_ends(strokes: Sequence[PaperStroke], numbers: Sequence[int]) -> cKDTre
         if number not in chosen and (stroke.pen is pen or stroke.pen == pen)
         for end in _both_ends(stroke)
     ]
-    return cKDTree(np.array(others)) if others else None
+    return np.array(others) if others else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,7 +177,7 @@ class _Letter:
 
 
 def _words(
-    strokes: Sequence[PaperStroke], numbers: Sequence[int], others: cKDTree | None, fewest: int
+    strokes: Sequence[PaperStroke], numbers: Sequence[int], others: Points | None, fewest: int
 ) -> tuple[list[Box], list[int]]:
     """The boxes of words of so many strokes or more, and the numbers of the strokes that they are
     drawn of."""
@@ -206,17 +204,16 @@ def _words(
 
 
 def _letters(
-    strokes: Sequence[PaperStroke], numbers: Sequence[int], others: cKDTree | None
+    strokes: Sequence[PaperStroke], numbers: Sequence[int], others: Points | None
 ) -> list[_Letter]:
     """Groups of strokes that touch each other and nothing longer, as small as letters."""
     chains = [_corners(strokes[number]) for number in numbers]
     points = np.array([point for chain in chains for point in chain])
     owners = np.repeat(np.arange(len(numbers)), [len(chain) for chain in chains])
-    pairs = cKDTree(points).query_pairs(_TOUCH, output_type="ndarray")
-    groups = _connected(owners[pairs], len(numbers))
+    groups = connected_groups(owners[near_pairs(points, _TOUCH)], len(numbers))
     touching: set[int] = set()
     if others is not None:
-        is_near = others.query(points)[0] < _TOUCH
+        is_near = pairs_between(points, others, _TOUCH)[:, 0]
         touching = set(groups[owners[is_near]].tolist())
     group_of = groups[owners]
     round_ones = _are_round(points, group_of)
@@ -246,7 +243,7 @@ def _both_ends(stroke: PaperStroke) -> tuple[Point, Point]:
     return corners[0], corners[-1]
 
 
-def _extents(points: Points, groups: npt.NDArray[np.int32]) -> tuple[Points, Points]:
+def _extents(points: Points, groups: npt.NDArray[np.int64]) -> tuple[Points, Points]:
     """(m, 2) low and high corners of the boxes around each group of (n, 2) points."""
     count = int(groups.max()) + 1
     low, high = np.full((count, 2), np.inf), np.full((count, 2), -np.inf)
@@ -255,7 +252,7 @@ def _extents(points: Points, groups: npt.NDArray[np.int32]) -> tuple[Points, Poi
     return low, high
 
 
-def _are_round(points: Points, groups: npt.NDArray[np.int32]) -> npt.NDArray[np.bool_]:
+def _are_round(points: Points, groups: npt.NDArray[np.int64]) -> npt.NDArray[np.bool_]:
     """(m,) which groups of (n, 2) points lie around on one circle, as the chords of a hole do: by
     the circle with the least squares of its equation (Kåsa), of all groups at once."""
     counts = np.bincount(groups)
@@ -303,7 +300,7 @@ def _rows(low: Points, high: Points) -> list[list[int]]:
         gap = np.maximum(low[one, axis] - high[other, axis], low[other, axis] - high[one, axis])
         is_next = gap <= _SPACE * height + _SPACE_BESIDES
         linked |= (height >= _LOWEST) & (feet | middle) & is_next
-    groups = _connected(np.stack([one[linked], other[linked]], axis=1), len(low))
+    groups = connected_groups(np.stack([one[linked], other[linked]], axis=1), len(low))
     rows: dict[int, list[int]] = {}
     for index, group in enumerate(groups.tolist()):
         rows.setdefault(group, []).append(index)
@@ -320,14 +317,8 @@ def _near_pairs(middles: Points, reach: Points) -> npt.NDArray[np.int64]:
     for size in np.unique(sizes):
         numbers = np.flatnonzero(sizes <= size)
         near = float(reach[sizes == size].max())
-        pairs = numbers[cKDTree(middles[numbers]).query_pairs(near, output_type="ndarray")]
+        pairs = numbers[near_pairs(middles[numbers], near)]
         pairs = pairs[(sizes[pairs] == size).any(axis=1)]
         apart = np.hypot(*(middles[pairs[:, 0]] - middles[pairs[:, 1]]).T)
         found.append(pairs[apart <= reach[pairs].max(axis=1)])
     return np.concatenate(found)
-
-
-def _connected(pairs: npt.NDArray[np.int64], count: int) -> npt.NDArray[np.int32]:
-    """(n,) number of the group of each of so many things, by pairs of these."""
-    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(count, count))
-    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int32)

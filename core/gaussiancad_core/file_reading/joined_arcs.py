@@ -6,11 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.near_points import connected_groups, near_pairs
 from gaussiancad_core.geometry.points import FULL_TURN, wrapped
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 
@@ -47,9 +45,7 @@ def places_of(points: npt.NDArray[np.float64], near: float) -> npt.NDArray[np.in
     one."""
     if not len(points):
         return np.zeros(0, dtype=np.int64)
-    pairs = _near_pairs(points, near)
-    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(points), len(points)))
-    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+    return connected_groups(_near_pairs(points, near), len(points))
 
 
 def _near_pairs(points: npt.NDArray[np.float64], near: float) -> npt.NDArray[np.int64]:
@@ -57,7 +53,7 @@ def _near_pairs(points: npt.NDArray[np.float64], near: float) -> npt.NDArray[np.
     place, of which there may be any number, by one of them."""
     _, firsts, same = np.unique(points, axis=0, return_index=True, return_inverse=True)
     of_each = np.stack([np.arange(len(points)), firsts[same.reshape(-1)]], axis=1)
-    between = cKDTree(points[firsts]).query_pairs(near, output_type="ndarray")
+    between = near_pairs(points[firsts], near)
     return np.concatenate([of_each, firsts[between].reshape(-1, 2)])
 
 

@@ -8,13 +8,13 @@ from collections.abc import Hashable, Sequence
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.file_curves import FLATNESS
 from gaussiancad_core.files.vectors import VectorStroke
 from gaussiancad_core.geometry.arcs import EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
 from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.near_points import near_pairs
 
 _PLACES = 5
 """Points that tell ellipses apart, as five determine a conic, and most chains."""
@@ -59,8 +59,7 @@ def _repeated(strokes: Sequence[VectorStroke]) -> list[int]:
     rest = list(first_of.values())
     there = _all_places([curves[index] for index in rest])
     # Whichever way a curve is drawn, the middle of its places is one.
-    near = cKDTree(there.mean(axis=1)).query_pairs(FLATNESS, p=np.inf, output_type="ndarray")
-    one, other = near[np.lexsort(near.T[::-1])].T
+    one, other = near_pairs(there.mean(axis=1), np.sqrt(2.0) * FLATNESS).T
     for turned in (False, True):
         places = there[:, ::-1] if turned else there
         alike = (np.abs(there[one] - places[other]) <= FLATNESS).all(axis=(1, 2))

@@ -10,6 +10,7 @@ The placement of views follows ISO 5456-2 (first angle, third angle).
 
 from dataclasses import dataclass
 from enum import Enum
+from functools import cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -76,6 +77,7 @@ class ViewFrame:
         return np.array([self.right, -np.array(self.up), self.look], dtype=np.float64)
 
 
+@cache
 def _axis_of(vector: tuple[float, float, float]) -> tuple[Axis, int]:
     index = next(i for i, component in enumerate(vector) if component)
     return Axis(index), int(vector[index])

@@ -116,15 +116,6 @@ def smooth_corner_normals(
     return np.asarray(sums.reshape(-1, 3, 3), dtype=np.float64)
 
 
-def png_bytes(image: Image) -> bytes:
-    """The (h, w, 3) RGB or (h, w) grey image as PNG."""
-    import cv2
-
-    ordered = image if image.ndim == 2 else image[..., ::-1]
-    _, content = cv2.imencode(".png", ordered)
-    return content.tobytes()
-
-
 def _fitted_grid(mesh: TriangleMesh, size: PreviewSize) -> RayGrid:
     across, along = mesh.vertices @ _RIGHT, mesh.vertices @ _UP
     width, height = size.width * _SUPERSAMPLING, size.height * _SUPERSAMPLING

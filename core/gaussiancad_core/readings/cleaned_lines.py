@@ -6,21 +6,14 @@ middle lies; what belongs to no view is left out.  Arcs stay arcs.  Lengths are 
 the part, or px of the sheet where its scale is not known, which the file says.
 """
 
-import io
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import cos, degrees, hypot, pi, sin
 from xml.etree import ElementTree
 
-from ezdxf._options import options
-from ezdxf.document import Drawing
-from ezdxf.enums import TextEntityAlignment
-from ezdxf.filemanagement import new
-from ezdxf.layouts.blocklayout import BlockLayout
-from ezdxf.version import __version__
-
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.model.axes import Role
+from gaussiancad_core.readings.dxf_blocks import DxfBlock, DxfEntity, dxf_file, place_tags
 from gaussiancad_core.readings.reading_schema import SheetReading, StrokeEntry, ViewEntry
 from gaussiancad_core.readings.stroke_anchors import points_of
 from gaussiancad_protocol.reading_kinds import DRAWN, StrokeKind
@@ -35,9 +28,6 @@ _WHOLE = 1e-6
 
 _DECIMALS = 6
 
-_MM, _UNITLESS = 4, 0
-"""DXF's numbers of units."""
-
 
 @dataclass(frozen=True)
 class _Look:
@@ -45,25 +35,21 @@ class _Look:
 
     Attributes:
         layer: its name in DXF, in small letters its class in SVG.
-        colour: number in DXF.
         rgb: of SVG.
-        pattern: name of DXF's linetype.
         dashes: lengths in line widths; empty of solid lines.
     """
 
     layer: str
-    colour: int
     rgb: str
-    pattern: str = "CONTINUOUS"
     dashes: tuple[int, ...] = ()
 
 
 _LOOKS = {
-    StrokeKind.VISIBLE: _Look("VISIBLE", 7, "#000000"),
-    StrokeKind.HIDDEN: _Look("HIDDEN", 5, "#1f5fbf", "DASHED", (8, 4)),
-    StrokeKind.CENTRE: _Look("CENTRE", 1, "#bf3f1f", "CENTER", (16, 4, 4, 4)),
-    StrokeKind.TANGENT: _Look("TANGENT", 8, "#808080"),
-    StrokeKind.CUT: _Look("CUT", 6, "#9f1f9f", "DASHDOT", (16, 4, 1, 4)),
+    StrokeKind.VISIBLE: _Look("VISIBLE", "#000000"),
+    StrokeKind.HIDDEN: _Look("HIDDEN", "#1f5fbf", (8, 4)),
+    StrokeKind.CENTRE: _Look("CENTRE", "#bf3f1f", (16, 4, 4, 4)),
+    StrokeKind.TANGENT: _Look("TANGENT", "#808080"),
+    StrokeKind.CUT: _Look("CUT", "#9f1f9f", (16, 4, 1, 4)),
 }
 
 
@@ -93,20 +79,23 @@ class _Sheet:
 def lines_dxf(reading: SheetReading) -> bytes:
     """The lines of a reading as a DXF file (R2000), the same bytes for the same reading."""
     sheet = _sheet(reading)
-    drawing = new("R2000", setup=["linetypes"], units=_MM if sheet.is_mm else _UNITLESS)
-    for look in _LOOKS.values():
-        drawing.layers.add(look.layer, color=look.colour, linetype=look.pattern)
-    model = drawing.modelspace()
-    for view in sheet.views:
-        block = drawing.blocks.new(view.name)
-        for stroke in view.strokes:
-            _draw(block, stroke, view.corner, sheet.unit)
-        model.add_blockref(view.name, sheet.place(view))
-    if not sheet.is_mm:
-        model.add_text(UNKNOWN_SIZE, height=10.0).set_placement(
-            (0.0, -20.0), align=TextEntityAlignment.LEFT
+    blocks = [
+        DxfBlock(
+            view.name,
+            sheet.place(view),
+            tuple(_drawn(stroke, view.corner, sheet.unit) for stroke in view.strokes),
         )
-    return _written(drawing)
+        for view in sheet.views
+    ]
+    note = (
+        (100, "AcDbText"),
+        *place_tags(0.0, -20.0),
+        (40, 10.0),
+        (1, UNKNOWN_SIZE),
+        (100, "AcDbText"),
+    )
+    notes = [] if sheet.is_mm else [DxfEntity("TEXT", "0", note)]
+    return dxf_file(blocks, notes, is_mm=sheet.is_mm)
 
 
 def lines_svg(reading: SheetReading) -> bytes:
@@ -220,32 +209,36 @@ def _name(view: ViewEntry, taken: set[str]) -> str:
     return name
 
 
-def _draw(
-    block: BlockLayout, stroke: StrokeEntry, corner: tuple[float, float], unit: float
-) -> None:
-    """Add a stroke to a block whose origin is a corner; y runs up, and angles the other way."""
+def _drawn(stroke: StrokeEntry, corner: tuple[float, float], unit: float) -> DxfEntity:
+    """A stroke of a block whose origin is a corner; y runs up, and angles the other way."""
 
     def place(x: float, y: float) -> tuple[float, float]:
         return round(unit * (x - corner[0]), _DECIMALS), round(unit * (corner[1] - y), _DECIMALS)
 
-    look = {"layer": _LOOKS[stroke.kind].layer}
+    layer = _LOOKS[stroke.kind].layer
     if stroke.line is not None:
-        first, last = stroke.line
-        block.add_line(place(*first), place(*last), dxfattribs=look)
-    elif stroke.arc is not None:
+        first, last = (place(*end) for end in stroke.line)
+        ends = *place_tags(*first), *place_tags(*last, 1)
+        return DxfEntity("LINE", layer, ((100, "AcDbLine"), *ends))
+    if stroke.arc is not None:
         x, y, radius, start, sweep = stroke.arc
-        radius = round(unit * radius, _DECIMALS)
+        circle = (
+            (100, "AcDbCircle"),
+            *place_tags(*place(x, y)),
+            (40, round(unit * radius, _DECIMALS)),
+        )
         if sweep >= FULL_TURN - _WHOLE:
-            block.add_circle(place(x, y), radius, dxfattribs=look)
-        else:
-            ends = degrees(-start - sweep) % 360.0, degrees(-start) % 360.0
-            block.add_arc(place(x, y), radius, *ends, dxfattribs=look)
-    elif stroke.ellipse is not None:
-        x, y, major, minor, rotation, start, sweep = stroke.ellipse
-        way = unit * major * cos(rotation), -unit * major * sin(rotation)
-        whole = sweep >= FULL_TURN - _WHOLE
-        ends = (0.0, FULL_TURN) if whole else (-start - sweep, -start)
-        block.add_ellipse(place(x, y), way, minor / major, *ends, dxfattribs=look)
+            return DxfEntity("CIRCLE", layer, circle)
+        low, high = degrees(-start - sweep) % 360.0, degrees(-start) % 360.0
+        return DxfEntity("ARC", layer, (*circle, (100, "AcDbArc"), (50, low), (51, high)))
+    assert stroke.ellipse is not None
+    x, y, major, minor, rotation, start, sweep = stroke.ellipse
+    way = unit * major * cos(rotation), -unit * major * sin(rotation)
+    low, high = -start - sweep, -start
+    if sweep >= FULL_TURN - _WHOLE:
+        low, high = 0.0, FULL_TURN
+    sides = *place_tags(*place(x, y)), *place_tags(*way, 1), (40, minor / major)
+    return DxfEntity("ELLIPSE", layer, ((100, "AcDbEllipse"), *sides, (41, low), (42, high)))
 
 
 def _path(stroke: StrokeEntry, unit: float) -> str:
@@ -272,16 +265,3 @@ def _path(stroke: StrokeEntry, unit: float) -> str:
 
 def _number(value: float) -> str:
     return f"{round(float(value), _DECIMALS):g}" if abs(value) < 1e-4 else f"{value:.{_DECIMALS}f}"
-
-
-def _written(drawing: Drawing) -> bytes:
-    """A drawing as it is stored, without the time of day."""
-    drawing.ezdxf_metadata()["CREATED_BY_EZDXF"] = __version__
-    text = io.StringIO()
-    before = options.write_fixed_meta_data_for_testing
-    options.write_fixed_meta_data_for_testing = True
-    try:
-        drawing.write(text)
-    finally:
-        options.write_fixed_meta_data_for_testing = before
-    return text.getvalue().encode(drawing.output_encoding, "dxfreplace")

@@ -14,8 +14,6 @@ from gaussiancad_core.readings.reading_schema import Box, Point
 from gaussiancad_core.readings.reading_shapes import shape_of
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.tracing.file_strokes import stroke_along
-from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
-from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
 
 _REACH_PX = 8.0
 """px of the sheet as stored by which a stroke may be missed."""
@@ -56,6 +54,10 @@ def _nearest(strokes: Sequence[Stroke], at: Point, reach: float) -> Stroke | Non
 
 
 def _of_ink(sheet: OpenedSheet, box: Box) -> tuple[Stroke, ...]:
+    # What follows pixels is compiled: a file whose strokes are known waits for none of it.
+    from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
+    from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
+
     clean = sheet.clean
     height, width = clean.ink.shape
     x0, y0, x1, y1 = clean.turn.box_to_upright(box)

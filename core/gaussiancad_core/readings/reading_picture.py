@@ -43,7 +43,8 @@ def reading_picture(reading: SheetReading, grey: npt.NDArray[np.uint8], reductio
         cv2.putText(picture, name, place, cv2.FONT_HERSHEY_SIMPLEX, 0.5, colour, 1, cv2.LINE_AA)
     for stroke in reading.strokes:
         colour = rgb(KIND_COLOURS.get(stroke.kind, OTHER_COLOUR))[::-1]
-        points = np.rint(16.0 * (scale * points_of(stroke) - 0.5)).astype(np.int32)
+        course = np.array(stroke.line) if stroke.line is not None else points_of(stroke)
+        points = np.rint(16.0 * (scale * course - 0.5)).astype(np.int32)
         if len(points):
             thick = 2 if stroke.view is not None else 1
             cv2.polylines(picture, [points], False, colour, thick, cv2.LINE_AA, shift=4)

@@ -39,8 +39,8 @@ from gaussiancad_core.recognition.views_and_lines import (
 )
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.labels.label_evidence import SheetLabels
 from gaussiancad_core.sheet.registration.view_masks import supersampling_for

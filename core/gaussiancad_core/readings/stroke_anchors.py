@@ -26,6 +26,9 @@ _WHOLE = 0.999
 
 _SAMPLES = 64
 
+_SHARES = np.linspace(0.0, 1.0, _SAMPLES)
+"""Where samples lie, as shares of a shape."""
+
 _HALF_STEP = 0.5 / (_SAMPLES - 1)
 """Half of what lies between two samples, as a share of a line."""
 
@@ -48,17 +51,16 @@ class Shaped(Protocol):
 
 def points_of(shaped: Shaped) -> npt.NDArray[np.float64]:
     """(n, 2) px along a shape, evenly; (0, 2) where there is none."""
-    share = np.linspace(0.0, 1.0, _SAMPLES)
     if shaped.line is not None:
         start, end = np.array(shaped.line)
-        return start + share[:, None] * (end - start)
+        return start + _SHARES[:, None] * (end - start)
     if shaped.arc is not None:
         x, y, radius, first, sweep = shaped.arc
-        angles = first + share * sweep
+        angles = first + _SHARES * sweep
         return np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], 1)
     if shaped.ellipse is not None:
         x, y, major, minor, rotation, first, sweep = shaped.ellipse
-        return WholeEllipse((x, y), major, minor, rotation).at(first + share * sweep)
+        return WholeEllipse((x, y), major, minor, rotation).at(first + _SHARES * sweep)
     return np.empty((0, 2))
 
 

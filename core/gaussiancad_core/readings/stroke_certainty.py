@@ -101,7 +101,7 @@ def mark_certainty(mark: Mark, labels: SheetLabels) -> Certainty:
         mark: px of the upright sheet.
         labels: of the sheet.
     """
-    if mark.line is None:
+    if mark.line is None or not labels.lines:
         return {}
     points = Segment(*mark.line, Linetype.VISIBLE).sample(_STEP_PX)
     line = labels.along(points, part=False)

@@ -41,7 +41,6 @@ from gaussiancad_core.recognition.one_view import shown_extents
 from gaussiancad_core.recognition.views_and_lines import SheetLines
 from gaussiancad_core.report.report_entries import Remark
 from gaussiancad_core.report.run_report import Report
-from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
@@ -344,18 +343,13 @@ def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
     owned += [(None, OF_FILE, stroke) for stroke in lines.loose]
     for number, (view, sure, stroke) in enumerate(owned, start=1):
         yield read_entry(f"s{number}", view, stroke, turn, sure)
+    ends = [end for mark in lines.marks if mark.line is not None for end in mark.line]
+    stored = iter(stored_points(ends, turn) if ends else ())
     for number, mark in enumerate(lines.marks, start=1 + len(owned)):
-        yield _marked(f"s{number}", mark, turn, mark_certainty(mark, lines.labels))
-
-
-def _marked(name: str, mark: Mark, turn: Turn, stated: Certainty) -> StrokeEntry:
-    kind = _KINDS.get(mark.kind, StrokeKind.IGNORE)
-    line = None
-    if mark.line is not None:
-        start, end = stored_points(mark.line, turn)
-        line = start, end
-    box = stored_box(mark.box, turn)
-    return StrokeEntry(id=name, view=None, kind=kind, line=line, box=box, **stated)
+        line = None if mark.line is None else (next(stored), next(stored))
+        kind, box = _KINDS.get(mark.kind, StrokeKind.IGNORE), stored_box(mark.box, turn)
+        stated = mark_certainty(mark, lines.labels)
+        yield StrokeEntry(id=f"s{number}", view=None, kind=kind, line=line, box=box, **stated)
 
 
 def _dimension(number: int, dimension: ReadDimension, turn: Turn) -> DimensionEntry:

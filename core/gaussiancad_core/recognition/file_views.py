@@ -29,8 +29,8 @@ from gaussiancad_core.recognition.shaded_views import ShadedViews, shaded_views
 from gaussiancad_core.recognition.stroke_reading import StrokeReading, read_strokes
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.image.clean_ink import painted_sheet
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import painted_sheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.special_views.cut_areas import cut_areas
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol

@@ -8,9 +8,9 @@ thickness tells it, or that the part is turned.  What the part is then tells the
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.geometry.near_points import pairs_between
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.unseen_extent import Unseen
@@ -151,5 +151,5 @@ def _is_alike(view: ReadView, across: int) -> bool:
     points = np.concatenate([stroke.sample(_NEAR_PX) for stroke in view.strokes])
     images = points.copy()
     images[:, across] = view.box[across] + view.box[across + 2] - images[:, across]
-    away, _ = cKDTree(points).query(images)
-    return bool((away <= 2.0 * _NEAR_PX).mean() >= _ALIKE)
+    met = np.unique(pairs_between(images, points, 2.0 * _NEAR_PX)[:, 0])
+    return len(met) >= _ALIKE * len(images)

@@ -9,13 +9,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
-from scipy.spatial import cKDTree
 
+from gaussiancad_core.geometry.near_points import Points, pairs_between
 from gaussiancad_core.model.axes import Role
+from gaussiancad_core.model.views import Stroke
 from gaussiancad_core.recognition.stroke_reading import StrokeReading
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
-from gaussiancad_core.sheet.image.valley_lines import valley_sheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
 from gaussiancad_core.sheet.views.sheet_layout import Layout
@@ -65,6 +65,9 @@ def shaded_views(
     }
     if not painted:
         return None
+    # Few sheets have such views: the others do not wait for what reads pixels.
+    from gaussiancad_core.sheet.image.valley_lines import valley_sheet
+
     rings = [
         [np.array(part.exterior.coords) * scale for part in shapely.get_parts(view.outline)]
         for view in painted.values()
@@ -107,13 +110,16 @@ def _with_lines(view: ReadView, traced: ReadView, area: float) -> ReadView:
     """
     if traced.outline is not None and _area(traced) > _ENCLOSED * area:
         return traced
-    along = cKDTree(np.concatenate([stroke.sample(_STEP) for stroke in view.strokes]))
-    within = [
-        stroke
-        for stroke in traced.strokes
-        if (along.query(stroke.sample(_STEP))[0] > _BESIDE).mean() > HALF
-    ]
+    outline = np.concatenate([stroke.sample(_STEP) for stroke in view.strokes])
+    within = [stroke for stroke in traced.strokes if not _runs_along(stroke, outline)]
     return replace(view, strokes=(*view.strokes, *within))
+
+
+def _runs_along(stroke: Stroke, outline: Points) -> bool:
+    """Whether most of a stroke lies beside (n, 2) points of an outline."""
+    points = stroke.sample(_STEP)
+    beside = np.unique(pairs_between(points, outline, _BESIDE)[:, 0])
+    return len(beside) > HALF * len(points)
 
 
 def _area(view: ReadView) -> float:

@@ -12,7 +12,6 @@ from gaussiancad_core.recognition.file_views import (
     file_views,
     strokes_of_file,
 )
-from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.recognition.shaded_views import ShadedViews
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
@@ -127,6 +126,9 @@ def _found(
     is_mixed = file is not None and not file.drawing.complete
     if is_mixed and projection is None and symbol is None:
         symbol = find_symbol(sheet, pictured=True)
+    # What reads pixels is compiled: a sheet whose strokes tell its views waits for none of it.
+    from gaussiancad_core.recognition.picture_views import picture_views
+
     try:
         seen = picture_views(sheet, boxes, projection, symbol)
     except NoModelError:

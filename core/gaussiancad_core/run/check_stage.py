@@ -14,11 +14,12 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.meshes import TriangleMesh
 from gaussiancad_core.pictures.overlay import ViewOverlay, draw_overlay
-from gaussiancad_core.pictures.preview import png_bytes, render_preview
+from gaussiancad_core.pictures.png_pictures import png_bytes
+from gaussiancad_core.pictures.preview import render_preview
 from gaussiancad_core.report.report_entries import SolidReport
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 from gaussiancad_core.solid.verify import matching_tolerance

@@ -7,8 +7,9 @@ import msgspec
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.pictures.preview import png_bytes
+from gaussiancad_core.pictures.png_pictures import png_bytes
 from gaussiancad_core.processes.events import Listener, Progress, Silence
+from gaussiancad_core.processes.garbage import uncollected
 from gaussiancad_core.readings.boxed_views import Reread, with_read_views
 from gaussiancad_core.readings.cleaned_lines import DXF_FILE, SVG_FILE, lines_dxf, lines_svg
 from gaussiancad_core.readings.correcting import Ink
@@ -57,8 +58,9 @@ def read_to_file(job: Job, listener: Listener) -> SheetReading:
         LimitError: a limit was reached, or the disk is full.
     """
     notes = RunNotes(Report("", job.settings()), Progress(listener, len(STAGES)))
-    sheet = open_sheet(job, notes)
-    reading = read_sheet_lines(job, sheet, notes)[1]
+    with uncollected():
+        sheet = open_sheet(job, notes)
+        reading = read_sheet_lines(job, sheet, notes)[1]
     try:
         job.output.mkdir(parents=True, exist_ok=True)
         write_whole(job.output / PICTURE_FILE, reading_picture(reading, *sheet.picture))

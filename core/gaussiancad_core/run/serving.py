@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 
 from gaussiancad_core.errors import GaussianCadError, UsageError
-from gaussiancad_core.pictures.preview import png_bytes
+from gaussiancad_core.pictures.png_pictures import png_bytes
 from gaussiancad_core.processes.events import Listener, Progress, Silence
 from gaussiancad_core.readings.correcting import Ink, corrected
 from gaussiancad_core.readings.reading_files import open_corrections

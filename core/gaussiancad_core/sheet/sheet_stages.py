@@ -12,8 +12,8 @@ from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.length_units import LONGEST_MM, SHORTEST_MM
 from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.model.views import Linetype, Stroke, ViewSet
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.picture_noise import ON_LINE
 from gaussiancad_core.sheet.reading_options import Box, ReadingOptions
@@ -39,9 +39,6 @@ from gaussiancad_core.sheet.registration.view_registration import (
     strokes_in_plane,
     view_box,
 )
-from gaussiancad_core.sheet.tracing.ink_strokes import classify_strokes
-from gaussiancad_core.sheet.tracing.twin_lines import with_twins
-from gaussiancad_core.sheet.tracing.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
 from gaussiancad_core.sheet.views.outside_strokes import without_outside
 from gaussiancad_core.sheet.views.sheet_layout import Layout
@@ -49,10 +46,6 @@ from gaussiancad_protocol.codes import Code
 
 _MOST_STROKES = 3000
 """Of a view: each is looked at beside the others, and parts have some hundred."""
-
-_ALONE = 0.6
-"""Gaps by which a line may be longer than its only dash: lines at its ends cover the rest."""
-
 
 _CHORD = 1.5
 """px of the chords that stand for a curve at most."""
@@ -163,14 +156,14 @@ def read_views(
         The views; those whose outline is open without one.
     """
     exact = vector_views(vectors, sheet, layout) if vectors is not None else {}
-    shapes = {}
-    for index, (role, box) in enumerate(layout.boxes.items(), start=1):
-        if role not in exact:
-            shapes[role] = find_shapes(sheet, box)
-        progress(index / (len(layout.boxes) + 1))
-    rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
-    shapes = dict(zip(shapes, with_twins(list(shapes.values()), rhythm), strict=True))
-    pens = view_pens(list(shapes.values()), rhythm)
+    traced: dict[Role, tuple[Stroke, ...]] = {}
+    dash = None
+    rest = {role: box for role, box in layout.boxes.items() if role not in exact}
+    if rest:
+        # What follows pixels is compiled: a sheet whose strokes are known waits for none of it.
+        from gaussiancad_core.sheet.tracing.traced_views import traced_views
+
+        traced, dash = traced_views(sheet, rest, progress)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)
     drawn = []
@@ -179,7 +172,7 @@ def read_views(
         if role in exact:
             (strokes, step), source = exact[role], StrokesSource.VECTOR
         else:
-            strokes = classify_strokes(shapes[role], rhythm, pens)
+            strokes = traced[role]
         if source is StrokesSource.VECTOR:
             outline = _outline_of(strokes, supersampling)
         else:
@@ -189,9 +182,8 @@ def read_views(
             if source is StrokesSource.RASTER:
                 strokes = without_outside(strokes, outline)
             this_view_box = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
-        is_given = pens.distinct or source is not StrokesSource.RASTER
-        dash = None if is_given else rhythm.dash + _ALONE * rhythm.gap
-        drawn.append(ReadView(role, this_view_box, strokes, outline, source, dash, step))
+        this_dash = dash if source is StrokesSource.RASTER else None
+        drawn.append(ReadView(role, this_view_box, strokes, outline, source, this_dash, step))
     return tuple(drawn)
 
 

@@ -4,12 +4,13 @@ Everything is in mm of paper: x right, y down, the origin at the upper left corn
 knows of files or pixels.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
+import shapely
 from shapely import LineString
 
 from gaussiancad_core.files.vectors import Colour, StrokeKind, StrokeRole
@@ -125,6 +126,19 @@ class PaperStroke:
         """(2,) of length 1, from where it begins to where it ends."""
         along = self.points[-1] - self.points[0]
         return np.asarray(along / max(float(np.hypot(*along)), 1e-12))
+
+
+def lines_of(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.object_]:
+    """(n,) their lines for shapely: those of straight ones, which are many, are made at once."""
+    straight = [
+        (stroke, (stroke.curve.start, stroke.curve.end))
+        for stroke in strokes
+        if isinstance(stroke.curve, LineSegment) and "line" not in vars(stroke)
+    ]
+    ends = np.array([pair for _, pair in straight]).reshape(-1, 2, 2)
+    for (stroke, _), line in zip(straight, shapely.linestrings(ends), strict=True):
+        vars(stroke)["line"] = line
+    return np.array([stroke.line for stroke in strokes], dtype=object)
 
 
 @dataclass(frozen=True)

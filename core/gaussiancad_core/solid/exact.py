@@ -1,8 +1,5 @@
 """The exact solid of a drawing: reason, build, draw again, look for others."""
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from math import inf
 
@@ -17,6 +14,7 @@ from gaussiancad_core.labelling.conflict_lines import Conflict
 from gaussiancad_core.labelling.counted_work import Deadline, Meter
 from gaussiancad_core.labelling.minimal_conflicts import find_conflict
 from gaussiancad_core.labelling.part_model import model_part
+from gaussiancad_core.processes.garbage import uncollected
 from gaussiancad_core.solid.candidates import Candidate, Found, candidates_of
 from gaussiancad_core.solid.limits import Limits, Modelled, Work
 from gaussiancad_core.solid.measure_bounds import Measures, measures_of
@@ -150,28 +148,13 @@ def exact_solid_and_model(
         model: of the drawing as it is, where an earlier search made it.
     """
     limits = limits or Limits()
-    with _uncollected():
+    # Columns, rules and clauses are made by the million: looking at them took a third of the time.
+    with uncollected():
         meter = Meter(limits.guard)
         result, model = _found(views, limits, meter, model)
         if meter.spent <= _QUICK * limits.work:
             result = _with_likely_measures(result, views, limits)
         return result.doubted(GUARDED) if meter.is_overrun else result, model
-
-
-@contextmanager
-def _uncollected() -> Iterator[None]:
-    """No garbage is looked for meanwhile.
-
-    Columns, rules and clauses are made by the million, are all kept and have no cycles: looking at
-    them again and again took a third of the time.
-    """
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
 
 
 def _found(

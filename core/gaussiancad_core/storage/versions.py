@@ -1,7 +1,5 @@
 """Versions of what a run is made with."""
 
-from importlib import metadata
-
 OPEN3D_DISTRIBUTIONS = ("open3d-cpu", "open3d")
 """Those that bring Open3D: without CUDA kernels, for Linux on x86-64, and with them, for others."""
 
@@ -20,6 +18,9 @@ ENGINE_PACKAGES = (
 
 def installed_versions(names: tuple[str, ...]) -> dict[str, str]:
     """Versions of the packages that are installed; the others are left out."""
+    # It loads what reads mail.
+    from importlib import metadata
+
     found = {}
     for name in names:
         try:

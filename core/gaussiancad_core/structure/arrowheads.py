@@ -11,10 +11,11 @@ from itertools import combinations
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial import ConvexHull, QhullError, cKDTree
+import shapely
 
 from gaussiancad_core.files.vectors import StrokeKind, VectorStroke
 from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.near_points import near_lists
 
 _ONE_PLACE = 1.0
 """px within which the corners of heads are at one place."""
@@ -89,17 +90,20 @@ def without_heads(strokes: Sequence[VectorStroke], heads: Sequence[Head]) -> lis
     """The strokes but for the lines that heads are drawn of."""
     if not heads:
         return list(strokes)
-    tree = cKDTree(np.array([head.tip for head in heads]))
     reach = _AROUND * max(head.length for head in heads)
-    kept = []
-    for stroke in strokes:
-        curve = stroke.curve
-        if isinstance(curve, LineSegment) and curve.length <= reach:
-            near = tree.query_ball_point(curve.start, reach)
-            if any(_is_within(curve, heads[number]) for number in near):
-                continue
-        kept.append(stroke)
-    return kept
+    short = [
+        (number, stroke.curve)
+        for number, stroke in enumerate(strokes)
+        if isinstance(stroke.curve, LineSegment) and stroke.curve.length <= reach
+    ]
+    starts = np.array([curve.start for _, curve in short]).reshape(-1, 2)
+    near = near_lists(starts, np.array([head.tip for head in heads]), reach)
+    of_heads = {
+        number
+        for (number, curve), around in zip(short, near, strict=True)
+        if any(_is_within(curve, heads[index]) for index in around)
+    }
+    return [stroke for number, stroke in enumerate(strokes) if number not in of_heads]
 
 
 def _is_within(line: LineSegment, head: Head) -> bool:
@@ -123,9 +127,8 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
             continue
         if not _may_be_triangle(points, _BESIDE * size):
             continue
-        try:
-            hull = points[ConvexHull(points).vertices]
-        except QhullError:
+        hull = shapely.get_coordinates(shapely.convex_hull(shapely.MultiPoint(points)))[:-1]
+        if len(hull) < 3:
             continue
         corners = _three(hull, _BESIDE * size)
         if corners is not None:

@@ -4,10 +4,10 @@ from collections import defaultdict
 from itertools import combinations
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.near_points import near_lists
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 
 _LONGEST = 60.0
@@ -55,13 +55,14 @@ def _crosses(labelled: LabelledStrokes) -> list[int]:
     ]
     if not len(middles) or not lines:
         return []
-    distances, nearest = cKDTree(middles).query(
-        np.array([labelled.strokes[number].points.mean(axis=0) for number in lines])
-    )
+    places = np.array([labelled.strokes[number].points.mean(axis=0) for number in lines])
     at_middle = defaultdict(list)
-    for number, distance, index in zip(lines, distances, nearest, strict=True):
-        if distance < _AT_MIDDLE:
-            at_middle[tuple(np.round(middles[index], 1).tolist())].append(number)
+    for number, place, near in zip(
+        lines, places, near_lists(places, middles, _AT_MIDDLE), strict=True
+    ):
+        if near:
+            nearest = middles[near][np.argmin(np.hypot(*(middles[near] - place).T))]
+            at_middle[tuple(np.round(nearest, 1).tolist())].append(number)
     found = set()
     for marks in at_middle.values():
         for one, other in combinations(marks, 2):

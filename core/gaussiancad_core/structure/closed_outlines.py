@@ -8,7 +8,7 @@ import numpy.typing as npt
 import shapely
 from shapely import Polygon
 
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, lines_of
 
 GRID = 0.02
 """mm to which places are rounded, so that ends meet."""
@@ -31,7 +31,7 @@ def faces_of(strokes: Sequence[PaperStroke]) -> Faces:
     """The faces that strokes enclose, and what bounds none."""
     if not strokes:
         return Faces((), ())
-    whole = shapely.union_all([stroke.line for stroke in strokes], grid_size=GRID)
+    whole = shapely.union_all(lines_of(strokes), grid_size=GRID)
     faces, cuts, dangles, _ = shapely.polygonize_full([whole])
     return Faces(tuple(faces.geoms), (*dangles.geoms, *cuts.geoms))
 
@@ -41,9 +41,9 @@ def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
     free = np.zeros(len(strokes))
     loose = faces_of(strokes).dangles
     if loose:
-        lines = [stroke.line for stroke in strokes]
-        strips = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
+        lines = lines_of(strokes)
         numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
-        for number, piece in zip(numbers.tolist(), pieces.tolist(), strict=True):
-            free[number] += loose[piece].intersection(strips[number]).length
+        strips = shapely.buffer(lines, 2.0 * GRID, cap_style="flat")
+        along = shapely.intersection(np.array(loose)[pieces], strips[numbers])
+        np.add.at(free, numbers, shapely.length(along))
     return free

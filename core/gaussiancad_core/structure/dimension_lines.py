@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.near_points import near_lists
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Points
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Points, lines_of
 from gaussiancad_core.structure.arrowheads import Head
 
 GOES_ON = "goes on from a dimension line"
@@ -60,7 +60,7 @@ def dimensions_apart(labelled: LabelledStrokes, heads: Sequence[Head]) -> Labell
     items = [labelled.strokes[number] for number in numbers]
     if not items:
         return labelled
-    tree = shapely.STRtree([item.line for item in items])
+    tree = shapely.STRtree(lines_of(items))
     dimensions: set[int] = set()
     extensions: set[int] = set()
     for head in heads:
@@ -83,18 +83,19 @@ def dimensions_apart(labelled: LabelledStrokes, heads: Sequence[Head]) -> Labell
 
 def _heads_apart(labelled: LabelledStrokes, heads: Sequence[Head]) -> LabelledStrokes:
     """The strokes, those that heads are drawn of told."""
-    tree = cKDTree(np.array([head.tip for head in heads]))
     longest = _CROWDED * max(head.length for head in heads)
-    found = []
-    for number in labelled.numbers(Label.OPEN, Label.TEXT):
-        stroke = labelled.strokes[number]
-        if not stroke.is_line or stroke.length > longest:
-            continue
-        for index in tree.query_ball_point(stroke.points[0], longest):
-            head = heads[index]
-            if _is_of_head(stroke, head):
-                found.append(number)
-                break
+    short = [
+        number
+        for number in labelled.numbers(Label.OPEN, Label.TEXT)
+        if labelled.strokes[number].is_line and labelled.strokes[number].length <= longest
+    ]
+    starts = np.array([labelled.strokes[number].points[0] for number in short]).reshape(-1, 2)
+    near = near_lists(starts, np.array([head.tip for head in heads]), longest)
+    found = [
+        number
+        for number, indices in zip(short, near, strict=True)
+        if any(_is_of_head(labelled.strokes[number], heads[index]) for index in indices)
+    ]
     return labelled.with_label(found, Label.ARROW, "side of an arrowhead")
 
 
@@ -157,7 +158,7 @@ def _going_on(labelled: LabelledStrokes) -> LabelledStrokes:
     if not numbers:
         return labelled
     ends: Points = np.concatenate([labelled.strokes[number].points for number in numbers])
-    tree = cKDTree(ends)
+    near = near_lists(ends, ends, _MEET)
     todo = [i for i, number in enumerate(numbers) if labelled.labels[number] is Label.DIMENSION]
     known = set(todo)
     found = []
@@ -165,7 +166,7 @@ def _going_on(labelled: LabelledStrokes) -> LabelledStrokes:
         index = todo.pop()
         pen = labelled.strokes[numbers[index]].pen
         for end in (2 * index, 2 * index + 1):
-            meeting = tree.query_ball_point(ends[end], _MEET)
+            meeting = near[end]
             if len(meeting) > _CROSSROADS:
                 continue
             for other in {item // 2 for item in meeting} - known:

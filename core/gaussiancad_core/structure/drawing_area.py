@@ -14,7 +14,7 @@ from shapely import LineString, Polygon
 
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
-from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
+from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke, lines_of
 
 _LEVEL = 0.02
 """Sine of the angle by which a line may lean and still run along the paper's edges."""
@@ -78,7 +78,7 @@ def drawing_area(sheet: PaperSheet, labelled: LabelledStrokes, words: Sequence[B
     ruled = [
         stroke
         for stroke in labelled.of(Label.OPEN)
-        if is_ruled(stroke) and stroke.length > _SHORTEST
+        if stroke.length > _SHORTEST and is_ruled(stroke)
     ]
     longer = [
         LineString([line.points[0] - _OVERRUN * line.way, line.points[1] + _OVERRUN * line.way])
@@ -102,8 +102,8 @@ def frame_apart(labelled: LabelledStrokes, area: DrawingArea) -> LabelledStrokes
     inner = area.polygon.buffer(-_EDGE)
     shapely.prepare(inner)
     numbers = labelled.numbers(Label.OPEN)
-    lines = np.array([labelled.strokes[number].line for number in numbers])
-    inside = shapely.contains_properly(inner, lines) if len(lines) else np.zeros(0, dtype=bool)
+    lines = lines_of([labelled.strokes[number] for number in numbers])
+    inside = shapely.contains_properly(inner, lines)
     outside = []
     for number, line, is_inside in zip(numbers, lines, inside, strict=True):
         if not is_inside and inner.intersection(line).length < 0.5 * line.length:

@@ -12,12 +12,11 @@ from math import log
 import numpy as np
 import numpy.typing as npt
 import shapely
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.files.vectors import StrokeRole
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.sheet_model.labelled_strokes import Flags, Label, LabelledStrokes
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen, lines_of
 from gaussiancad_core.structure.closed_outlines import GRID, faces_of, loose_lengths
 from gaussiancad_core.structure.dimension_lines import GOES_ON
 
@@ -106,16 +105,26 @@ class _Meeting:
         closed = loose < 0.5 * lengths
         odds = np.where(closed, _CLOSED, _LOOSE)
         if len(strokes):
-            lines = [stroke.line for stroke in strokes]
+            lines = lines_of(strokes)
             pairs = shapely.STRtree(lines).query(lines, "dwithin", _TOUCH)
-            graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
-            groups = connected_components(graph, directed=False)[1]
+            groups = connected_groups(pairs.T, len(lines))
             few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
-            for group in np.flatnonzero(few).tolist():
-                around = shapely.box(*shapely.total_bounds(np.array(lines)[groups == group]))
-                if not any(around.contains(lines[index]) for index in np.flatnonzero(closed)):
-                    odds[groups == group] = _ALONE
+            few[_going_around(lines, groups, closed)] = False
+            odds[few[groups]] = _ALONE
         return cls(closed, loose > _STICKING_OUT, odds)
+
+
+def _going_around(
+    lines: npt.NDArray[np.object_], groups: npt.NDArray[np.int64], closed: Flags
+) -> npt.NDArray[np.int64]:
+    """Numbers of the groups in whose boxes lines lie that bound faces."""
+    sides = shapely.bounds(lines).T
+    low, high = np.full((2, groups.max() + 1), np.inf), np.full((2, groups.max() + 1), -np.inf)
+    for axis in range(2):
+        np.minimum.at(low[axis], groups, sides[axis])
+        np.maximum.at(high[axis], groups, sides[axis + 2])
+    boxes = shapely.STRtree(shapely.box(*low, *high))
+    return np.unique(boxes.query(lines[closed], "within")[1])
 
 
 def _narrow(labelled: LabelledStrokes) -> list[int]:

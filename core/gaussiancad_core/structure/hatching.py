@@ -5,12 +5,11 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, lines_of
 
 _SHORTEST = 0.4
 """mm of a line of hatching at least."""
@@ -100,10 +99,9 @@ def _beside_each_other(
 ) -> Iterator[list[int]]:
     if len(numbers) < fewest:
         return
-    lines = [strokes[number].line for number in numbers]
+    lines = lines_of([strokes[number] for number in numbers])
     pairs = shapely.STRtree(lines).query(lines, "dwithin", _NEAR)
-    graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(lines), len(lines)))
-    groups = connected_components(graph, directed=False)[1]
+    groups = connected_groups(pairs.T, len(lines))
     for group in np.unique(groups).tolist():
         members = np.flatnonzero(groups == group).tolist()
         if len(members) >= fewest:

@@ -4,10 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from shapely import Polygon
 
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.structure.drawing_area import is_ruled
@@ -48,7 +47,7 @@ def tables_apart(
     ruled = [
         labelled.strokes[number].line
         for number in open_numbers
-        if is_ruled(labelled.strokes[number]) and labelled.strokes[number].length > _SHORTEST
+        if labelled.strokes[number].length > _SHORTEST and is_ruled(labelled.strokes[number])
     ]
     if len(ruled) < _FEWEST_LINES:
         return labelled, []
@@ -83,9 +82,7 @@ def _tables(cells: Sequence[Polygon], words: Sequence[Box]) -> list[Polygon]:
     grown = [cell.buffer(_BESIDE) for cell in cells]
     pairs = shapely.STRtree(cells).query(grown, "intersects").T
     sides = [grown[one].intersection(cells[other]).length > _SHARED for one, other in pairs]
-    one, other = pairs[np.array(sides, dtype=bool)].T
-    graph = coo_array((np.ones(len(one)), (one, other)), shape=(len(cells), len(cells)))
-    groups = connected_components(graph, directed=False)[1]
+    groups = connected_groups(pairs[np.array(sides, dtype=bool)], len(cells))
     found = []
     for group in np.unique(groups).tolist():
         members = np.flatnonzero(groups == group).tolist()

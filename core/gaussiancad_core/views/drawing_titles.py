@@ -6,7 +6,6 @@ from dataclasses import replace
 from math import inf
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.sheet_model.paper_sheet import PaperText
@@ -123,6 +122,9 @@ def _given(
     can be; else each of those that are left anyhow."""
     if not names or not views:
         return []
+    # It takes long to load, and few sheets name their views.
+    from scipy.optimize import linear_sum_assignment
+
     tried = []
     for side in (-1.0, 1.0, 0.0):
         away = np.array([[_away(text, view, side) for view in views] for _, text in names])

@@ -6,11 +6,10 @@ from enum import Enum
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.geometry.points import Box
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, lines_of
 from gaussiancad_core.structure.closed_outlines import faces_of
 
 _NEAR = 0.3
@@ -128,10 +127,9 @@ def _gathered(edges: Sequence[PaperStroke]) -> list[list[PaperStroke]]:
     """Groups of edges that touch, with those that lie in their boxes; the largest first."""
     if not edges:
         return []
-    lines = [edge.line for edge in edges]
+    lines = lines_of(edges)
     pairs = shapely.STRtree(lines).query(lines, "dwithin", _NEAR)
-    graph = coo_array((np.ones(pairs.shape[1]), pairs), shape=(len(edges), len(edges)))
-    numbers = connected_components(graph, directed=False)[1]
+    numbers = connected_groups(pairs.T, len(edges))
     groups: list[list[PaperStroke]] = [[] for _ in range(int(numbers.max()) + 1)]
     for edge, number in zip(edges, numbers.tolist(), strict=True):
         groups[number].append(edge)

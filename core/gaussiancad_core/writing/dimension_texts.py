@@ -71,19 +71,23 @@ def file_lines(
     strokes: Iterable[VectorStroke], turn: Turn
 ) -> list[tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]]:
     """The ends of the straight strokes of a vector file, px of the upright sheet."""
+    return [(start, end) for start, end in _straight(strokes, turn)]
+
+
+def file_rules(strokes: Iterable[VectorStroke], turn: Turn) -> list[Rule]:
+    """The rules among the strokes of a vector file."""
+    found = (rule_of(*ends) for ends in _straight(strokes, turn).tolist())
+    return [rule for rule in found if rule is not None]
+
+
+def _straight(strokes: Iterable[VectorStroke], turn: Turn) -> npt.NDArray[np.float64]:
+    """(n, 2, 2) ends of the straight strokes of a vector file, px of the upright sheet."""
     lines = [
         (stroke.curve.start, stroke.curve.end)
         for stroke in strokes
         if isinstance(stroke.curve, LineSegment) and stroke.kind not in _NO_LINES
     ]
-    ends = turn.to_upright(np.array(lines).reshape(-1, 2)).reshape(-1, 2, 2)
-    return [(start, end) for start, end in ends]
-
-
-def file_rules(strokes: Iterable[VectorStroke], turn: Turn) -> list[Rule]:
-    """The rules among the strokes of a vector file."""
-    found = (rule_of(start.tolist(), end.tolist()) for start, end in file_lines(strokes, turn))
-    return [rule for rule in found if rule is not None]
+    return turn.to_upright(np.array(lines).reshape(-1, 2)).reshape(-1, 2, 2)
 
 
 def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> tuple[Span, ...]:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse.csgraph import connected_components
 
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.tracing.level_rules import Rule
 from gaussiancad_core.writing.dimension_layout import ALONG, IN_LINE
@@ -92,7 +92,7 @@ def _adjoining(cells: Sequence[Box]) -> list[list[Box]]:
 
     level = same(top, top) & same(bottom, bottom) & same(right, left)
     upright = same(left, left) & same(right, right) & same(bottom, top)
-    groups = connected_components(level | upright, directed=False)[1]
+    groups = connected_groups(np.argwhere(level | upright), len(cells))
     return [
         [cells[number] for number in np.flatnonzero(groups == group).tolist()]
         for group in np.unique(groups).tolist()

@@ -10,8 +10,8 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.files.vectors import VectorText
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, Ink
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet, Ink
 from gaussiancad_core.sheet.line_conventions import FRAME
 from gaussiancad_core.sheet.picture_noise import FAINT, PARALLEL
 from gaussiancad_core.sheet.reading_options import Box

@@ -107,7 +107,7 @@ def test_the_doctor_finds_this_engine_complete(capsys: pytest.CaptureFixture[str
 
 HEAVY = {
     *("numpy", "scipy", "cv2", "skimage", "PIL", "numba", "torch", "open3d", "trimesh"),
-    *("manifold3d", "OCP", "ortools", "pandas", "psutil"),
+    *("manifold3d", "OCP", "ortools", "pandas", "psutil", "onnxruntime"),
 }
 
 
@@ -159,6 +159,21 @@ def test_a_run_for_the_solid_alone_loads_nothing_that_makes_surfaces(
     assert code == 0
     assert "OCP" in heavy
     assert not heavy & {"torch", "open3d", "trimesh", "manifold3d"}
+
+
+def test_a_file_whose_strokes_tell_its_views_loads_nothing_that_follows_pixels(
+    tmp_path: Path,
+) -> None:
+    front, top = '<rect x="60" y="120" width="80" height="40"/>', '<rect x="60" y="50" width="80"'
+    (tmp_path / "plate.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" '
+        'viewBox="0 0 200 200"><g fill="none" stroke="#000" stroke-width="0.5">'
+        f'{front}{top} height="50"/></g></svg>'
+    )
+    code, heavy = _loaded("read", str(tmp_path / "plate.svg"), "--output", str(tmp_path / "o"))
+    reading = json.loads((tmp_path / "o" / "reading.json").read_text("utf-8"))
+    assert code == 0 and {view["role"] for view in reading["views"]} == {"front", "top"}
+    assert "cv2" in heavy and not heavy & {"scipy", "numba", "onnxruntime", "OCP"}
 
 
 def test_batch_goes_on_after_a_sheet_that_fails(

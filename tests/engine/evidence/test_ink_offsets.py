@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from gaussiancad_core.evidence.ink_offsets import ink_offsets
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.registration.view_registration import Placement
 
 _SIDE, _WIDTH, _PX = 200, 3.0, 0.5

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.model.meshes import TriangleMesh
+from gaussiancad_core.pictures.png_pictures import png_bytes
 from gaussiancad_core.pictures.preview import (
     PreviewSize,
-    png_bytes,
     render_preview,
     smooth_corner_normals,
 )

@@ -81,6 +81,12 @@ def test_each_view_is_a_block_in_millimetres_with_a_layer_for_each_kind() -> Non
     assert (arc.dxf.start_angle, arc.dxf.end_angle) == pytest.approx((90.0, 180.0))
     assert tuple(circle.dxf.center)[:2] == (200.0 * _MM, 100.0 * _MM)
     assert [block.dxf.layer for block in drawing.blocks.get("SECTION")] == ["TANGENT", "CENTRE"]
+    patterns = {layer.dxf.name: layer.dxf.linetype.upper() for layer in drawing.layers}
+    assert patterns["VISIBLE"] == patterns["TANGENT"] == "CONTINUOUS"
+    assert [patterns[name] for name in ("HIDDEN", "CENTRE", "CUT")] == [
+        *("DASHED", "CENTER", "DASHDOT")
+    ]
+    assert all(pattern in drawing.linetypes for pattern in patterns.values())
 
 
 @pytest.mark.parametrize("suffix", [".dxf", ".svg"])

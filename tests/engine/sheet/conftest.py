@@ -18,7 +18,8 @@ from gaussiancad_core.drawing.sheet_style import PRESETS, Cap, SheetStyle
 from gaussiancad_core.drawing.stroke_raster import draw_stroke, rasterise
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.reading_options import Box, ReadingOptions
 from gaussiancad_core.sheet.sheet_stages import (
     ReadView,

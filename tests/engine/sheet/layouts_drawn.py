@@ -1,7 +1,7 @@
 """Layouts of sheets that the engine drew itself."""
 
 from gaussiancad_core.drawing.drawn_sheet import Sheet
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.views.sheet_layout import Layout, view_clusters
 
 

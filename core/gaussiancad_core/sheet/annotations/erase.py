@@ -11,7 +11,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 
 Kinds = list[list[AnnotationKind | None]]
 """For each run of each shape what annotation it is, or nothing where it is the part's."""

@@ -16,7 +16,7 @@ from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, points_along
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.line_conventions import HATCHING, UNEVEN
 from gaussiancad_core.sheet.picture_noise import PARALLEL
 from gaussiancad_core.sheet.tracing.ink_runs import Run

@@ -7,12 +7,12 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.annotations.short_dashes import with_dots
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import OVERRUN
+from gaussiancad_core.sheet.tracing.grown_shapes import Grown
 from gaussiancad_core.sheet.tracing.ink_runs import InkField, Run, circle_runs, line_runs
 from gaussiancad_core.sheet.tracing.line_widths import run_width
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
-from gaussiancad_core.sheet.tracing.shape_growth import Grown
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.erase import Told
 from gaussiancad_core.sheet.annotations.inked_shapes import points_along
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
 
 

@@ -5,20 +5,20 @@ lines vanish.  As even a 3 x 3 median erases lines of one pixel and shortens das
 which pieces of ink are noise: those of which it leaves nothing, unless they are as long as a dash.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import cv2
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.files.painting import paint
 from gaussiancad_core.files.paper import STROKE_REACH, enlarged, even_paper, smaller
-from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.image.dash_gaps import dash_gap
-from gaussiancad_core.sheet.image.deskew import Turn, find_turn, grown_lines
+from gaussiancad_core.sheet.image.deskew import Turn, find_turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet, Ink
 from gaussiancad_core.sheet.image.pale_strokes import mean_stroke_width, with_pale
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL
+from gaussiancad_core.sheet.tracing.grown_shapes import grown_lines
 from gaussiancad_core.sheet.tracing.ridges import ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_straight
 from gaussiancad_protocol.codes import Code
@@ -45,9 +45,6 @@ _LINE_PX = 24
 _LEAST_LINES = 0.1
 """Share of the strokes' length that lines have at least."""
 
-_INK = 0.3
-"""Share of a pixel that painted strokes cover from which it is ink, about as in pictures."""
-
 _NOISE = 4.0
 """Standard deviations of the paper's own darkness under which there is no ink.
 
@@ -56,36 +53,6 @@ More would be cut off one side of a smooth stroke than off the other, and shift 
 
 _EVEN_PAPER = 2.0
 """Grey levels of the paper's own darkness up to which a sheet was plotted and not scanned."""
-
-Ink = npt.NDArray[np.bool_]
-"""(h, w), True where there is ink."""
-
-
-@dataclass(frozen=True)
-class CleanSheet:
-    """The ink of a sheet.
-
-    Attributes:
-        ink: (h, w) bool, the thresholded strokes.
-        weight: (h, w) float32 in 0..1, darkness relative to the ink's; for sub-pixel measuring.
-        stroke_width: px, the mean over the sheet.
-        turn: by which the sheet was turned back to be upright.
-        dash_gap: px between dashes, of an upright sheet; 0 where they do not tell.
-        hidden_odds: (h, w) float16, log-odds of a hidden line's ink against a visible one's; None
-            where no labels told them.
-    """
-
-    ink: Ink
-    weight: npt.NDArray[np.float32]
-    stroke_width: float
-    turn: Turn
-    dash_gap: float = 0.0
-    hidden_odds: npt.NDArray[np.float16] | None = None
-
-    @property
-    def picture(self) -> npt.NDArray[np.uint8]:
-        """(h, w) uint8, the ink dark on white paper, upright."""
-        return np.rint(255.0 * (1.0 - self.weight)).astype(np.uint8)
 
 
 def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL) -> CleanSheet:
@@ -116,21 +83,6 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
     weight = _weight(grey, ink)
     unturned = Turn(0.0, (grey.shape[1] / 2, grey.shape[0] / 2))
     return CleanSheet(ink, weight, mean_stroke_width(ink, weight), unturned)
-
-
-def painted_sheet(drawing: VectorDrawing, shape: tuple[int, int], turn: Turn) -> CleanSheet:
-    """The ink of strokes alone, as if nothing else were drawn on the sheet.
-
-    Args:
-        drawing: in px of the upright sheet.
-        shape: height and width of the sheet, px.
-        turn: of the sheet.
-    """
-    grey = paint(drawing, shape[1], shape[0])
-    weights = 1.0 - np.arange(256, dtype=np.float32) / np.float32(255.0)
-    weight, ink = weights[grey], (weights > _INK)[grey]
-    width = mean_stroke_width(ink, weight) if ink.any() else 0.0
-    return CleanSheet(ink, weight, width, turn)
 
 
 def upright_sheet(sheet: CleanSheet, turn: Turn | None = None) -> CleanSheet:

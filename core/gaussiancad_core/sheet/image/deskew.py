@@ -4,7 +4,7 @@ Most lines of a drawing are level or upright: the turn is the direction that mos
 has in common, modulo a quarter of a turn.  Long fitted lines give it to thousandths of a degree.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import cv2
@@ -13,9 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.geometry.chains import LineSegment
-from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.reading_options import Box
-from gaussiancad_core.sheet.tracing.shape_growth import Grown
 
 Floats = npt.NDArray[np.float64]
 
@@ -126,15 +124,8 @@ def find_turn(directions: Floats, lengths: Floats, shape: tuple[int, int]) -> Tu
     return Turn(0.0 if small else common, centre)
 
 
-def grown_lines(shapes: Sequence[Grown]) -> tuple[Floats, Floats]:
-    """(n, 2) directions and (n,) lengths in px of the straight ones of shapes found in pixels."""
-    lines = [shape for shape in shapes if isinstance(shape.geometry, Line)]
-    directions = np.array([line.line.direction for line in lines]).reshape(-1, 2)
-    return directions, np.array([len(line.members) for line in lines], dtype=np.float64)
-
-
 def file_directions(drawing: VectorDrawing) -> tuple[Floats, Floats]:
-    """The same of the longest straight lines of a file."""
+    """(n, 2) directions and (n,) lengths in px of the longest straight lines of a file."""
     lines = [stroke.curve for stroke in drawing.strokes if isinstance(stroke.curve, LineSegment)]
     ends = np.array([(line.start, line.end) for line in lines]).reshape(-1, 2, 2)
     ways = ends[:, 1] - ends[:, 0]

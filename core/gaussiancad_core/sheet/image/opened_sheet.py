@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.files.vectors import VectorDrawing
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.image.deskew import Turn, file_directions, find_turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.reading_options import MEDIAN_KERNEL
 from gaussiancad_core.structure.arrowheads import Head, arrowheads
@@ -58,6 +58,9 @@ class OpenedSheet:
     @cached_property
     def _cleaned(self) -> CleanSheet | NoModelError:
         """The ink, or why there is none: that takes as long to find."""
+        # What reads pixels is compiled: a sheet whose strokes are known waits for none of it.
+        from gaussiancad_core.sheet.image.clean_ink import clean_sheet, upright_sheet
+
         try:
             ink = clean_sheet(self.image.grey, self.median_kernel)
             found = upright_sheet(ink, self._by_strokes)

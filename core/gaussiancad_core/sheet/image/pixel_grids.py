@@ -11,7 +11,6 @@ from enum import Enum
 
 import numpy as np
 import numpy.typing as npt
-from scipy.special import gammaincc
 
 from gaussiancad_core.model.views import Linetype, Segment, Stroke
 
@@ -122,6 +121,9 @@ def _places(lines: Sequence[Segment], direction: int) -> npt.NDArray[np.float64]
 def _is_rounded(families: Sequence[npt.NDArray[np.float64]], step: float, least: float) -> bool:
     """Whether places are multiples of a step, each family's counted from a beginning of its own,
     and not by chance (Rayleigh's test)."""
+    # Of files nobody asks this, and it takes longer to load than most of them to read.
+    from scipy.special import gammaincc
+
     stated = [_concentration(family, step) if len(family) else 0.0 for family in families]
     evidence = sum(len(family) * one**2 for family, one in zip(families, stated, strict=True))
     # The sum of as many exponential variates, by chance.

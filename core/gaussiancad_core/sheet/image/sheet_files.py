@@ -17,7 +17,6 @@ from gaussiancad_core.files.sizing import UNIT_UNKNOWN
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
-from gaussiancad_core.sheet.image.photographs import straightened
 from gaussiancad_core.sheet.image.working_scale import resampled, working_factor
 from gaussiancad_protocol.codes import Code
 
@@ -76,7 +75,12 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     sha256 = _sha256(path)
     content = read_isolated(kind, path, page)
     grey, tint = content.grey, content.tint
-    made = straightened(grey, tint) if content.vectors is None else None
+    made = None
+    if content.vectors is None:
+        # A file with strokes waits for nothing that straightens photographs.
+        from gaussiancad_core.sheet.image.photographs import straightened
+
+        made = straightened(grey, tint)
     if made is not None:
         grey, tint = made.grey, made.tint
     elif np.median(grey) < 128:

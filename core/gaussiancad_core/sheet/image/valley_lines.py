@@ -11,8 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.points import box_around
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, mean_stroke_width
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
+from gaussiancad_core.sheet.image.pale_strokes import mean_stroke_width
 
 _WIDEST = 9
 """px that a line is wide at most."""

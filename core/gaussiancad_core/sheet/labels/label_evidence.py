@@ -10,7 +10,6 @@ from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
@@ -229,7 +228,12 @@ class _Group:
         self.lines = lines
         counts = [len(line.points) for line in lines]
         self.owners = np.repeat(np.arange(len(lines)), counts)
-        self.tree = cKDTree(np.concatenate([line.points for line in lines])) if lines else None
+        self.tree = None
+        if lines:
+            # A sheet whose strokes are known has none.
+            from scipy.spatial import cKDTree
+
+            self.tree = cKDTree(np.concatenate([line.points for line in lines]))
 
 
 def _by_confidence(line: LabelledLine) -> tuple[bool, float]:

@@ -11,7 +11,7 @@ from gaussiancad_core.sheet.annotations.hatching_runs import find_hatching
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, inked_shape, points_along
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet, line_marks
 from gaussiancad_core.sheet.annotations.sheet_frame import find_frame
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.labels.dash_rhythm_labels import rhythm_odds
 from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
 from gaussiancad_core.sheet.labels.label_evidence import (

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.inked_shapes import InkedRun, InkedShape
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
 from gaussiancad_core.sheet.labels.line_decoding import LabelledRun
 from gaussiancad_core.sheet.line_conventions import THIN

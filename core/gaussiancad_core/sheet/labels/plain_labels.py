@@ -7,7 +7,7 @@ The widths of lines, the frame and the ends of lines still tell what they can
 import cv2
 import numpy as np
 
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
 from gaussiancad_core.sheet.labels.labels_network import InkLabels
 from gaussiancad_core.sheet.labels.writing_lines import written_groups

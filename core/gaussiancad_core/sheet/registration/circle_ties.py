@@ -83,15 +83,13 @@ def _misfit(values: Floats, tie: Tie) -> float:
 
 
 def _solved(known: Estimates, pull: Floats, ties: Sequence[Tie]) -> Floats:
-    from scipy.linalg import null_space
-
     rows = np.zeros((len(ties), len(known.start)))
     for row, tie in zip(rows, ties, strict=True):
         row[[tie.edge, tie.centre, tie.radius]] = 1.0, -1.0, -float(tie.side)
     # Only what ties touch needs the null space; all else would make it large.
     touched = np.flatnonzero(np.abs(rows).sum(axis=0))
     free = np.setdiff1d(np.arange(len(known.start)), touched)
-    inner = null_space(rows[:, touched])
+    inner = _null_space(rows[:, touched])
     basis = np.zeros((len(known.start), len(free) + inner.shape[1]))
     basis[free, np.arange(len(free))] = 1.0
     basis[touched, len(free) :] = inner
@@ -114,3 +112,10 @@ def _violated(known: Estimates, values: Floats) -> npt.NDArray[np.bool_]:
         wrong[chain[falling]] = True
         wrong[chain[falling + 1]] = True
     return wrong
+
+
+def _null_space(rows: Floats) -> Floats:
+    """(n, k) directions in which (m, n) rows say nothing."""
+    _, sizes, ways = np.linalg.svd(rows)
+    least = float(sizes.max(initial=0.0)) * max(rows.shape) * np.finfo(np.float64).eps
+    return np.asarray(ways[int((sizes > least).sum()) :].T)

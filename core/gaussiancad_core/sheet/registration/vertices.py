@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.geometry.near_points import near_pairs
 from gaussiancad_core.geometry.points import to_point
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Arc, Ellipse, Segment, Stroke
@@ -112,8 +113,6 @@ def end_points(stroke: Stroke) -> tuple[Point, Point] | None:
 
 def _vertices(strokes: CarriedStrokes, precision: Precision) -> list[Vertex]:
     """Ends that lie together, and what passes there."""
-    from scipy.spatial import cKDTree
-
     keys: list[tuple[int, int]] = []
     points: list[Point] = []
     for index, stroke in enumerate(strokes.strokes):
@@ -124,7 +123,7 @@ def _vertices(strokes: CarriedStrokes, precision: Precision) -> list[Vertex]:
     if not points:
         return []
     at = np.array(points)
-    pairs = cKDTree(at).query_pairs(precision.ends, output_type="ndarray")
+    pairs = near_pairs(at, precision.ends)
     apart = np.hypot(*(at[pairs[:, 0]] - at[pairs[:, 1]]).T)
     group = list(range(len(at)))
     members = {index: [index] for index in group}

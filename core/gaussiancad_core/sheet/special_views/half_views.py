@@ -14,7 +14,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.annotations.erase import Told
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.line_conventions import SMALLEST_VIEW
 from gaussiancad_core.sheet.picture_noise import LEVEL
 from gaussiancad_core.sheet.reading_options import Box

@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.broken_views import Break, find_breaks, may_be_broken

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.special_views.symbol_shape import (
     AXES,
     Ends,
@@ -18,9 +18,10 @@ from gaussiancad_core.sheet.special_views.symbol_shape import (
     is_around,
     symbol_near_text,
 )
+from gaussiancad_core.sheet.tracing.grown_shapes import Grown
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, ridge_points
-from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_shapes
+from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.votes import LARGELY, MOST
 
 Floats = npt.NDArray[np.float64]

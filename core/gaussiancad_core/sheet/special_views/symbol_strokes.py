@@ -3,14 +3,12 @@ or without an axis through them."""
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.files.vectors import StrokeRole, VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import Chain, LineSegment
+from gaussiancad_core.geometry.near_points import connected_groups, near_lists, near_pairs
 from gaussiancad_core.geometry.points import FULL_TURN
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.sheet.picture_noise import ONE_PLACE
@@ -95,9 +93,8 @@ def _circles(strokes: list[VectorStroke], largest: float) -> list[Circle]:
     if not arcs:
         return []
     places = np.array(arcs)
-    pairs = cKDTree(places[:, :3]).query_pairs(ONE_PLACE, output_type="ndarray")
-    joined = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(places), len(places)))
-    count, groups = connected_components(joined, directed=False)
+    groups = connected_groups(near_pairs(places[:, :3], ONE_PLACE), len(places))
+    count = int(groups.max()) + 1
     swept = np.bincount(groups, weights=places[:, 3], minlength=count)
     means = [np.bincount(groups, weights=column, minlength=count) for column in places[:, :3].T]
     x, y, radius = np.array(means) / np.bincount(groups, minlength=count)
@@ -128,10 +125,8 @@ def _ringed(circles: list[Circle]) -> list[Circle]:
     """Circles with another one around the same centre in them."""
     if not circles:
         return []
-    tree = cKDTree([circle.centre for circle in circles])
-    near = tree.query_ball_point(
-        [circle.centre for circle in circles], [circle.radius for circle in circles]
-    )
+    centres = np.array([circle.centre for circle in circles])
+    near = near_lists(centres, centres, max(circle.radius for circle in circles))
     return [
         outer
         for outer, inside in zip(circles, near, strict=True)

@@ -10,10 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
+from gaussiancad_core.geometry.near_points import connected_groups, near_lists
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Ellipse, Segment, Stroke
 from gaussiancad_core.sheet.picture_noise import ONE_PLACE
@@ -133,7 +131,7 @@ def _between_smooth(view: ReadView, near: float) -> list[Segment]:
     ends, ways = _ends(view.strokes)
     if not len(ends):
         return []
-    groups = cKDTree(ends).query_ball_point(ends, near)
+    groups = near_lists(ends, ends, near)
 
     def is_passed(end: int) -> bool:
         others = [item for item in groups[end] if item // 2 != end // 2]
@@ -184,7 +182,7 @@ def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
     ends, ways = _ends(view.strokes)
     if not len(ends):
         return _Junctions(*(np.empty(0) for _ in range(3)))
-    groups = cKDTree(ends).query_ball_point(ends, near)
+    groups = near_lists(ends, ends, near)
     places = _along(view, axis, ends)
     is_right = view.role.frame.right_axis[0] is axis
     outline = _on_outline(view, groups, near)
@@ -206,9 +204,7 @@ def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
 def _on_outline(view: ReadView, groups: Sequence[Sequence[int]], near: float) -> Flags:
     """(n,) which strokes hang together with one that reaches the border of the view."""
     pairs = [(number // 2, other // 2) for number, group in enumerate(groups) for other in group]
-    count = len(view.strokes)
-    links = coo_matrix((np.ones(len(pairs)), np.array(pairs).T), (count, count))
-    _, labels = connected_components(links, directed=False)
+    labels = connected_groups(np.array(pairs), len(view.strokes))
     low, high = np.array(view.box[:2]) + near, np.array(view.box[2:]) - near
     reach = [
         bool((points < low).any() or (points > high).any())

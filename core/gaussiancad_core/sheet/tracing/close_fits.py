@@ -16,7 +16,7 @@ from scipy.special import ndtr
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import (
     AROUND,
     CLOSER,

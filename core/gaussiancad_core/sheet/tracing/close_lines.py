@@ -11,11 +11,12 @@ from itertools import combinations
 import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Line
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import DARK, ON_LINE, PARALLEL, SIDE_BY_SIDE
+from gaussiancad_core.sheet.tracing.grown_shapes import Grown
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, fine_ridge_points
-from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_straight
+from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_straight
 
 _NEAREST = 1.9
 """px between two lines that can be told apart, at least."""

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import DARK, STEP, TOUCHING
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample

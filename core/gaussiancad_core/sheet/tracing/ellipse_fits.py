@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.ellipses import WholeEllipse, refined
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import AROUND, FEWEST_PIXELS, ONE_PLACE
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm, Run
 from gaussiancad_core.sheet.tracing.linetype_odds import RunOdds

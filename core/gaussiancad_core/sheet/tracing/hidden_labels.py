@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.log_odds import OF_A_POINT
 
 TOLD = 2.0

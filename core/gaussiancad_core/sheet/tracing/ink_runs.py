@@ -15,7 +15,7 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.annotations.annotation_marks import values_at
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import STEP
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD
 from gaussiancad_core.sheet.tracing.ink_shapes import sample

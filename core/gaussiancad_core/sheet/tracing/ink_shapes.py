@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Circle, Line
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.tracing.sharp_edges import between_edges
 
 _CIRCLE_FITS = ((3.0, 4.0), (2.5, 3.0), (2.0, 2.0), (1.5, 1.2), (1.5, 0.8), (1.5, 0.8))

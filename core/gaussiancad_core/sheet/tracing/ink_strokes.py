@@ -14,7 +14,7 @@ from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import MEETING
 from gaussiancad_core.sheet.tracing.behind_edges import with_ends_behind_edges
 from gaussiancad_core.sheet.tracing.borrowed_dashes import unshared_runs

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import AROUND, BLANK, DARK, STEP
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import runs_of_ink

@@ -2,8 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-
-import numpy as np
+from math import hypot
 
 _SLANT = 0.01
 """Sine of the angle within which a line is level or upright."""
@@ -29,7 +28,7 @@ def rule_of(start: Sequence[float], end: Sequence[float]) -> Rule | None:
     """The rule between two points; nothing if it is slanted."""
     (x0, y0), (x1, y1) = start, end
     dx, dy = abs(x1 - x0), abs(y1 - y0)
-    length = float(np.hypot(dx, dy))
+    length = hypot(dx, dy)
     if length == 0.0 or min(dx, dy) > max(_SLANT * length, 0.5):
         return None
     if dx > dy:

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import WholeCurve
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.line_conventions import THIN
 from gaussiancad_core.sheet.tracing.ink_runs import Rhythm, Run
 from gaussiancad_core.sheet.tracing.ink_shapes import sample

@@ -14,7 +14,7 @@ from scipy.ndimage import median_filter
 
 from gaussiancad_core.geometry.whole_curves import WholeCurve
 from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.tracing.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.tracing.ink_runs import Run
 from gaussiancad_core.sheet.tracing.line_widths import Pens, widths_along

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import (
     FEWEST_PLACES,
     ON_LINE,

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.dash_noise import LIKE_A_DASH, ROW
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import DARK, FINEST_STEP, ONE_PLACE
 from gaussiancad_core.sheet.tracing.ink_runs import Piece, Rhythm
 from gaussiancad_core.sheet.tracing.ink_shapes import sample

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.geometry.whole_curves import Line
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.tracing.corner_stubs import Placed
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample

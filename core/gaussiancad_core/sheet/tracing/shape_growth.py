@@ -16,10 +16,11 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.ellipses import WholeEllipse
-from gaussiancad_core.geometry.whole_curves import Circle, Line, WholeCurve
+from gaussiancad_core.geometry.whole_curves import Circle, Line
 from gaussiancad_core.sheet.picture_noise import COURSE, ON_LINE, TOUCHING
 from gaussiancad_core.sheet.tracing.arc_kernels import grow_arcs
 from gaussiancad_core.sheet.tracing.corner_fits import is_corner
+from gaussiancad_core.sheet.tracing.grown_shapes import Grown
 from gaussiancad_core.sheet.tracing.line_kernels import grow_lines, line_worth
 from gaussiancad_core.sheet.tracing.ovals import OvalRules, grow_ovals
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints
@@ -90,33 +91,6 @@ class GrowthRules:
             gap=max(14.0, 5.0 * stroke_width, _UNEVEN_GAP * dash_gap),
             band=max(0.8, 0.2 * stroke_width),
         )
-
-
-@dataclass(frozen=True, eq=False)
-class Grown:
-    """A line, circle or ellipse with the ridge points that it explains.
-
-    Attributes:
-        geometry: in px, centres of pixels at integers.
-        members: (k,) rows of the ridge points.
-    """
-
-    geometry: WholeCurve
-    members: npt.NDArray[np.int64]
-
-    @property
-    def line(self) -> Line:
-        """Its geometry, of a straight one."""
-        if not isinstance(self.geometry, Line):
-            raise ValueError("the shape is not straight")
-        return self.geometry
-
-    @property
-    def circle(self) -> Circle:
-        """Its geometry, of a circle."""
-        if not isinstance(self.geometry, Circle):
-            raise ValueError("the shape is no circle")
-        return self.geometry
 
 
 def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:

@@ -7,7 +7,7 @@ of half the distance has much of its ink.  What fills the outer corners tells.
 import numpy as np
 
 from gaussiancad_core.geometry.whole_curves import Circle
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.tracing.ink_runs import Piece
 from gaussiancad_core.sheet.tracing.ink_shapes import sample
 

@@ -15,7 +15,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.ellipses import WholeEllipse
 from gaussiancad_core.geometry.whole_curves import Circle, ClosedCurve, Line, WholeCurve
 from gaussiancad_core.sheet.dash_noise import FEWEST, LIKE_A_DASH
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.picture_noise import ON_LINE, STEP
 from gaussiancad_core.sheet.tracing.arc_ends import without_arc_ends
 from gaussiancad_core.sheet.tracing.close_lines import with_close_lines

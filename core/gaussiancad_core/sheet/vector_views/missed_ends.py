@@ -7,16 +7,19 @@ are still apart by about a step.
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.curves import Curve
+from gaussiancad_core.geometry.near_points import near_pairs
 from gaussiancad_core.sheet.file_noise import EXACT
 
 _COARSEST = 0.3
 """px between the ends of rounded strokes that meet, at most: farther ones may be two corners of a
 part."""
+
+_ASKED = 3
+"""Nearest ends of other strokes that are asked of each end."""
 
 _OFTEN, _FEWEST = 0.3, 8
 """Share of meetings that are missed where that is a rule, and strokes from which it is one."""
@@ -28,11 +31,15 @@ def missed_px(curves: Sequence[Curve]) -> float:
     if len(open_curves) < _FEWEST:
         return 0.0
     ends = np.concatenate([open_curve.vertices(np.inf)[[0, -1]] for open_curve in open_curves])
-    # The nearest but one: the nearest is the end itself, or the other end of a circle.
-    away = cKDTree(ends).query(ends, k=min(4, len(ends)))[0][:, 1:]
-    meeting = away[(away < _COARSEST).any(axis=1)]
-    missed = (meeting > EXACT) & (meeting < _COARSEST)
-    exactly = (meeting <= EXACT).any(axis=1)
-    if not len(meeting) or (missed.any(axis=1) & ~exactly).mean() <= _OFTEN:
+    pairs = near_pairs(ends, _COARSEST)
+    one, other = np.concatenate([pairs, pairs[:, ::-1]]).T
+    away = np.hypot(*(ends[one] - ends[other]).T)
+    nearest = np.lexsort((away, one))
+    one, away = one[nearest], away[nearest]
+    is_asked = np.arange(len(one)) - np.searchsorted(one, one) < _ASKED
+    missed = is_asked & (away > EXACT)
+    exactly = np.isin(one, one[is_asked & ~missed])
+    meeting = len(np.unique(one))
+    if not meeting or len(np.unique(one[missed & ~exactly])) <= _OFTEN * meeting:
         return 0.0
-    return float(np.median(meeting[missed]))
+    return float(np.median(away[missed]))

@@ -11,7 +11,7 @@ from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Stroke
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.vector_views.missed_ends import missed_px
 from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_gap

@@ -9,7 +9,7 @@ from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.chains import Chain
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment, Stroke
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, painted_sheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet, painted_sheet
 from gaussiancad_core.sheet.picture_noise import STEP
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource

@@ -10,7 +10,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
-from gaussiancad_core.sheet.image import opened_sheet
+from gaussiancad_core.sheet.image import clean_ink
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
@@ -18,13 +18,13 @@ from gaussiancad_core.sheet.image.sheet_files import SheetImage
 
 def test_why_there_is_no_ink_is_found_once(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[int] = []
-    real = opened_sheet.clean_sheet
+    real = clean_ink.clean_sheet
 
     def counted(grey: np.ndarray, kernel: int) -> object:
         asked.append(kernel)
         return real(grey, kernel)
 
-    monkeypatch.setattr(opened_sheet, "clean_sheet", counted)
+    monkeypatch.setattr(clean_ink, "clean_sheet", counted)
     blank = OpenedSheet(SheetImage(Path("sheet.png"), np.full((300, 400), 255, np.uint8), ""))
     errors = []
     for _ in range(3):

@@ -15,7 +15,8 @@ from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.labels.labelled_ink import separate_by_labels
 from gaussiancad_core.sheet.labels.labels_network import ink_labels
 from sample_parts import sample

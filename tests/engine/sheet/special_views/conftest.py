@@ -14,7 +14,7 @@ from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
 from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.views.sheet_layout import Layout

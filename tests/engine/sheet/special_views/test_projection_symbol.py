@@ -15,7 +15,8 @@ from gaussiancad_core.drawing.inking import ink_annotations
 from gaussiancad_core.drawing.sheet_style import SheetStyle, parse_style
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.sheet_views import SheetViews, sheet_views
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.special_views.symbol_pixels import pixel_symbol

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.model.views import Linetype, Segment
-from gaussiancad_core.sheet.image.clean_ink import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.image.clean_ink import clean_sheet
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 
 Sketch = Any
 """The class that the fixture gives."""

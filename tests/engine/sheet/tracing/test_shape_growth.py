@@ -8,8 +8,9 @@ import pytest
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.whole_curves import Line
 from gaussiancad_core.sheet.tracing import shape_growth, view_shapes
+from gaussiancad_core.sheet.tracing.grown_shapes import Grown
 from gaussiancad_core.sheet.tracing.ridges import RidgePoints, ridge_points
-from gaussiancad_core.sheet.tracing.shape_growth import Grown, GrowthRules, grow_shapes, warm_up
+from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_shapes, warm_up
 
 Sketch = Any
 """The class that the fixture gives."""
