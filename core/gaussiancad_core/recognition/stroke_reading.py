@@ -12,6 +12,7 @@ import shapely
 from shapely import Polygon
 
 from gaussiancad_core.file_reading.dashed_lines import with_dashed_lines
+from gaussiancad_core.file_reading.diameter_signs import diameter_signs_apart
 from gaussiancad_core.file_reading.drawn_letters import drawn_words, folded_letters
 from gaussiancad_core.file_reading.joined_chords import once, with_whole_curves
 from gaussiancad_core.geometry.points import Box
@@ -77,6 +78,7 @@ def read_strokes(
     labelled, rows = _with_whole_strokes(sheet)
     labelled = _without_symbols(labelled, symbols)
     labelled, words, letters = folded_letters(sheet, labelled)
+    labelled = diameter_signs_apart(labelled)
     words = [*words, *rows]
     written = _Written(sheet, words, letters, heads, third_angle)
     area = drawing_area(sheet, labelled, words)
