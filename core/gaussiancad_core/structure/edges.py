@@ -75,6 +75,8 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
     edges, others = [], []
     for index, number in enumerate(tried):
         odds = _against(labelled, number, pens) + float(meeting.odds[index])
+        if labelled.labels[number] is Label.EXTENSION and meeting.sticking_out[index]:
+            odds += _EXTENSION
         if odds < 0.0:
             edges.append(number)
         elif labelled.labels[number] is Label.OPEN:
@@ -176,6 +178,6 @@ def _against(labelled: LabelledStrokes, number: int, pens: dict[Pen, float]) -> 
     """Log-odds against a stroke as an edge, but for what it meets."""
     stroke, label = labelled.strokes[number], labelled.labels[number]
     odds = float(np.clip(pens.get(stroke.pen, 0.0), -_PEN, _PEN))
-    odds += {Label.EXTENSION: _EXTENSION, Label.DIMENSION: _GOING_ON}.get(label, 0.0)
+    odds += _GOING_ON if label is Label.DIMENSION else 0.0
     odds += _NAMED if stroke.role is StrokeRole.VISIBLE else 0.0
     return odds + (_CURVED if stroke.is_round else 0.0)
