@@ -20,6 +20,7 @@ from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.structure.centre_strokes import centre_lines_apart
+from gaussiancad_core.structure.dimension_dots import dots_apart
 from gaussiancad_core.structure.dimension_lines import dimensions_apart
 from gaussiancad_core.structure.drawing_area import (
     DrawingArea,
@@ -151,7 +152,8 @@ def _read(labelled: LabelledStrokes, area: DrawingArea, written: _Written) -> St
     sheet = written.sheet
     if area.is_framed:
         labelled = frame_apart(labelled, area)
-    labelled = dimensions_apart(labelled, written.heads)
+    labelled, dots = dots_apart(labelled)
+    labelled = dimensions_apart(labelled, [*written.heads, *dots])
     labelled, tables = tables_apart(labelled, area.polygon, written.words)
     labelled = with_dashed_lines(labelled)
     labelled = centre_lines_apart(labelled)
