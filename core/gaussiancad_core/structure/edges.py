@@ -42,12 +42,12 @@ _FEW, _TOUCH = 5, 0.1
 """Strokes that touch each other, and neither close nor go around anything, up to which they are a
 sign, and mm within which they touch."""
 
-_STICKING_OUT = 0.25
-"""mm of a stroke that bound nothing from which it sticks out of an outline."""
+_STICKING_OUT, _OUT = 0.25, 1.5
+"""mm of a stroke that bound nothing from which it ends in the open, as extension and centre lines
+do; log-odds of that against an edge."""
 
-_EXTENSION, _GOING_ON = 1.5, 2.5
-"""Log-odds against an edge, of what was told as an extension line, and as the other half of a
-dimension line."""
+_GOING_ON = 2.5
+"""Log-odds against an edge, of what was told as the other half of a dimension line."""
 
 _NARROW = 0.8
 """Width of narrow lines in that of wide ones at most: half of it (ISO 128-2), or a step of the
@@ -75,8 +75,6 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
     edges, others = [], []
     for index, number in enumerate(tried):
         odds = _against(labelled, number, pens) + float(meeting.odds[index])
-        if labelled.labels[number] is Label.EXTENSION and meeting.sticking_out[index]:
-            odds += _EXTENSION
         if odds < 0.0:
             edges.append(number)
         elif labelled.labels[number] is Label.OPEN:
@@ -106,7 +104,8 @@ class _Meeting:
         loose = loose_lengths(strokes)
         lengths = np.array([stroke.length for stroke in strokes])
         closed = loose < 0.5 * lengths
-        odds = np.where(closed, _CLOSED, _LOOSE)
+        sticking_out = loose > _STICKING_OUT
+        odds = np.where(closed, _CLOSED, _LOOSE) + np.where(sticking_out, _OUT, 0.0)
         if len(strokes):
             lines = [stroke.line for stroke in strokes]
             pairs = shapely.STRtree(lines).query(lines, "dwithin", _TOUCH)
@@ -117,7 +116,7 @@ class _Meeting:
                 around = shapely.box(*shapely.total_bounds(np.array(lines)[groups == group]))
                 if not any(around.contains(lines[index]) for index in np.flatnonzero(closed)):
                     odds[groups == group] = _ALONE
-        return cls(closed, loose > _STICKING_OUT, odds)
+        return cls(closed, sticking_out, odds)
 
 
 def _narrow(labelled: LabelledStrokes) -> list[int]:
