@@ -77,5 +77,7 @@ def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
         strips = [line.buffer(2.0 * GRID, cap_style="flat") for line in lines]
         numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
         for number, piece in zip(numbers.tolist(), pieces.tolist(), strict=True):
-            free[number] += loose[piece].intersection(strips[number]).length
+            covered = loose[piece].intersection(strips[number]).length
+            # What only begins there is another stroke's.
+            free[number] += covered if covered > 0.5 * loose[piece].length else 0.0
     return free
