@@ -42,6 +42,9 @@ _AROUND = 0.4
 _LIKE_TEXT, _BESIDES = 1.3, 0.5
 """Size of a stroke of a text's drawing at most, in the text's height, and mm besides."""
 
+_MEET, _IN_LINE = 0.02, 0.9999
+"""mm within which the ends of pieces of one line meet, and cosine of the angle between them."""
+
 _WIDEST_PEN = 0.45
 """mm of a pen that draws texts at most."""
 
@@ -122,14 +125,32 @@ def _of_texts(strokes: Sequence[PaperStroke], boxes: Sequence[Box]) -> list[int]
     low, high = np.array(boxes)[:, :2], np.array(boxes)[:, 2:]
     heights = (high - low + 2.0 * _AROUND).min(axis=1)
     found = []
+    runs = _runs(strokes)
     for number, stroke in enumerate(strokes):
         if stroke.size > _TALLEST or stroke.pen.width >= _WIDEST_PEN:
             continue
-        x0, y0, x1, y1 = stroke.box
+        x0, y0, x1, y1 = runs[number]
         inside = (around[:, :2] <= (x0, y0)).all(axis=1) & (around[:, 2:] >= (x1, y1)).all(axis=1)
         if inside.any() and stroke.size < _LIKE_TEXT * heights[inside].min() + _BESIDES:
             found.append(number)
     return found
+
+
+def _runs(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
+    """(n, 4) mm, boxes around strokes and what goes on from them in line: of an edge that a program
+    writes in pieces some lie within the box of a text, those of a letter do all."""
+    boxes = np.array([stroke.box for stroke in strokes])
+    lines = [number for number, stroke in enumerate(strokes) if stroke.is_line]
+    if not lines:
+        return boxes
+    ends = np.concatenate([strokes[number].points for number in lines])
+    ways = np.array([strokes[number].way for number in lines])
+    one, other = (cKDTree(ends).query_pairs(_MEET, output_type="ndarray") // 2).T
+    in_line = np.abs((ways[one] * ways[other]).sum(axis=1)) > _IN_LINE
+    groups = _connected(np.stack([one[in_line], other[in_line]], axis=1), len(lines))
+    low, high = _extents(ends, np.repeat(groups, 2))
+    boxes[lines] = np.concatenate([low, high], axis=1)[groups]
+    return boxes
 
 
 def _by_pen(labelled: LabelledStrokes) -> Iterable[list[int]]:
