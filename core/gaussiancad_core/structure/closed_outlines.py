@@ -58,12 +58,13 @@ def _bridges(
     nearest = np.full(len(points), np.inf)
     np.minimum.at(nearest, end, gaps)
     is_gap = (gaps == nearest[end]) & (gaps > 0.0)
-    own = np.hypot(*(ends[::2] - ends[1::2]).T)
-    is_open = (own > 0.0) & (own <= _GAP) & (shapely.length(lines) > _TURN * _GAP)
+    opening = np.hypot(*(ends[::2] - ends[1::2]).T)
+    is_all_but_closed = (opening > 0.0) & (opening <= _GAP)
+    is_all_but_closed &= shapely.length(lines) > _TURN * _GAP
     return np.concatenate(
         [
             shapely.shortest_line(points[end[is_gap]], met[is_gap]),
-            shapely.linestrings(np.stack([ends[::2], ends[1::2]], axis=1)[is_open]),
+            shapely.linestrings(np.stack([ends[::2], ends[1::2]], axis=1)[is_all_but_closed]),
         ]
     )
 

@@ -43,8 +43,8 @@ class _Dot:
 
 
 def dots_apart(labelled: LabelledStrokes) -> tuple[LabelledStrokes, list[Head]]:
-    """The strokes, those of dots at the ends of dimension lines told, and the dots as heads of these
-    lines."""
+    """The strokes, those of dots at the ends of dimension lines told, and the dots as the heads of
+    these lines."""
     dots = list(_dots(labelled))
     of_dots = {number for dot in dots for number in dot.numbers}
     lines = [

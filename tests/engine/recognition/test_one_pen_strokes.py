@@ -7,7 +7,7 @@ from math import tau
 import pytest
 from engine.recognition.labels_of_files import labels_of, reading_of
 
-from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.files.vectors import VectorStroke, VectorText
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.sheet_model.labelled_strokes import Label
@@ -53,19 +53,16 @@ def test_extension_lines_from_an_outline_are_none_of_it() -> None:
     dimension = _lines((300, 250, 500, 250)) + _head(300, 250, -1) + _head(500, 250, 1)
     reading, scale = reading_of(part + extensions + dimension)
     labels = labels_of(part + extensions + dimension)
-    assert labels[:6] == [Label.EDGE] * 4 + [Label.EXTENSION] * 2
-    assert labels[6] is Label.DIMENSION
+    assert labels[:7] == [Label.EDGE] * 4 + [Label.EXTENSION] * 2 + [Label.DIMENSION]
     (view,) = reading.views
     assert [v * scale for v in view.box] == pytest.approx([300, 300, 500, 400])
 
 
 def test_an_edge_from_which_a_dimension_is_taken_is_no_extension_line() -> None:
     """It goes on beyond the head's tip as one does, and ends at a corner."""
-    part = _chain((300, 300), (500, 300), (500, 400), (300, 400), (300, 300))
-    dimension = _lines((310, 330, 310, 300)) + [
-        VectorStroke(LineSegment(a, b), _PEN)
-        for a, b in itertools.pairwise([(310.0, 300.0), (307.0, 310.0), (313.0, 310.0), (310.0, 300.0)])
-    ]
+    part = _box(300, 300, 200, 100)
+    head = _chain((310, 300), (307, 310), (313, 310), (310, 300))
+    dimension = _lines((310, 330, 310, 300)) + head
     assert labels_of(part + dimension)[:5] == [Label.EDGE] * 4 + [Label.DIMENSION]
 
 
@@ -135,3 +132,11 @@ def test_a_whole_dash_between_two_cut_ones_is_a_hidden_line() -> None:
     part = _box(300, 300, 200, 100)
     dashes = _lines((400, 310, 400, 322), (400, 330, 400, 355), (400, 363, 400, 375))
     assert labels_of(part + dashes)[4:] == [Label.HIDDEN] * 3
+
+
+def test_pieces_of_an_edge_within_a_text_are_the_edge() -> None:
+    """A program writes it in pieces, and its text lies over some of them."""
+    places = [(x, 300.0) for x in range(300, 504, 4)]
+    part = _chain(*places, (500, 400), (300, 400), (300, 300))
+    number = VectorText("12", (396.0, 290.0, 424.0, 310.0))
+    assert labels_of(part, number) == [Label.EDGE] * len(part)
