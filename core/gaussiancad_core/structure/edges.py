@@ -72,9 +72,11 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
     tried = [*labelled.numbers(Label.OPEN), *doubtful]
     meeting = _Meeting.of([labelled.strokes[number] for number in tried])
     pens = _pen_odds(labelled, tried, meeting)
+    free = _ending_off(labelled, tried, meeting)
     edges, others = [], []
     for index, number in enumerate(tried):
         odds = _against(labelled, number, pens) + float(meeting.odds[index])
+        odds += _OUT if number in free else 0.0
         if odds < 0.0:
             edges.append(number)
         elif labelled.labels[number] is Label.OPEN:
@@ -117,6 +119,24 @@ class _Meeting:
                 if not any(around.contains(lines[index]) for index in np.flatnonzero(closed)):
                     odds[groups == group] = _ALONE
         return cls(closed, sticking_out, odds)
+
+
+def _ending_off(labelled: LabelledStrokes, tried: Sequence[int], meeting: _Meeting) -> set[int]:
+    """Numbers of extension lines that end in the open but for other such lines, as those of a row
+    of dimensions do."""
+    flags = zip(tried, meeting.closed, meeting.sticking_out, strict=True)
+    closing, asked = [], []
+    for number, is_closed, is_out in flags:
+        if labelled.labels[number] is Label.EXTENSION and not is_out:
+            asked.append(number)
+        elif labelled.labels[number] is Label.OPEN and is_closed:
+            closing.append(labelled.strokes[number].line)
+    if not asked:
+        return set()
+    ends = np.concatenate([labelled.strokes[number].ends for number in asked])
+    is_held = np.zeros(len(ends), dtype=bool)
+    is_held[shapely.STRtree(closing).query(shapely.points(ends), "dwithin", _TOUCH)[0]] = True
+    return {asked[index] for index in np.flatnonzero(~is_held.reshape(-1, 2).all(axis=1))}
 
 
 def _narrow(labelled: LabelledStrokes) -> list[int]:
