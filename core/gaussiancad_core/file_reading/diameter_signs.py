@@ -25,7 +25,11 @@ _SLANTED = 0.2
 
 
 def diameter_signs_apart(labelled: LabelledStrokes) -> LabelledStrokes:
-    """The strokes, those of diameter signs told: of a centre mark two lines cross in the middle."""
+    """The strokes, those of diameter signs told: of a centre mark two lines cross in the middle.
+
+    Args:
+        labelled: the strokes, dimension lines told, which go through holes as well.
+    """
     numbers = labelled.numbers(Label.OPEN)
     rings = [
         (number, curve)

@@ -79,7 +79,6 @@ def read_strokes(
     labelled, rows = _with_whole_strokes(sheet)
     labelled = _without_symbols(labelled, symbols)
     labelled, words, letters = folded_letters(sheet, labelled)
-    labelled = diameter_signs_apart(labelled)
     words = [*words, *rows]
     written = _Written(sheet, words, letters, heads, third_angle)
     area = drawing_area(sheet, labelled, words)
@@ -154,6 +153,7 @@ def _read(labelled: LabelledStrokes, area: DrawingArea, written: _Written) -> St
         labelled = frame_apart(labelled, area)
     labelled, dots = dots_apart(labelled)
     labelled = dimensions_apart(labelled, [*written.heads, *dots])
+    labelled = diameter_signs_apart(labelled)
     labelled, tables = tables_apart(labelled, area.polygon, written.words)
     labelled = with_dashed_lines(labelled)
     labelled = centre_lines_apart(labelled)
