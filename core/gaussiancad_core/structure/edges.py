@@ -155,7 +155,12 @@ def _narrow(labelled: LabelledStrokes) -> list[int]:
     if not narrow:
         return []
     enclosed = shapely.union_all(faces_of([labelled.strokes[number] for number in numbers]).faces)
-    outside = enclosed.boundary.buffer(2.0 * GRID)
+    thin = set(narrow)
+    thick = [labelled.strokes[number].line for number in numbers if number not in thin]
+    # What thin pens enclose by themselves, as a hole in a shaded picture, is no outline of a view.
+    outlines = np.array(shapely.get_parts(enclosed))
+    drawn = np.unique(shapely.STRtree(outlines).query(thick, "dwithin", GRID)[1])
+    outside = shapely.union_all(outlines[drawn]).boundary.buffer(2.0 * GRID)
     shapely.prepare(outside)
     of_outlines = {
         labelled.strokes[number].pen

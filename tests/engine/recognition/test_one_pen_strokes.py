@@ -140,3 +140,19 @@ def test_pieces_of_an_edge_within_a_text_are_the_edge() -> None:
     part = _chain(*places, (500, 400), (300, 400), (300, 300))
     number = VectorText("12", (396.0, 290.0, 424.0, 310.0))
     assert labels_of(part, number) == [Label.EDGE] * len(part)
+
+
+def _up(x: float, y: float) -> list[VectorStroke]:
+    """A dimension line with its tip at a place, from below."""
+    return _chain((x, y), (x - 3, y + 10), (x + 3, y + 10), (x, y)) + _lines((x, y + 30, x, y))
+
+
+def test_extension_lines_of_one_row_do_not_hold_each_other() -> None:
+    """The first ends on the second, and both begin where others do, in the middles of holes."""
+    part = [*_box(300, 300, 200, 100), _circle(340, 350, 10), _circle(460, 350, 10)]
+    row = _lines((340, 350, 490, 350), (460, 350, 520, 350))
+    columns = _lines((340, 350, 340, 240), (460, 350, 460, 240))
+    dimensions = _up(480, 350) + _up(510, 350) + _lines((340, 250, 460, 250))
+    dimensions += _head(340, 250, -1) + _head(460, 250, 1)
+    labels = labels_of(part + row + columns + dimensions)
+    assert labels[:10] == [Label.EDGE] * 6 + [Label.EXTENSION] * 4
