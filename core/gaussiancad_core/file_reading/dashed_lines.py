@@ -45,6 +45,9 @@ _ALIKE, _ALIKE_OF_THREE, _LONGEST_OF_THREE = 1.5, 1.3, 6.0
 """The longest dash of a hidden line in its shortest at most; where there are but three, and mm that
 these have at most."""
 
+_LEAST_CUT = 0.3
+"""Dashes at the ends of a line of three in the whole one between them at least."""
+
 _LOOSE, _LEAST_FREE = 0.08, 0.5
 """mm from the ends of a dash to those of others at least, for it to touch nothing; share of the
 dashes of a line that touch nothing at either end."""
@@ -169,6 +172,11 @@ def _rhythm(row: Sequence[_Dash]) -> StrokeRole | None:
     gaps = np.array([after.start - before.end for before, after in pairwise(row)])
     if gaps.max() > _EVEN_GAPS * max(float(np.median(gaps)), _LEAST_GAP):
         return None
+    if len(lengths) == _FEWEST and lengths[1] > lengths[[0, -1]].max():
+        # A chain line begins and ends with long dashes, a dashed one may with cut ones.
+        is_cut = _LEAST_CUT * lengths[1] < lengths.min() and lengths[1] < _LONGEST_OF_THREE
+        if is_cut and lengths[[0, -1]].max() < _ALIKE_OF_THREE * lengths.min():
+            return StrokeRole.HIDDEN
     # The first and the last are cut off where the line ends.
     inner = lengths[1:-1] if len(lengths) > _FEWEST else lengths
     short = inner < _SHORT * inner.max()

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.file_reading.strokes_in_texts import TALLEST, strokes_within_texts
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
@@ -19,8 +20,8 @@ from gaussiancad_core.geometry.points import Box, Point
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke, Points
 
-_TALLEST, _SMALLEST = 9.0, 0.15
-"""mm of a letter, at most and at least."""
+_SMALLEST = 0.15
+"""mm of a letter at least."""
 
 _LONGEST = 3.0
 """Length of a stroke of a letter at most, in the tallest letter's height."""
@@ -33,15 +34,6 @@ _FEWEST_STROKES, _FEWEST_LETTERS = 6, 3
 
 _FEWEST_DRAWN = 4
 """Strokes of a word that is drawn of lines at least."""
-
-_AROUND = 0.4
-"""mm by which a text's drawing may reach over its box."""
-
-_LIKE_TEXT, _BESIDES = 1.3, 0.5
-"""Size of a stroke of a text's drawing at most, in the text's height, and mm besides."""
-
-_WIDEST_PEN = 0.45
-"""mm of a pen that draws texts at most."""
 
 _REACH, _LEAST_REACH = 1.7, 1.2
 """Distance of the middles of neighbouring letters at most, in the height of one, which counts as so
@@ -96,7 +88,10 @@ def folded_letters(
         labelled: its strokes.
     """
     boxes = [text.box for text in sheet.texts]
-    within, fills = _of_texts(labelled.strokes, boxes), _of_texts(sheet.fills, boxes)
+    within, fills = (
+        strokes_within_texts(labelled.strokes, boxes),
+        strokes_within_texts(sheet.fills, boxes),
+    )
     labelled = labelled.with_label(within, Label.TEXT, "within a text of the file")
     words, members = _drawn_words(labelled)
     labelled = labelled.with_label(members, Label.TEXT, "row of drawn letters")
@@ -107,7 +102,7 @@ def folded_letters(
         numbers = [
             number
             for number in free
-            if sheet.fills[number].pen.colour == colour and sheet.fills[number].size <= _TALLEST
+            if sheet.fills[number].pen.colour == colour and sheet.fills[number].size <= TALLEST
         ]
         found, members = _words(sheet.fills, numbers, None, 1)
         fills += members
@@ -115,32 +110,14 @@ def folded_letters(
     return labelled, words, set(fills)
 
 
-def _of_texts(strokes: Sequence[PaperStroke], boxes: Sequence[Box]) -> list[int]:
-    """Numbers of strokes that lie within the box of a text, and are no larger than its letters."""
-    if not boxes or not strokes:
-        return []
-    around = np.array(boxes) + np.array([-_AROUND, -_AROUND, _AROUND, _AROUND])
-    low, high = np.array(boxes)[:, :2], np.array(boxes)[:, 2:]
-    heights = (high - low + 2.0 * _AROUND).min(axis=1)
-    found = []
-    for number, stroke in enumerate(strokes):
-        if stroke.size > _TALLEST or stroke.pen.width >= _WIDEST_PEN:
-            continue
-        x0, y0, x1, y1 = stroke.box
-        inside = (around[:, :2] <= (x0, y0)).all(axis=1) & (around[:, 2:] >= (x1, y1)).all(axis=1)
-        if inside.any() and stroke.size < _LIKE_TEXT * heights[inside].min() + _BESIDES:
-            found.append(number)
-    return found
-
-
 def _by_pen(labelled: LabelledStrokes) -> Iterable[list[int]]:
     """Numbers of the strokes of each pen that may be letters."""
     of_pen: dict[object, list[int]] = {}
     for number in labelled.numbers(Label.OPEN):
         stroke = labelled.strokes[number]
-        if stroke.dashes or stroke.role not in _MAY_WRITE or stroke.size > _TALLEST:
+        if stroke.dashes or stroke.role not in _MAY_WRITE or stroke.size > TALLEST:
             continue
-        if stroke.length <= _LONGEST * _TALLEST:
+        if stroke.length <= _LONGEST * TALLEST:
             of_pen.setdefault(stroke.pen, []).append(number)
     return of_pen.values()
 
@@ -222,7 +199,7 @@ def _letters(
     for number, group in zip(numbers, groups.tolist(), strict=True):
         members.setdefault(group, []).append(number)
     found = []
-    fits = ((high - low).max(axis=1) >= _SMALLEST) & ((high - low).max(axis=1) <= _TALLEST)
+    fits = ((high - low).max(axis=1) >= _SMALLEST) & ((high - low).max(axis=1) <= TALLEST)
     for group in np.flatnonzero(fits).tolist():
         if group not in touching:
             held = members[group]

@@ -12,6 +12,7 @@ import shapely
 from shapely import Polygon
 
 from gaussiancad_core.file_reading.dashed_lines import with_dashed_lines
+from gaussiancad_core.file_reading.diameter_signs import diameter_signs_apart
 from gaussiancad_core.file_reading.drawn_letters import drawn_words, folded_letters
 from gaussiancad_core.file_reading.joined_chords import once, with_whole_curves
 from gaussiancad_core.geometry.points import Box
@@ -19,6 +20,7 @@ from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.structure.centre_strokes import centre_lines_apart
+from gaussiancad_core.structure.dimension_dots import dots_apart
 from gaussiancad_core.structure.dimension_lines import dimensions_apart
 from gaussiancad_core.structure.drawing_area import (
     DrawingArea,
@@ -149,7 +151,9 @@ def _read(labelled: LabelledStrokes, area: DrawingArea, written: _Written) -> St
     sheet = written.sheet
     if area.is_framed:
         labelled = frame_apart(labelled, area)
-    labelled = dimensions_apart(labelled, written.heads)
+    labelled, dots = dots_apart(labelled)
+    labelled = dimensions_apart(labelled, [*written.heads, *dots])
+    labelled = diameter_signs_apart(labelled)
     labelled, tables = tables_apart(labelled, area.polygon, written.words)
     labelled = with_dashed_lines(labelled)
     labelled = centre_lines_apart(labelled)

@@ -5,10 +5,12 @@ from itertools import combinations
 
 import numpy as np
 
+from gaussiancad_core.files.file_linetypes import role_by_dashes
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.near_points import near_lists
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 
 _LONGEST = 60.0
 """mm of a line of a cross at most."""
@@ -20,15 +22,18 @@ _SQUARE, _ALIKE, _ALIKE_BESIDES = 0.02, 0.15, 0.1
 """Cosine of the angle between both lines at most; share of their length, and mm, by which that may
 differ."""
 
+_ONE_DASH = 2
+"""Lengths of a pattern of dashes of one length."""
+
 
 def centre_lines_apart(labelled: LabelledStrokes) -> LabelledStrokes:
     """The strokes, centre lines told, and what the file names as something else than the part."""
     named, others = [], []
     for number in labelled.numbers(Label.OPEN):
         stroke = labelled.strokes[number]
-        if stroke.role is StrokeRole.CENTRE:
+        if _role(stroke) is StrokeRole.CENTRE:
             named.append(number)
-        elif stroke.role is StrokeRole.OTHER or stroke.kind in (
+        elif _role(stroke) is StrokeRole.OTHER or stroke.kind in (
             StrokeKind.DIMENSION,
             StrokeKind.LEADER,
         ):
@@ -36,6 +41,12 @@ def centre_lines_apart(labelled: LabelledStrokes) -> LabelledStrokes:
     labelled = labelled.with_label(named, Label.CENTRE, "its dashes, or its name")
     labelled = labelled.with_label(others, Label.OTHER, "its name, or a dimension of the file")
     return labelled.with_label(_crosses(labelled), Label.CENTRE, "cross at the middle of a circle")
+
+
+def _role(stroke: PaperStroke) -> StrokeRole:
+    """What a stroke's name says, or else its dashes."""
+    is_named = stroke.role is not StrokeRole.UNKNOWN or len(stroke.dashes) <= _ONE_DASH
+    return stroke.role if is_named else role_by_dashes(stroke.dashes)
 
 
 def _crosses(labelled: LabelledStrokes) -> list[int]:

@@ -6,12 +6,19 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import shapely
-from shapely import Polygon
+from shapely import LineString, Polygon
 
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, lines_of
 
 GRID = 0.02
 """mm to which places are rounded, so that ends meet."""
+
+_GAP = 0.12
+"""mm that an end may miss what it meets: arcs that are fitted to what a program has written as free
+curves end beside their neighbours; a gap that is drawn is as wide as a wide line at least."""
+
+_TURN = 4.0
+"""Length of a curve that comes back to where it begins, in that gap, at least."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,9 +38,35 @@ def faces_of(strokes: Sequence[PaperStroke]) -> Faces:
     """The faces that strokes enclose, and what bounds none."""
     if not strokes:
         return Faces((), ())
-    whole = shapely.union_all(lines_of(strokes), grid_size=GRID)
+    lines = lines_of(strokes)
+    whole = shapely.union_all([*lines, *_bridges(strokes, lines)], grid_size=GRID)
     faces, cuts, dangles, _ = shapely.polygonize_full([whole])
     return Faces(tuple(faces.geoms), (*dangles.geoms, *cuts.geoms))
+
+
+def _bridges(
+    strokes: Sequence[PaperStroke], lines: Sequence[LineString]
+) -> npt.NDArray[np.object_]:
+    """Lines from ends to what they miss by a little."""
+    ends = np.concatenate([stroke.ends for stroke in strokes])
+    points = shapely.points(ends)
+    end, line = shapely.STRtree(lines).query(points, "dwithin", _GAP)
+    is_other = end // 2 != line
+    end, line = end[is_other], line[is_other]
+    met = np.array(lines)[line]
+    gaps = shapely.distance(points[end], met)
+    nearest = np.full(len(points), np.inf)
+    np.minimum.at(nearest, end, gaps)
+    is_gap = (gaps == nearest[end]) & (gaps > 0.0)
+    opening = np.hypot(*(ends[::2] - ends[1::2]).T)
+    is_all_but_closed = (opening > 0.0) & (opening <= _GAP)
+    is_all_but_closed &= shapely.length(lines) > _TURN * _GAP
+    return np.concatenate(
+        [
+            shapely.shortest_line(points[end[is_gap]], met[is_gap]),
+            shapely.linestrings(np.stack([ends[::2], ends[1::2]], axis=1)[is_all_but_closed]),
+        ]
+    )
 
 
 def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
@@ -44,6 +77,8 @@ def loose_lengths(strokes: Sequence[PaperStroke]) -> npt.NDArray[np.float64]:
         lines = lines_of(strokes)
         numbers, pieces = shapely.STRtree(loose).query(lines, "dwithin", GRID)
         strips = shapely.buffer(lines, 2.0 * GRID, cap_style="flat")
-        along = shapely.intersection(np.array(loose)[pieces], strips[numbers])
-        np.add.at(free, numbers, shapely.length(along))
+        pieces_met = np.array(loose)[pieces]
+        along = shapely.length(shapely.intersection(pieces_met, strips[numbers]))
+        # What only begins there is another stroke's.
+        np.add.at(free, numbers, np.where(along > 0.5 * shapely.length(pieces_met), along, 0.0))
     return free

@@ -41,12 +41,12 @@ _FEW, _TOUCH = 5, 0.1
 """Strokes that touch each other, and neither close nor go around anything, up to which they are a
 sign, and mm within which they touch."""
 
-_STICKING_OUT = 0.25
-"""mm of a stroke that bound nothing from which it sticks out of an outline."""
+_STICKING_OUT, _OUT = 0.25, 1.5
+"""mm of a stroke that bound nothing from which it ends in the open, as extension and centre lines
+do; log-odds of that against an edge."""
 
-_EXTENSION, _GOING_ON = 1.5, 2.5
-"""Log-odds against an edge, of what was told as an extension line, and as the other half of a
-dimension line."""
+_GOING_ON = 2.5
+"""Log-odds against an edge, of what was told as the other half of a dimension line."""
 
 _NARROW = 0.8
 """Width of narrow lines in that of wide ones at most: half of it (ISO 128-2), or a step of the
@@ -71,9 +71,11 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
     tried = [*labelled.numbers(Label.OPEN), *doubtful]
     meeting = _Meeting.of([labelled.strokes[number] for number in tried])
     pens = _pen_odds(labelled, tried, meeting)
+    free = _ending_off(labelled, tried, meeting)
     edges, others = [], []
     for index, number in enumerate(tried):
         odds = _against(labelled, number, pens) + float(meeting.odds[index])
+        odds += _OUT if number in free else 0.0
         if odds < 0.0:
             edges.append(number)
         elif labelled.labels[number] is Label.OPEN:
@@ -103,7 +105,8 @@ class _Meeting:
         loose = loose_lengths(strokes)
         lengths = np.array([stroke.length for stroke in strokes])
         closed = loose < 0.5 * lengths
-        odds = np.where(closed, _CLOSED, _LOOSE)
+        sticking_out = loose > _STICKING_OUT
+        odds = np.where(closed, _CLOSED, _LOOSE) + np.where(sticking_out, _OUT, 0.0)
         if len(strokes):
             lines = lines_of(strokes)
             pairs = shapely.STRtree(lines).query(lines, "dwithin", _TOUCH)
@@ -111,7 +114,25 @@ class _Meeting:
             few = (np.bincount(groups) <= _FEW) & (np.bincount(groups, closed) == 0)
             few[_going_around(lines, groups, closed)] = False
             odds[few[groups]] = _ALONE
-        return cls(closed, loose > _STICKING_OUT, odds)
+        return cls(closed, sticking_out, odds)
+
+
+def _ending_off(labelled: LabelledStrokes, tried: Sequence[int], meeting: _Meeting) -> set[int]:
+    """Numbers of extension lines that end in the open but for other such lines, as those of a row
+    of dimensions do."""
+    flags = zip(tried, meeting.closed, meeting.sticking_out, strict=True)
+    closing, asked = [], []
+    for number, is_closed, is_out in flags:
+        if labelled.labels[number] is Label.EXTENSION and not is_out:
+            asked.append(number)
+        elif labelled.labels[number] is Label.OPEN and is_closed:
+            closing.append(labelled.strokes[number].line)
+    if not asked:
+        return set()
+    ends = np.concatenate([labelled.strokes[number].ends for number in asked])
+    is_held = np.zeros(len(ends), dtype=bool)
+    is_held[shapely.STRtree(closing).query(shapely.points(ends), "dwithin", _TOUCH)[0]] = True
+    return {asked[index] for index in np.flatnonzero(~is_held.reshape(-1, 2).all(axis=1))}
 
 
 def _going_around(
@@ -143,7 +164,12 @@ def _narrow(labelled: LabelledStrokes) -> list[int]:
     if not narrow:
         return []
     enclosed = shapely.union_all(faces_of([labelled.strokes[number] for number in numbers]).faces)
-    outside = enclosed.boundary.buffer(2.0 * GRID)
+    thin = set(narrow)
+    thick = [labelled.strokes[number].line for number in numbers if number not in thin]
+    # What thin pens enclose by themselves, as a hole in a shaded picture, is no outline of a view.
+    outlines = np.array(shapely.get_parts(enclosed))
+    drawn = np.unique(shapely.STRtree(outlines).query(thick, "dwithin", GRID)[1])
+    outside = shapely.union_all(outlines[drawn]).boundary.buffer(2.0 * GRID)
     shapely.prepare(outside)
     of_outlines = {
         labelled.strokes[number].pen
@@ -185,6 +211,6 @@ def _against(labelled: LabelledStrokes, number: int, pens: dict[Pen, float]) -> 
     """Log-odds against a stroke as an edge, but for what it meets."""
     stroke, label = labelled.strokes[number], labelled.labels[number]
     odds = float(np.clip(pens.get(stroke.pen, 0.0), -_PEN, _PEN))
-    odds += {Label.EXTENSION: _EXTENSION, Label.DIMENSION: _GOING_ON}.get(label, 0.0)
+    odds += _GOING_ON if label is Label.DIMENSION else 0.0
     odds += _NAMED if stroke.role is StrokeRole.VISIBLE else 0.0
     return odds + (_CURVED if stroke.is_round else 0.0)

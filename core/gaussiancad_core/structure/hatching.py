@@ -7,7 +7,7 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole
-from gaussiancad_core.geometry.near_points import connected_groups
+from gaussiancad_core.geometry.near_points import connected_groups, near_pairs
 from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, lines_of
 
@@ -33,6 +33,9 @@ _ALONG, _ROUNDED = 1.0, 0.04
 """Degrees by which lines of one family may differ, and mm by which the ends of short ones may lie
 aside besides."""
 
+_MEET = 0.05
+"""mm within which ends meet."""
+
 
 def hatching_apart(
     labelled: LabelledStrokes,
@@ -57,9 +60,12 @@ def is_named(stroke: PaperStroke) -> bool:
 def _families(labelled: LabelledStrokes) -> Iterator[list[int]]:
     """Numbers of the lines of each family; a file that names its hatching has no other."""
     has_names = any(is_named(stroke) for stroke in labelled.strokes)
+    chamfers = set() if has_names else _between_corners(labelled)
     degrees: dict[object, list[tuple[float, float, int]]] = defaultdict(list)
     for number in labelled.numbers(Label.OPEN, Label.OTHER):
         stroke = labelled.strokes[number]
+        if number in chamfers:
+            continue
         if not stroke.is_line or stroke.length <= _SHORTEST or is_named(stroke) != has_names:
             continue
         angle = float(np.degrees(np.arctan2(stroke.way[1], stroke.way[0]))) % 180.0
@@ -73,6 +79,18 @@ def _families(labelled: LabelledStrokes) -> Iterator[list[int]]:
             for family in _beside_each_other(labelled.strokes, parallels, fewest):
                 if has_names or _is_even([labelled.strokes[number] for number in family]):
                     yield family
+
+
+def _between_corners(labelled: LabelledStrokes) -> set[int]:
+    """Numbers of lines both of whose ends are at ends of others, as those of chamfers are: hatching
+    ends anywhere along an outline."""
+    numbers = labelled.numbers(Label.OPEN, Label.OTHER)
+    if len(numbers) < _FEWEST:
+        return set()
+    ends = np.concatenate([labelled.strokes[number].ends for number in numbers])
+    meets = np.zeros(len(ends), dtype=bool)
+    meets[near_pairs(ends, _MEET).reshape(-1)] = True
+    return {numbers[index] for index in np.flatnonzero(meets.reshape(-1, 2).all(axis=1))}
 
 
 def _is_slanted(angle: float) -> bool:

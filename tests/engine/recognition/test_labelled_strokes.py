@@ -267,3 +267,14 @@ def test_long_and_short_pieces_by_turns_are_a_centre_line_and_even_ones_a_hidden
     parts = len(chain) + len(phantom)
     assert labels[4 : 4 + parts] == [Label.CENTRE] * parts
     assert labels[4 + parts :] == [Label.HIDDEN] * len(dashes)
+
+
+@pytest.mark.parametrize("ring", [[], _box(700, 500, 60, 40, _THIN)])
+def test_a_thin_pen_that_encloses_something_of_its_own_draws_no_views(
+    ring: list[VectorStroke],
+) -> None:
+    """Threads are thin; so is a hole in a picture beside the views."""
+    part = _box(300, 300, 200, 100)
+    threads = _lines((300, 320, 500, 320), (300, 380, 500, 380), width=_THIN)
+    labels = _labels(part + threads + ring)
+    assert labels[:6] == [Label.EDGE] * 4 + [Label.OTHER] * 2
