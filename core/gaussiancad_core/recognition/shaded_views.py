@@ -118,8 +118,8 @@ def _with_lines(view: ReadView, traced: ReadView, area: float) -> ReadView:
 def _runs_along(stroke: Stroke, outline: Points) -> bool:
     """Whether most of a stroke lies beside (n, 2) points of an outline."""
     points = stroke.sample(_STEP)
-    beside = np.unique(pairs_between(points, outline, _BESIDE)[:, 0])
-    return len(beside) > HALF * len(points)
+    near = np.unique(pairs_between(points, outline, _BESIDE)[:, 0])
+    return len(near) > HALF * len(points)
 
 
 def _area(view: ReadView) -> float:

@@ -45,15 +45,15 @@ def faces_of(strokes: Sequence[PaperStroke]) -> Faces:
 
 
 def _bridges(
-    strokes: Sequence[PaperStroke], lines: Sequence[LineString]
+    strokes: Sequence[PaperStroke], lines: npt.NDArray[np.object_]
 ) -> npt.NDArray[np.object_]:
-    """Lines from ends to what they miss by a little."""
+    """Lines from ends to what they miss by a little; the strokes come as (n,) lines, too."""
     ends = np.concatenate([stroke.ends for stroke in strokes])
     points = shapely.points(ends)
     end, line = shapely.STRtree(lines).query(points, "dwithin", _GAP)
     is_other = end // 2 != line
     end, line = end[is_other], line[is_other]
-    met = np.array(lines)[line]
+    met = lines[line]
     gaps = shapely.distance(points[end], met)
     nearest = np.full(len(points), np.inf)
     np.minimum.at(nearest, end, gaps)

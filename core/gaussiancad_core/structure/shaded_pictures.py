@@ -97,7 +97,7 @@ def _figures(sheet: PaperSheet, box: Box, over: Sequence[PaperStroke]) -> Iterat
         if frame.intersects(shapely.box(*stroke.box)):
             places = np.rint((stroke.points - np.array(box[:2])) * scale - 0.5).astype(np.int32)
             cv2.polylines(mask, [places], False, 0, _LINE_PX)
-    mask |= wide
+    mask = np.maximum(mask, wide)
     corner = np.floor(np.array(box[:2]) * scale + 0.5) / scale
     for contour in cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0]:
         if cv2.contourArea(contour) < _LEAST * scale * scale:

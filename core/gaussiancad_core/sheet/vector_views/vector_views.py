@@ -59,7 +59,8 @@ def vector_views(
     found = _of_strokes(vectors.drawing.strokes, part.stroke_width, layout)
     if vectors.whole is None:
         return found
-    ink = cv2.dilate(vectors.whole.ink.astype(np.uint8), np.ones((3, 3), np.uint8))
+    wide = cv2.dilate(vectors.whole.ink.astype(np.uint8), np.ones((3, 3), np.uint8))
+    ink = np.asarray(wide, dtype=np.uint8)
     width = max([part.stroke_width, *(s.width for s in vectors.drawing.strokes if s.width)])
     return {
         role: read
