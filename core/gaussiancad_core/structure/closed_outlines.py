@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import shapely
-from shapely import LineString, Polygon
+from shapely import Polygon
 
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, lines_of
 
