@@ -32,7 +32,7 @@ from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.inked_sheet import painted_sheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
-from gaussiancad_core.sheet.special_views.cut_areas import cut_areas
+from gaussiancad_core.sheet.special_views.cut_views import cut_mask
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.vector_views.stroke_chains import with_whole_edges
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
@@ -40,6 +40,7 @@ from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views
 from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head, arrowheads
+from gaussiancad_core.structure.cut_faces import cut_faces
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import Arrangement
 from gaussiancad_protocol.codes import Code
@@ -258,9 +259,7 @@ def _found(
     to_px = Similarity(scale)
     part = file.part
     painted = painted_sheet(part, sheet.shape, sheet.turn)
-    centres = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.CENTRE)]
-    hatches = [_in_px(stroke, to_px, scale) for stroke in labelled.of(Label.HATCH)]
-    hatched = cut_areas(hatches, centres, painted.ink)
+    hatched = cut_mask(cut_faces(labelled), painted, scale)
     marks = [
         mark
         for stroke, label in zip(labelled.strokes, labelled.labels, strict=True)

@@ -1,8 +1,14 @@
 """Which views are cut open, told by where they are hatched (ISO 128-3)."""
 
+from collections.abc import Sequence
+
+import cv2
 import numpy as np
+import shapely
+from shapely import Polygon
 
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind
 from gaussiancad_core.sheet.votes import LARGELY
@@ -59,3 +65,22 @@ def _is_half(span: tuple[float, float]) -> bool:
     low, high = span
     beyond = high < 0.5 + _OVER or low > 0.5 - _OVER
     return beyond and high - low > 0.5 * _HALF
+
+
+def cut_mask(faces: Sequence[Polygon], sheet: CleanSheet, scale: float) -> Mask | None:
+    """(h, w) what cut faces hold between the lines around them; None where there are none.
+
+    Args:
+        faces: mm.
+        sheet: in px.
+        scale: px per mm.
+    """
+    inner = shapely.union_all(faces).buffer(-0.5 * sheet.stroke_width / scale)
+    if inner.is_empty:
+        return None
+    mask = np.zeros(sheet.ink.shape, np.uint8)
+    for part in shapely.get_parts(inner):
+        rings = [np.array(ring.coords) * scale for ring in (part.exterior, *part.interiors)]
+        places = [np.rint((ring - 0.5) * 16.0).astype(np.int32) for ring in rings]
+        cv2.fillPoly(mask, places, 1, shift=4)
+    return mask > 0
