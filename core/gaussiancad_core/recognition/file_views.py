@@ -274,7 +274,7 @@ def _found(
     if symbol is not None and projection is None:
         marks.append(symbol.mark)
     separated = SeparatedSheet(painted, tuple(marks), hatched, has_paper=drawing.has_paper)
-    is_all = drawing.complete and not may_be_views(layout.left_out)
+    is_all = not may_be_views(layout.left_out) and not _shows_more(drawing, reading, scale)
     area = reading.area
     guessed = area.is_framed and not area.is_certain
     if area.is_framed and not drawing.has_paper:
@@ -282,6 +282,20 @@ def _found(
     doubtful = doubtful_lines(reading, best, scale)
     shaded = shaded_views(reading, best, sheet, scale)
     return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed, shaded)
+
+
+def _shows_more(drawing: VectorDrawing, reading: StrokeReading, scale: float) -> bool:
+    """Whether a file may show a view besides its strokes: where it does not tell the places of what
+    else it shows, or has a picture in the drawing area that is none of its drawings."""
+    if drawing.complete or not drawing.pictures:
+        return not drawing.complete
+    known = [shapely.box(*view.box) for view in reading.views]
+    pictures = [shapely.box(*scaled_box(box, 1.0 / scale)) for box in drawing.pictures]
+    return any(
+        reading.area.polygon.contains(picture.centroid)
+        and not any(view.contains(picture.centroid) for view in known)
+        for picture in pictures
+    )
 
 
 def _in_px(stroke: PaperStroke, to_px: Similarity, scale: float) -> VectorStroke:
