@@ -121,10 +121,25 @@ def _symbols(view: ReadView, arcs: Sequence[Arc]) -> Iterator[ThreadSymbol]:
             continue
         if sum(_same(arc, other) for other in strokes) > 1:
             continue  # A circle in pieces.
+        if _goes_on(arc, view.strokes):
+            continue
         rim = next((rim for rim in rims if _about(arc, rim)), None)
         if rim is not None:
             seen.append(arc)
             yield ThreadSymbol(view.role, arc, rim)
+
+
+def _goes_on(arc: Arc, strokes: Sequence[Stroke]) -> bool:
+    """Whether both ends of an arc are ends of other strokes: then it is an edge around a rim."""
+    ends = arc.sample(np.inf)[[0, -1]]
+    others = [
+        end
+        for stroke in strokes
+        if not (isinstance(stroke, Arc) and _same(arc, stroke))
+        for end in stroke.sample(np.inf)[[0, -1]]
+    ]
+    away = np.array(others).reshape(-1, 1, 2) - ends
+    return bool(len(others)) and bool((np.hypot(*away.T).min(axis=1) <= ONE_PLACE).all())
 
 
 def _share(arc: Arc) -> float:

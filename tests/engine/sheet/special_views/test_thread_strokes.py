@@ -143,3 +143,12 @@ def test_the_line_at_the_end_of_a_shafts_thread_is_no_edge() -> None:
     thread = [_upright(_X + sign * _RIM, 100.0, 140.0, VISIBLE) for sign in (-1.0, 1.0)]
     end = Segment((_X - _THIN, 140.0), (_X + _THIN, 140.0), VISIBLE)
     assert _left([*shaft, *thread, end], thin=_RIM, rim=_THIN) == shaft
+
+
+def test_an_outline_around_a_bore_is_no_thread() -> None:
+    arc = _arc(_THIN, 0.75)
+    first, last = arc.sample(np.inf)[[0, -1]].tolist()
+    handle = [Segment(tuple(end), (400.0, 350.0), VISIBLE) for end in (first, last)]
+    front = _view(Role.FRONT, _FRONT, _arc(_RIM, 1.0), arc, *handle)
+    (found,), special = without_threads([front], [arc])
+    assert found.strokes == front.strokes and not special
