@@ -32,6 +32,9 @@ _TOUCH = 0.06
 _FEWEST_STROKES, _FEWEST_LETTERS = 6, 3
 """Strokes of a pen that writes, and letters, at least."""
 
+_FEWEST_IN_WORD = 2
+"""Letters of a word at least."""
+
 _FEWEST_DRAWN = 4
 """Strokes of a word that is drawn of lines at least."""
 
@@ -165,19 +168,24 @@ def _words(
         return [], []
     low = np.array([letter.low for letter in letters])
     high = np.array([letter.high for letter in letters])
-    boxes, members = [], []
-    for row in _rows(low, high):
-        count = sum(len(letters[index].numbers) for index in row)
-        if len(row) < 2 or count < fewest:
-            continue
-        if len(row) > 2 and len(np.unique(np.round((high - low)[row], 1), axis=0)) == 1:
-            continue
-        if sum(letters[index].is_plain for index in row) > _PLAIN * len(row):
-            continue
-        (x0, y0), (x1, y1) = low[row].min(axis=0).tolist(), high[row].max(axis=0).tolist()
-        boxes.append((x0, y0, x1, y1))
-        members += [number for index in row for number in letters[index].numbers]
-    return boxes, members
+    words = [row for row in _rows(low, high) if _is_word(row, letters, low, high, fewest)]
+    # A pen that writes but two letters on all of a sheet does not write.
+    if fewest > 1 and len(words) == 1 and len(words[0]) == _FEWEST_IN_WORD:
+        return [], []
+    boxes = [(*low[row].min(axis=0).tolist(), *high[row].max(axis=0).tolist()) for row in words]
+    return boxes, [number for row in words for index in row for number in letters[index].numbers]
+
+
+def _is_word(
+    row: Sequence[int], letters: Sequence[_Letter], low: Points, high: Points, fewest: int
+) -> bool:
+    """Whether letters in a row are a word: neither of a size, nor holes and dashes."""
+    if len(row) < _FEWEST_IN_WORD or sum(len(letters[index].numbers) for index in row) < fewest:
+        return False
+    sizes = np.round((high - low)[list(row)], 1)
+    if len(row) > _FEWEST_IN_WORD and len(np.unique(sizes, axis=0)) == 1:
+        return False
+    return sum(letters[index].is_plain for index in row) <= _PLAIN * len(row)
 
 
 def _letters(

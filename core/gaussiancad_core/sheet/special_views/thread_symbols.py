@@ -139,7 +139,7 @@ def _goes_on(arc: Arc, strokes: Sequence[Stroke]) -> bool:
         for end in stroke.sample(np.inf)[[0, -1]]
     ]
     away = np.array(others).reshape(-1, 1, 2) - ends
-    return bool(len(others)) and bool((np.hypot(*away.T).min(axis=1) <= ONE_PLACE).all())
+    return bool(others) and bool((np.hypot(*away.T).min(axis=1) <= ONE_PLACE).all())
 
 
 def _share(arc: Arc) -> float:
