@@ -130,16 +130,11 @@ def _symbols(view: ReadView, arcs: Sequence[Arc]) -> Iterator[ThreadSymbol]:
 
 
 def _goes_on(arc: Arc, strokes: Sequence[Stroke]) -> bool:
-    """Whether both ends of an arc are ends of other strokes: then it is an edge around a rim."""
+    """Whether both ends of an arc are at other strokes: then it is an edge around a rim."""
     ends = arc.sample(np.inf)[[0, -1]]
-    others = [
-        end
-        for stroke in strokes
-        if not (isinstance(stroke, Arc) and _same(arc, stroke))
-        for end in stroke.sample(np.inf)[[0, -1]]
-    ]
-    away = np.array(others).reshape(-1, 1, 2) - ends
-    return bool(others) and bool((np.hypot(*away.T).min(axis=1) <= ONE_PLACE).all())
+    others = [s for s in strokes if not (isinstance(s, Arc) and _same(arc, s))]
+    away = [stroke.distances(ends) for stroke in others]
+    return bool(away) and bool((np.min(away, axis=0) <= ONE_PLACE).all())
 
 
 def _share(arc: Arc) -> float:
