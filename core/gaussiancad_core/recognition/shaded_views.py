@@ -7,13 +7,15 @@ or these do not close.
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 import shapely
 
 from gaussiancad_core.geometry.near_points import Points, pairs_between
 from gaussiancad_core.model.axes import Role
-from gaussiancad_core.model.views import Stroke
+from gaussiancad_core.model.views import Linetype, Stroke
 from gaussiancad_core.recognition.stroke_reading import StrokeReading
+from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
@@ -29,6 +31,9 @@ _AROUND = 3.0
 
 _ENCLOSED = 0.95
 """Share of the shading that traced lines enclose at least, where they tell a view."""
+
+_FEWEST_GAPS = 3
+"""Gaps of a dashed line at least."""
 
 _BESIDE, _STEP = 3.0, 1.0
 """px from an outline from which a line is none of it, and between the points that tell that."""
@@ -92,12 +97,30 @@ def with_traced_lines(
         return drawn
     boxes = {role: _around(layout.boxes[role]) for role in shaded.areas if role in layout.boxes}
     traced = {view.role: view for view in read_views(shaded.sheet, replace(layout, boxes=boxes))}
+    wide = cv2.dilate(shaded.sheet.ink.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
     return tuple(
-        _with_lines(view, traced[view.role], shaded.areas[view.role])
+        _with_lines(view, _told(traced[view.role], wide), shaded.areas[view.role])
         if view.role in traced
         else view
         for view in drawn
     )
+
+
+def _told(view: ReadView, ink: Mask) -> ReadView:
+    """A traced view, lines hidden that are drawn in dashes: such views mostly show none."""
+    strokes = tuple(
+        replace(stroke, linetype=Linetype.HIDDEN if _is_dashed(stroke, ink) else Linetype.VISIBLE)
+        for stroke in view.strokes
+    )
+    return replace(view, strokes=strokes)
+
+
+def _is_dashed(stroke: Stroke, ink: Mask) -> bool:
+    """Whether ink, a px wider than it is, leaves gaps along a stroke."""
+    columns, rows = np.floor(stroke.sample(_STEP)).astype(int).T
+    height, width = ink.shape
+    is_inked = ink[rows.clip(0, height - 1), columns.clip(0, width - 1)]
+    return int(np.count_nonzero(is_inked[:-1] & ~is_inked[1:])) >= _FEWEST_GAPS
 
 
 def _with_lines(view: ReadView, traced: ReadView, area: float) -> ReadView:
