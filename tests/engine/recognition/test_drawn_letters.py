@@ -9,7 +9,7 @@ import pytest
 from engine.recognition.labels_of_files import reading_of
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.files.vectors import VectorStroke
+from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.file_views import FileStrokes, file_views, strokes_of_file
@@ -71,6 +71,19 @@ def test_long_lines_and_what_stands_on_an_edge_are_no_letters() -> None:
     line: Chain = [(100.0, 50.0), (400.0, 50.0)]
     ticks: list[Chain] = [[(x, 200.0), (x, 190.0)] for x in (100.0, 110.0, 120.0, 130.0)]
     assert _words([line, *ticks], [[(50.0, 200.0), (400.0, 200.0)]]) == []
+
+
+def test_a_pen_that_writes_but_two_letters_does_not_write() -> None:
+    letters = _plotted("20", (100.0, 100.0), 20.0)
+    assert _words(letters, []) == []
+    assert len(_words(letters + _plotted("42", (220.0, 300.0), 20.0), [])) == 2
+
+
+@pytest.mark.parametrize("role", [StrokeRole.HIDDEN, StrokeRole.CENTRE, StrokeRole.HATCH])
+def test_what_the_file_names_as_no_edge_that_is_seen_writes_nothing(role: StrokeRole) -> None:
+    ends = _segments(_plotted("402", (100.0, 100.0), 20.0))
+    named = [VectorStroke(LineSegment(*pair), 2.0, (), role) for pair in ends]
+    assert not reading_of(named)[0].words
 
 
 _OUT, _FLAT = 4.0, 1.0

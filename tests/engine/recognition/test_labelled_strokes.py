@@ -269,6 +269,16 @@ def test_long_and_short_pieces_by_turns_are_a_centre_line_and_even_ones_a_hidden
     assert labels[4 + parts :] == [Label.HIDDEN] * len(dashes)
 
 
+def test_the_edges_of_a_comb_are_no_dashes() -> None:
+    teeth = [(300.0 + 40.0 * k, 320.0 + 40.0 * k) for k in range(8)]
+    corners = [(300.0, 300.0)]
+    for x0, x1 in teeth:
+        corners += [(x0, 200.0), (x1, 200.0), (x1, 260.0), (x1 + 20.0, 260.0)]
+    corners += [(corners[-1][0], 300.0), (300.0, 300.0)]
+    comb = _lines(*(a + b for a, b in itertools.pairwise(corners)))
+    assert _labels(comb) == [Label.EDGE] * len(comb)
+
+
 @pytest.mark.parametrize("ring", [[], _box(700, 500, 60, 40, _THIN)])
 def test_a_thin_pen_that_encloses_something_of_its_own_draws_no_views(
     ring: list[VectorStroke],

@@ -43,3 +43,14 @@ def test_names_of_views(title: str, name: str) -> None:
 def test_a_section_needs_hatching_and_a_sentence_names_nothing() -> None:
     assert _kinds("SECTION A-A")[1] is DrawingKind.PLAIN
     assert _kinds("break all edges at the top of the part")[2:] == ("", "")
+
+
+def test_names_stand_above_all_views_or_below_all_of_them() -> None:
+    """The name of the lower view is nearer to the upper one."""
+    views = [*_box(100, 100, 300, 200), *_box(100, 420, 300, 100)]
+    names = [
+        VectorText("FRONT VIEW", (200.0, 60.0, 300.0, 80.0)),
+        VectorText("TOP VIEW", (200.0, 320.0, 300.0, 340.0)),
+    ]
+    reading, _ = reading_of(views, *names)
+    assert [view.name for view in reading.views] == ["front", "top"]

@@ -1,13 +1,9 @@
 """Which drawing is which view: told by places, by extents, and by lines at the same places."""
 
-from collections.abc import Sequence
-
 import pytest
-import shapely
+from engine.views.plain_views import drawn
 
-from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.sheet_model.paper_sheet import PaperStroke, Pen
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import arranged_views
 
@@ -20,24 +16,7 @@ ACROSS, AWAY, UP = (20.0, 47.5), (11.0,), (15.0, 32.5)
 BACK = tuple(DEEP - item for item in AWAY)
 """The same from its back."""
 
-PEN = Pen(0.35, None, "")
 THIRD, FIRST = 1e3, -1e3
-
-
-def drawn(
-    at: tuple[float, float],
-    size: tuple[float, float],
-    *edges: Sequence[float],
-    kind: DrawingKind = DrawingKind.PLAIN,
-    rough: float = 0.0,
-) -> DrawnView:
-    """A view: its outline, upright lines, level lines."""
-    (x, y), (width, height), (upright, level) = at, size, edges
-    lines = [((x + c, y), (x + c, y + height)) for c in (0.0, width, *upright)]
-    lines += [((x, y + r), (x + width, y + r)) for r in (0.0, height, *level)]
-    strokes = tuple(PaperStroke(LineSegment(a, b), PEN) for a, b in lines)
-    box = x, y, x + width, y + height
-    return DrawnView(box, strokes, shapely.box(*box), kind=kind, rough=rough)
 
 
 def front(kind: DrawingKind = DrawingKind.PLAIN) -> DrawnView:
