@@ -3,7 +3,7 @@
 from gaussiancad_core.files.vectors import StrokeRole
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.views import Linetype, Stroke
-from gaussiancad_core.recognition.file_views import strokes_of_file
+from gaussiancad_core.recognition.labelled_file import strokes_of_file
 from gaussiancad_core.recognition.views_and_lines import SheetLines, in_worked_px
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet

@@ -1,18 +1,14 @@
 """The views of a sheet whose file tells its strokes."""
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 import shapely
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.file_reading.paper_of_file import paper_of_file
-from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.geometry.similarities import Similarity
@@ -22,33 +18,29 @@ from gaussiancad_core.recognition.drawn_layout import (
     doubtful_lines,
     layout_of,
     scaled_box,
-    third_angle_odds,
     with_projection,
 )
-from gaussiancad_core.recognition.shaded_views import ShadedViews, shaded_views
-from gaussiancad_core.recognition.stroke_reading import StrokeReading, read_strokes
+from gaussiancad_core.recognition.labelled_file import FileStrokes
+from gaussiancad_core.recognition.shaded_views import (
+    ShadedViews,
+    shaded_views,
+    with_traced_lines,
+)
+from gaussiancad_core.recognition.stroke_reading import StrokeReading
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
-from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.inked_sheet import painted_sheet
-from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.special_views.cut_views import cut_mask
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
-from gaussiancad_core.sheet.vector_views.stroke_chains import with_whole_edges
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views
 from gaussiancad_core.sheet_model.labelled_strokes import Label
-from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
-from gaussiancad_core.structure.arrowheads import Head, arrowheads
+from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 from gaussiancad_core.structure.cut_faces import cut_faces
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import Arrangement
 from gaussiancad_protocol.codes import Code
-
-_HABIT = 2.5
-"""Log-odds for the projection of the standard by which a program names its layers."""
-
-_ISO, _ANSI = re.compile(r"\((?:ISO|DIN)\)"), re.compile(r"\(ANSI\)")
 
 _MARKS = {
     Label.CENTRE: AnnotationKind.CENTRE_LINE,
@@ -72,7 +64,8 @@ class FileViews:
         doubtful: boxes in px of lines that run from edge to edge and are no edges for their pen.
         is_all: whether no other drawing, and no picture, lies beside the views.
         frame_guessed: whether the layout's frame may as well be the part's outline.
-        shaded: views that are shaded pictures; None where none is.
+        best: the views in their roles.
+        shaded: those that are shaded pictures; None where none is.
     """
 
     separated: SeparatedSheet
@@ -81,60 +74,14 @@ class FileViews:
     doubtful: tuple[Box, ...] = ()
     is_all: bool = False
     frame_guessed: bool = False
+    best: Arrangement | None = None
     shaded: ShadedViews | None = None
 
-
-@dataclass(frozen=True, eq=False)
-class FileStrokes:
-    """A file, and what its strokes stand for.
-
-    Attributes:
-        drawing: of the file, px of the upright sheet.
-        sheet: that.
-        reading: mm of paper.
-        scale: px per mm.
-        third: log-odds for third angle by what the user and the sheet say.
-    """
-
-    drawing: VectorDrawing
-    sheet: OpenedSheet
-    reading: StrokeReading
-    scale: float
-    third: float = 0.0
-
-    @cached_property
-    def part(self) -> VectorDrawing:
-        """The part's strokes, px: whole visible edges, and hidden ones."""
-        labelled, to_px = self.reading.labelled, Similarity(self.scale)
-        edges = [_in_px(stroke, to_px, self.scale) for stroke in labelled.of(Label.EDGE)]
-        hidden = [_in_px(stroke, to_px, self.scale) for stroke in labelled.of(Label.HIDDEN)]
-        return VectorDrawing((*with_whole_edges(edges), *hidden), ())
-
-
-def strokes_of_file(
-    sheet: OpenedSheet,
-    projection: Projection | None = None,
-    symbol: ProjectionSymbol | None = None,
-) -> FileStrokes | None:
-    """What the strokes of a sheet's file stand for; None of a picture.
-
-    Args:
-        sheet: as stored and upright.
-        projection: as told by the user, or nothing.
-        symbol: of the sheet, where it has one.
-    """
-    if sheet.image.vectors is None:
-        return None
-    drawing = _upright(sheet.image.vectors, sheet.turn)
-    paper = _paper(drawing, sheet)
-    scale = paper.px_per_mm
-    heads = [
-        Head((head.tip[0] / scale, head.tip[1] / scale), head.way, head.length / scale)
-        for head in (arrowheads(drawing.strokes) if sheet.turn.angle else sheet.heads)
-    ]
-    third = third_angle_odds(projection, symbol, _usual(drawing))
-    signs = [scaled_box(symbol.mark.box, 1.0 / scale)] if symbol is not None else []
-    return FileStrokes(drawing, sheet, read_strokes(paper, heads, third, signs), scale, third)
+    def with_traced_lines(self, drawn: tuple[ReadView, ...]) -> tuple[ReadView, ...]:
+        """The views as they were read, shaded ones with the lines that were drawn on them."""
+        if self.shaded is None or self.best is None:
+            return drawn
+        return with_traced_lines(drawn, self.best, self.shaded)
 
 
 def file_views(
@@ -161,41 +108,10 @@ def file_views(
     upright = {number: placed for number, placed in best.placed.items() if not placed.turn}
     if not upright:
         return None
-    named = replace(file, reading=reading)
-    return _found(named, replace(best, placed=upright), projection, symbol)
-
-
-def _upright(drawing: VectorDrawing, turn: Turn) -> VectorDrawing:
-    """A drawing turned with its sheet."""
-    if not turn.angle:
-        return drawing
-    stored = turn.scale * turn.centre[0], turn.scale * turn.centre[1]
-    level = Similarity(1.0 / turn.scale, -turn.angle, origin=stored, offset=turn.centre)
-    return replace(
-        drawing,
-        strokes=tuple(replace(one, curve=one.curve.mapped(level)) for one in drawing.strokes),
-        texts=tuple(replace(one, box=turn.box_to_upright(one.box)) for one in drawing.texts),
-        pictures=tuple(turn.box_to_upright(box) for box in drawing.pictures),
-    )
-
-
-def _paper(drawing: VectorDrawing, sheet: OpenedSheet) -> PaperSheet:
-    grey = sheet.image.grey
-    paper = paper_of_file(drawing, sheet.shape, sheet.image.pixels_per_inch)
-
-    def paint(box: Box) -> npt.NDArray[np.uint8]:
-        x0, y0, x1, y1 = (max(0, round(value * paper.px_per_mm)) for value in box)
-        return grey[y0:y1, x0:x1]
-
-    return replace(paper, paint=paint)
-
-
-def _usual(drawing: VectorDrawing) -> float:
-    """Log-odds for third angle by the standards after which its program names layers."""
-    layers = " ".join({stroke.layer for stroke in drawing.strokes})
-    if _ISO.search(layers):
-        return -_HABIT
-    return _HABIT if _ANSI.search(layers) else 0.0
+    best = replace(best, placed=upright)
+    shaded = shaded_views(reading, best, file.sheet, file.scale)
+    found = _found(replace(file, reading=reading), best, projection, symbol)
+    return replace(found, best=best, shaded=shaded)
 
 
 def _with_given(
@@ -280,8 +196,7 @@ def _found(
     if area.is_framed and not drawing.has_paper:
         layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
     doubtful = doubtful_lines(reading, best, scale)
-    shaded = shaded_views(reading, best, sheet, scale)
-    return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed, shaded)
+    return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed, best)
 
 
 def _shows_more(drawing: VectorDrawing, reading: StrokeReading, scale: float) -> bool:
@@ -295,20 +210,6 @@ def _shows_more(drawing: VectorDrawing, reading: StrokeReading, scale: float) ->
         reading.area.polygon.contains(picture.centroid)
         and not any(view.contains(picture.centroid) for view in known)
         for picture in pictures
-    )
-
-
-def _in_px(stroke: PaperStroke, to_px: Similarity, scale: float) -> VectorStroke:
-    pen = stroke.pen
-    return VectorStroke(
-        stroke.curve.mapped(to_px),
-        pen.width * scale or None,
-        tuple(length * scale for length in stroke.dashes),
-        stroke.role,
-        pen.layer,
-        stroke.kind,
-        pen.colour,
-        stroke.step * scale,
     )
 
 

@@ -12,11 +12,9 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.geometry.near_points import Points, pairs_between
-from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Stroke
 from gaussiancad_core.recognition.stroke_reading import StrokeReading
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
-from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
@@ -41,15 +39,15 @@ _BESIDE, _STEP = 3.0, 1.0
 
 @dataclass(frozen=True, eq=False)
 class ShadedViews:
-    """Views that are shaded pictures.
+    """Views that are shaded pictures, by their numbers among the drawings of a sheet.
 
     Attributes:
-        sheet: the ink of their lines.
+        traced: the lines that were drawn on each; what is its role does not count.
         areas: px^2 of the shading of each.
     """
 
-    sheet: CleanSheet
-    areas: Mapping[Role, float]
+    traced: Mapping[int, ReadView]
+    areas: Mapping[int, float]
 
 
 def shaded_views(
@@ -63,44 +61,48 @@ def shaded_views(
         sheet: that, upright as stored.
         scale: px per mm.
     """
-    painted = {
-        placed.role: reading.views[number]
+    numbers = {
+        placed.role: number
         for number, placed in best.placed.items()
         if is_painted(reading.views[number])
     }
-    if not painted:
+    if not numbers:
         return None
     # Few sheets have such views: the others do not wait for what reads pixels.
     from gaussiancad_core.sheet.image.valley_lines import valley_sheet
 
+    painted = {role: reading.views[number] for role, number in numbers.items()}
     rings = [
         [np.array(part.exterior.coords) * scale for part in shapely.get_parts(view.outline)]
         for view in painted.values()
     ]
     over = [stroke.points * scale for stroke in reading.labelled.of(*OVER)]
     ink = valley_sheet(sheet.image.grey, rings, over, sheet.turn)
-    areas = {role: float(view.outline.area) * scale**2 for role, view in painted.items()}
-    return ShadedViews(ink, areas) if ink.ink.any() else None
+    if not ink.ink.any():
+        return None
+    boxes = {role: _around(view.box, scale) for role, view in painted.items()}
+    found = read_views(ink, Layout(boxes, best.projection, "default", (), ()))
+    wide = cv2.dilate(ink.ink.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    traced = {numbers[view.role]: _told(view, wide) for view in found}
+    areas = {number: reading.views[number].outline.area * scale**2 for number in traced}
+    return ShadedViews(traced, areas)
 
 
 def with_traced_lines(
-    drawn: tuple[ReadView, ...], layout: Layout, shaded: ShadedViews | None
+    drawn: tuple[ReadView, ...], best: Arrangement, shaded: ShadedViews
 ) -> tuple[ReadView, ...]:
     """The views, shaded ones by their traced lines where these close.
 
     Args:
         drawn: the views of a file, shaded ones by their outlines.
-        layout: where they are.
-        shaded: those that are; None where none is.
+        best: they in their roles.
+        shaded: those that are.
     """
-    if shaded is None:
-        return drawn
-    boxes = {role: _around(layout.boxes[role]) for role in shaded.areas if role in layout.boxes}
-    traced = {view.role: view for view in read_views(shaded.sheet, replace(layout, boxes=boxes))}
-    wide = cv2.dilate(shaded.sheet.ink.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    traced = {placed.role: number for number, placed in best.placed.items()}
+    traced = {role: number for role, number in traced.items() if number in shaded.traced}
     return tuple(
-        _with_lines(view, _told(traced[view.role], wide), shaded.areas[view.role])
-        if view.role in traced
+        _with_lines(view, shaded.traced[number], shaded.areas[number])
+        if (number := traced.get(view.role)) is not None
         else view
         for view in drawn
     )
@@ -132,7 +134,7 @@ def _with_lines(view: ReadView, traced: ReadView, area: float) -> ReadView:
         area: px^2 of its shading.
     """
     if traced.outline is not None and _area(traced) > _ENCLOSED * area:
-        return traced
+        return replace(traced, role=view.role)
     outline = np.concatenate([stroke.sample(_STEP) for stroke in view.strokes])
     within = [stroke for stroke in traced.strokes if not _runs_along(stroke, outline)]
     return replace(view, strokes=(*view.strokes, *within))
@@ -151,6 +153,6 @@ def _area(view: ReadView) -> float:
     return float((outline.depth > 0.0).sum()) / outline.supersampling**2
 
 
-def _around(box: Box) -> Box:
-    x0, y0, x1, y1 = box
+def _around(box: Box, scale: float) -> Box:
+    x0, y0, x1, y1 = (value * scale for value in box)
     return x0 - _AROUND, y0 - _AROUND, x1 + _AROUND, y1 + _AROUND

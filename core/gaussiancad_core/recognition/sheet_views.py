@@ -6,13 +6,8 @@ from dataclasses import dataclass, replace
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.recognition.file_views import (
-    FileStrokes,
-    FileViews,
-    file_views,
-    strokes_of_file,
-)
-from gaussiancad_core.recognition.shaded_views import ShadedViews
+from gaussiancad_core.recognition.file_views import FileViews, file_views
+from gaussiancad_core.recognition.labelled_file import FileStrokes, strokes_of_file
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import Box
@@ -37,7 +32,7 @@ class SheetViews:
         labels_problem: why a picture was read without the labels network; None where it was not.
         other_pens: boxes in px of strokes in other pens than the part's that may be its own.
         frame_guessed: whether the layout's frame may as well be the part's outline.
-        shaded: views that a file has as shaded pictures; None where there are none.
+        of_file: the views by the strokes of a file; None where pixels tell them.
     """
 
     separated: SeparatedSheet
@@ -47,7 +42,7 @@ class SheetViews:
     labels_problem: Message | None = None
     other_pens: tuple[Box, ...] = ()
     frame_guessed: bool = False
-    shaded: ShadedViews | None = None
+    of_file: FileViews | None = None
 
 
 def sheet_views(
@@ -154,5 +149,5 @@ def _of_strokes(found: FileViews) -> SheetViews:
         found.vectors,
         other_pens=found.doubtful,
         frame_guessed=found.frame_guessed,
-        shaded=found.shaded,
+        of_file=found,
     )

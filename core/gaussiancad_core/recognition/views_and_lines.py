@@ -13,7 +13,6 @@ from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
 from gaussiancad_core.recognition.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.recognition.one_view import shown_extents, unseen_extent_of
-from gaussiancad_core.recognition.shaded_views import with_traced_lines
 from gaussiancad_core.recognition.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.report_entries import NoteReport, Unused, ViewReport
@@ -165,7 +164,8 @@ def _strokes_in(
     """What was found, with the strokes of its views, and what is hatched in them."""
     separated, layout = found.separated, found.layout
     drawn = read_views(separated.part, layout, notes.progress, found.vectors)
-    drawn = with_traced_lines(drawn, layout, found.shaded)
+    if found.of_file is not None:
+        drawn = found.of_file.with_traced_lines(drawn)
     if found.vectors is not None:
         arcs = _arcs(sheet.image, sheet.turn)
     else:

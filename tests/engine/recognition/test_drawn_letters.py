@@ -12,7 +12,8 @@ from gaussiancad_core.errors import UsageError
 from gaussiancad_core.files.vectors import StrokeRole, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.recognition.file_views import FileStrokes, file_views, strokes_of_file
+from gaussiancad_core.recognition.file_views import file_views
+from gaussiancad_core.recognition.labelled_file import FileStrokes, strokes_of_file
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.writing.sheet_scale import ScaleSource, find_scale, read_texts

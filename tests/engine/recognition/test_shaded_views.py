@@ -11,8 +11,8 @@ from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype, Segment
-from gaussiancad_core.recognition.file_views import file_views, strokes_of_file
-from gaussiancad_core.recognition.shaded_views import with_traced_lines
+from gaussiancad_core.recognition.file_views import file_views
+from gaussiancad_core.recognition.labelled_file import strokes_of_file
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
 from gaussiancad_core.sheet.sheet_stages import ReadView, read_views
@@ -50,7 +50,7 @@ def _right_view(grey: np.ndarray) -> ReadView:
     found = file_views(file, {}, Projection.THIRD, None)
     assert found is not None and set(found.layout.boxes) == {Role.FRONT, Role.RIGHT}
     drawn = read_views(found.separated.part, found.layout, vectors=found.vectors)
-    views = with_traced_lines(drawn, found.layout, found.shaded)
+    views = found.with_traced_lines(drawn)
     return next(view for view in views if view.role is Role.RIGHT)
 
 

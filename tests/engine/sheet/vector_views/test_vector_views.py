@@ -9,7 +9,7 @@ import pytest
 
 from gaussiancad_core.model.axes import Projection
 from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
-from gaussiancad_core.recognition.file_views import strokes_of_file
+from gaussiancad_core.recognition.labelled_file import strokes_of_file
 from gaussiancad_core.recognition.picture_views import picture_views
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
