@@ -9,6 +9,7 @@ from shapely import Polygon
 
 from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
+from gaussiancad_core.views.stroke_levels import is_painted
 
 _HATCHED, _FEWEST_HATCHES = 0.02, 3
 """Share of a section's outline that is hatched at least, and lines of that."""
@@ -31,6 +32,10 @@ _WIDE = 6
 
 _NOT_SQUARE = 8.0
 """Degrees by which both slanted axes are not square to each other at least."""
+
+
+_CONVEX = 0.98
+"""Share of its hull that an outline fills which is convex."""
 
 
 def with_kinds(views: Sequence[DrawnView], fills: Sequence[PaperStroke]) -> list[DrawnView]:
@@ -93,4 +98,8 @@ def _is_pictorial(view: DrawnView) -> bool:
         return False
     apart = abs(slants[0] - slants[1]) % 180
     is_square = abs(min(apart, 180 - apart) - 90.0) <= _NOT_SQUARE
-    return sum(share for _, share in axes) > _ON_AXES * lengths.sum() and not is_square
+    if is_square or sum(share for _, share in axes) <= _ON_AXES * lengths.sum():
+        return False
+    # The outline of a hexagon has those directions as well.
+    hull = view.outline.convex_hull
+    return not is_painted(view) or view.outline.area < _CONVEX * hull.area
