@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.stroke_reading import StrokeReading
@@ -23,6 +24,7 @@ from gaussiancad_core.views.role_search import (
     any_in_line,
     arranged_views,
 )
+from gaussiancad_protocol.codes import Code
 
 _OTHER_PART, _OTHER_SIZE = 6.0, 0.1
 """Log-odds from which drawings that are left are another part's views, and their size in that of
@@ -195,6 +197,22 @@ def doubtful_lines(reading: StrokeReading, best: Arrangement, scale: float) -> t
             if all(edges.dwithin(shapely.Point(end), _MEETS) for end in stroke.ends):
                 found.append(scaled_box(stroke.box, scale))
     return tuple(found)
+
+
+def is_middle_in(box: Box, around: Box) -> bool:
+    """Whether the middle of a box lies in another one."""
+    x, y = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
+    return around[0] <= x <= around[2] and around[1] <= y <= around[3]
+
+
+def empty_view_box(role: Role, box: Box) -> UsageError:
+    """Why a box, px, names no view."""
+    return UsageError(
+        Code.EMPTY_VIEW_BOX,
+        "--view {view}: there are no lines in the box {box}",
+        view=role,
+        box="{:g},{:g},{:g},{:g}".format(*box),
+    )
 
 
 def scaled_box(box: Box, by: float) -> Box:

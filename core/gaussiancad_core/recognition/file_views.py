@@ -7,7 +7,6 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.errors import UsageError
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
@@ -16,6 +15,8 @@ from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.drawn_layout import (
     chosen_views,
     doubtful_lines,
+    empty_view_box,
+    is_middle_in,
     layout_of,
     scaled_box,
     with_projection,
@@ -40,7 +41,6 @@ from gaussiancad_core.sheet_model.paper_sheet import PaperStroke
 from gaussiancad_core.structure.cut_faces import cut_faces
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import Arrangement
-from gaussiancad_protocol.codes import Code
 
 _MARKS = {
     Label.CENTRE: AnnotationKind.CENTRE_LINE,
@@ -126,25 +126,15 @@ def _with_given(
     fixed = []
     for role, box in given.items():
         around = scaled_box(box, 1.0 / scale)
-        inside = [view for view in views if _is_middle_in(view.box, around)]
+        inside = [view for view in views if is_middle_in(view.box, around)]
         if not inside:
-            raise UsageError(
-                Code.EMPTY_VIEW_BOX,
-                "--view {view}: there are no lines in the box {box}",
-                view=role,
-                box="{:g},{:g},{:g},{:g}".format(*box),
-            )
+            raise empty_view_box(role, box)
         views = [view for view in views if view not in inside]
         fixed.append((_merged(inside), role))
     views += [view for view, _ in fixed]
     first = len(views) - len(fixed)
     roles = {first + index: role for index, (_, role) in enumerate(fixed)}
     return replace(reading, views=tuple(views)), roles
-
-
-def _is_middle_in(box: Box, around: Box) -> bool:
-    x, y = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
-    return around[0] <= x <= around[2] and around[1] <= y <= around[3]
 
 
 def _merged(views: Sequence[DrawnView]) -> DrawnView:

@@ -96,8 +96,11 @@ def _upright(drawing: VectorDrawing, turn: Turn) -> VectorDrawing:
 
 
 def _paper(drawing: VectorDrawing, sheet: OpenedSheet) -> PaperSheet:
+    """The sheet; without its picture where that does not lie as the strokes do."""
     grey = sheet.image.grey
     paper = paper_of_file(drawing, sheet.shape, sheet.image.pixels_per_inch)
+    if sheet.turn.angle:
+        return paper
 
     def paint(box: Box) -> npt.NDArray[np.uint8]:
         x0, y0, x1, y1 = (max(0, round(value * paper.px_per_mm)) for value in box)

@@ -6,11 +6,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.errors import NoModelError, UsageError
+from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.drawn_layout import (
     chosen_views,
+    empty_view_box,
+    is_middle_in,
     layout_of,
     third_angle_odds,
     with_projection,
@@ -116,23 +118,13 @@ def _with_given(clusters: Sequence[Box], given: Mapping[Role, Box]) -> list[Box]
     """
     boxes = list(clusters)
     for role, box in given.items():
-        held = [each for each in boxes if _is_middle_in(each, box)]
+        held = [each for each in boxes if is_middle_in(each, box)]
         if not held:
-            raise UsageError(
-                Code.EMPTY_VIEW_BOX,
-                "--view {view}: there are no lines in the box {box}",
-                view=role,
-                box="{:g},{:g},{:g},{:g}".format(*box),
-            )
+            raise empty_view_box(role, box)
         boxes = [each for each in boxes if each not in held]
         low, high = np.min([each[:2] for each in held], 0), np.max([each[2:] for each in held], 0)
         boxes.append((*low.tolist(), *high.tolist()))
     return boxes
-
-
-def _is_middle_in(box: Box, around: Box) -> bool:
-    x, y = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
-    return around[0] <= x <= around[2] and around[1] <= y <= around[3]
 
 
 def _chosen(drawings: PictureDrawings, stated: Stated) -> _Chosen | None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.recognition.drawn_layout import is_middle_in
 from gaussiancad_core.recognition.file_views import FileViews, file_views
 from gaussiancad_core.recognition.labelled_file import FileStrokes, strokes_of_file
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
@@ -94,17 +95,12 @@ def _holding(
         return None
     ((role, given_box),) = given.items()
     layout = found.layout
-    held = [this_role for this_role, box in layout.boxes.items() if _is_middle_in(box, given_box)]
+    held = [this_role for this_role, box in layout.boxes.items() if is_middle_in(box, given_box)]
     if held == [role]:
         return found
     if not held or len(layout.boxes) != 1:
         return None
     return replace(found, layout=replace(layout, boxes={role: layout.boxes[held[0]]}))
-
-
-def _is_middle_in(box: Box, around: Box) -> bool:
-    x, y = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
-    return around[0] <= x <= around[2] and around[1] <= y <= around[3]
 
 
 def _found(

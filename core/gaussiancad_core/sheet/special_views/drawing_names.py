@@ -224,9 +224,3 @@ def _within(points: Floats, box: Box) -> bool:
 def _around(box: Box) -> tuple[Floats, Floats]:
     """The corners of a box with slack."""
     return np.array(box[:2]) - _SLACK_PX, np.array(box[2:]) + _SLACK_PX
-
-
-def merged(boxes: Sequence[Box]) -> Box:
-    """The box around boxes."""
-    x0, y0, x1, y1 = zip(*boxes, strict=True)
-    return min(x0), min(y0), max(x1), max(y1)
