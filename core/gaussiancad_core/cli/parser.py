@@ -7,6 +7,7 @@ from gaussiancad_core import __version__
 from gaussiancad_core.cli import (
     agent,
     batch,
+    check,
     compare,
     correct,
     doctor,
@@ -45,6 +46,7 @@ def build_parser() -> argparse.ArgumentParser:
         correct,
         explain,
         features,
+        check,
         compare,
         draw,
         batch,

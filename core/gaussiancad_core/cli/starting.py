@@ -30,7 +30,7 @@ from gaussiancad_core.storage.extras import result_kind
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import ResultKind, SolidWay
 
-_OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw", "features"})
+_OF_THE_KERNEL = frozenset({"reconstruct", "check", "compare", "draw", "features"})
 """Commands that use it."""
 
 _BREAKDOWNS = frozenset({"SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL"})

@@ -201,6 +201,14 @@ def tessellate(
         (n, 3) vertices in mm, shared between faces, and (m, 3) indices, counter-clockwise seen from
         outside.
     """
+    return tessellate_faces(shape, deflection, angle, strict=strict)[:2]
+
+
+def tessellate_faces(
+    shape: TopoDS_Shape, deflection: float, angle: float = 0.3, *, strict: bool = False
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    """The same as of :func:`tessellate`, and (m,) the number of each triangle's face in the order
+    of :func:`faces_of`."""
     BRepTools.Clean_s(shape)
     parameters = IMeshTools_Parameters()
     parameters.Deflection, parameters.Angle = deflection, angle
@@ -214,6 +222,7 @@ def tessellate(
         points.append(values)
         triangles.append(indices + offset)
         offset += len(values)
+    numbers = np.repeat(np.arange(len(triangles)), [len(each) for each in triangles])
     stacked = np.concatenate(points) if points else np.zeros((0, 3))
     # Neighbouring faces sample their common edge at the very same points.
     vertices, inverse = np.unique(np.round(stacked, 9), axis=0, return_inverse=True)
@@ -221,7 +230,7 @@ def tessellate(
     distinct = (
         (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 0] != faces[:, 2])
     )
-    return vertices, faces[distinct].astype(np.int64)
+    return vertices, faces[distinct].astype(np.int64), numbers[distinct]
 
 
 def _face_triangles(

@@ -1,0 +1,121 @@
+"""A solid laid on the axes of a sheet: turned by quarters, at the sheet's scale or its own."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import permutations, product
+
+import numpy as np
+
+from gaussiancad_core.judging.drawn_lines import DrawnSheet
+from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats
+from gaussiancad_core.judging.misfits import Judge, Misfit
+
+_FITS = 0.06
+"""Share by which an extent of a solid may differ from the sheet's to be laid on it at all."""
+
+_SNAP = 0.008
+"""Share within which an extent is the sheet's: what was drawn and read is a little off."""
+
+_SNAP_TOLERANCES = 3.0
+
+_EVERY = 8
+"""One of so many pairs tells which poses are worth a closer look."""
+
+_CLOSER = 2
+"""Poses that get one."""
+
+
+def _turns() -> list[Floats]:
+    """The 24 turns of a cube."""
+    found = []
+    for order, signs in product(permutations(range(3)), product((1.0, -1.0), repeat=3)):
+        turn = np.eye(3)[list(order)] * np.array(signs)[:, None]
+        if np.linalg.det(turn) > 0.0:
+            found.append(turn)
+    return found
+
+
+_TURNS = tuple(_turns())
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """How a solid lies on a sheet's axes.
+
+    Attributes:
+        matrix: (3, 3) of a turn, and what it stretches.
+        offset: (3,) mm.
+        scale: the solid's mm for a mm of the sheet.
+        deviation: (3,) share by which the solid's extent is longer than the sheet's, along the
+            sheet's axes.
+    """
+
+    matrix: Floats
+    offset: Floats
+    scale: float
+    deviation: Floats
+
+    def laid(self, solid: FacetedSolid) -> FacetedSolid:
+        """The solid in mm of the sheet."""
+        return solid.mapped(self.matrix, self.offset)
+
+
+@dataclass(frozen=True, eq=False)
+class Laid:
+    """A solid on a sheet.
+
+    Attributes:
+        pose: of the solid.
+        solid: in mm of the sheet.
+        misfit: of both.
+    """
+
+    pose: Pose
+    solid: FacetedSolid
+    misfit: Misfit
+
+
+def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
+    """The pose in which a solid explains a sheet best; None where its extents fit in none.
+
+    Args:
+        solid: mm.
+        judge: of the sheet.
+    """
+    found = list(poses(solid, judge.sheet))
+    if not found:
+        return None
+    rough = [judge.rough_cost(pose.laid(solid), _EVERY) for pose in found]
+    order = np.argsort(rough, kind="stable")[:_CLOSER]
+    tried = []
+    for number in order.tolist():
+        pose = found[number]
+        laid = pose.laid(solid)
+        tried.append(Laid(pose, laid, judge.misfit(laid)))
+    return min(tried, key=lambda each: each.misfit.cost)
+
+
+def poses(solid: FacetedSolid, sheet: DrawnSheet) -> Iterator[Pose]:
+    """The poses in which a solid's extents are about the sheet's, at the sheet's scale; where there
+    is none, at the scale that makes the longest extents one."""
+    found = list(_at_scale(solid, sheet, 1.0))
+    scale = float(solid.extent.max() / sheet.longest)
+    return iter(found or list(_at_scale(solid, sheet, scale)))
+
+
+def _at_scale(solid: FacetedSolid, sheet: DrawnSheet, scale: float) -> Iterator[Pose]:
+    low, extent = solid.box[0], solid.extent
+    for turn in _TURNS:
+        turned = np.abs(turn @ extent)
+        size = scale * sheet.size
+        deviation = turned / size - 1.0
+        if np.abs(deviation).max() > _FITS:
+            continue
+        snaps = np.abs(deviation) <= np.maximum(_SNAP, _SNAP_TOLERANCES * sheet.tolerance / sheet.size)
+        factor = np.where(snaps, sheet.size / turned, 1.0 / scale)
+        matrix = turn * factor[:, None]
+        start = np.minimum(matrix @ extent, 0.0)
+        rest = np.where(snaps, 0.0, sheet.size - turned / scale)
+        # An extent that is another one starts at either end, or in the middle.
+        for share in (0.0,) if snaps.all() else (0.0, 0.5, 1.0):
+            yield Pose(matrix, share * rest - start - matrix @ low, scale, deviation)

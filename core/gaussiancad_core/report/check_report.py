@@ -1,0 +1,107 @@
+"""``check.json``: whether a solid agrees with a drawing, as data."""
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from gaussiancad_core.judging.difference_places import Difference
+from gaussiancad_core.judging.laying import Laid
+from gaussiancad_core.judging.misfits import Kind
+from gaussiancad_core.judging.sheet_judgement import SheetJudgement
+
+CHECK_FILE = "check.json"
+
+SCHEMA = 1
+
+_KINDS = {
+    Kind.MISSING: ("missing", "visible line"),
+    Kind.MISSING_HIDDEN: ("missing", "hidden line"),
+    Kind.EXTRA: ("extra", "visible line"),
+    Kind.EXTRA_HIDDEN: ("extra", "hidden line"),
+    Kind.LINETYPE: ("linetype", "line"),
+    Kind.HATCHING: ("place", "hatched area"),
+}
+"""How kinds are named in the file, and of what they speak.  Smooth edges are no difference."""
+
+ToStored = Callable[[np.ndarray], np.ndarray]
+"""(n, 2) px of the upright sheet to px of the sheet as stored."""
+
+
+def check_values(
+    found: SheetJudgement, to_stored: ToStored, scale_source: str, unused: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """The content of ``check.json``.
+
+    Args:
+        found: the solid against the sheet.
+        to_stored: places of the upright sheet to the sheet as stored.
+        scale_source: how the sheet's scale is known.
+        unused: what on the sheet was not used, as in ``report.json``.
+    """
+    return {
+        "schema": SCHEMA,
+        "verdict": found.judgement.verdict.value,
+        "reasons": [
+            {"code": reason.code, "message": str(reason.message)}
+            for reason in found.judgement.reasons
+        ],
+        "share": None if found.laid is None else round(found.laid.misfit.share, 5),
+        "projection": None if found.projection is None else found.projection.value,
+        "pose": None if found.laid is None else _pose(found.laid, scale_source),
+        "differences": [
+            _difference(each, found, to_stored) for each in found.differences if each.kind in _KINDS
+        ],
+        "tally": [
+            {
+                "text": each.text,
+                "kind": each.kind,
+                "view": each.role,
+                "at": [round(value, 4) for value in each.at],
+                "count_stated": each.count_stated,
+                "count_found": each.count_found,
+                "agrees": each.agrees,
+            }
+            for each in found.tally
+        ],
+        "edits": [],
+        "silent": [],
+        "unused": unused,
+    }
+
+
+def check_json(values: dict[str, Any]) -> bytes:
+    """The file."""
+    return msgspec.json.format(msgspec.json.encode(values), indent=2) + b"\n"
+
+
+def _pose(laid: Laid, scale_source: str) -> dict[str, Any]:
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = laid.pose.matrix, laid.pose.offset
+    return {
+        "matrix": [[round(value, 9) for value in row] for row in matrix.tolist()],
+        "scale": round(laid.pose.scale, 6),
+        "scale_source": scale_source,
+    }
+
+
+def _difference(each: Difference, found: SheetJudgement, to_stored: ToStored) -> dict[str, Any]:
+    kind, what = _KINDS[each.kind]
+    ends, pieces = np.array(each.ends), each.pieces.reshape(-1, 2)
+    if found.ink is not None:
+        place = found.ink.placements[each.view.role]
+        ends, pieces = (to_stored(place.to_sheet(points)) for points in (ends, pieces))
+    return {
+        "view": each.view.role.value,
+        "kind": kind,
+        "of": what,
+        "ends": [[round(value, 2) for value in end] for end in ends.tolist()],
+        "length_mm": round(each.mm, 4),
+        "off_mm": None,
+        "on_ink": None if each.on_ink is None else round(each.on_ink, 3),
+        "pieces": np.round(pieces.reshape(-1, 2, 2), 1).tolist(),
+        "text": None,
+        "stated": None,
+        "measured": None,
+    }

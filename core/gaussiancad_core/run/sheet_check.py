@@ -1,0 +1,167 @@
+"""Does a model agree with its drawing: what ``gaussiancad check`` does.
+
+read -> views -> lines -> masks -> judge -> write.
+"""
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from gaussiancad_core.comparison.model_files import format_of, read_model
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.judging.faceted_solids import FacetedSolid, faceted_mesh, faceted_shape
+from gaussiancad_core.judging.sheet_ink import distance_to_ink, placements_of, SheetInk
+from gaussiancad_core.judging.sheet_judgement import SheetJudgement, doubted, judge_solid
+from gaussiancad_core.judging.verdicts import Judgement, Reason, Verdict
+from gaussiancad_core.kernel.brep import soundness
+from gaussiancad_core.kernel.brep_files import read_shape, readable
+from gaussiancad_core.messages import Message
+from gaussiancad_core.pictures.check_picture import check_picture
+from gaussiancad_core.processes.events import Listener, Progress
+from gaussiancad_core.processes.garbage import uncollected
+from gaussiancad_core.recognition.load_sheet import open_sheet
+from gaussiancad_core.recognition.page_choice import naming_pages
+from gaussiancad_core.recognition.views_and_lines import with_unseen
+from gaussiancad_core.report.check_report import CHECK_FILE, check_json, check_values
+from gaussiancad_core.report.job import Job
+from gaussiancad_core.report.run_notes import RunNotes
+from gaussiancad_core.report.run_report import Report
+from gaussiancad_core.run.read_run import sheet_lines
+from gaussiancad_core.run.registering_stage import registered_lines
+from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
+from gaussiancad_core.storage.outputs import OutputFolder, os_error
+from gaussiancad_core.writing.sheet_scale import ScaleSource
+from gaussiancad_protocol.codes import Code
+
+PICTURE_FILE = "check.png"
+
+CHECK_FILES = (CHECK_FILE, PICTURE_FILE)
+"""What a check owns in its output folder."""
+
+STAGES = ("read", "views", "lines", "masks", "judge", "write")
+
+_SAME_SCALE = 0.01
+"""Share within which a solid has the size that the sheet's numbers say."""
+
+
+@dataclass(frozen=True, eq=False)
+class SheetCheck:
+    """A model against a sheet.
+
+    Attributes:
+        verdict: whether they agree.
+        values: the content of ``check.json``.
+        picture: PNG of the sheet with the differences over it.
+    """
+
+    verdict: Verdict
+    values: dict[str, Any]
+    picture: bytes
+
+
+@dataclass(frozen=True, eq=False)
+class _Checked:
+    """A model of a file.
+
+    Attributes:
+        solid: as triangles.
+        doubt: why it encloses nothing for certain; None where it is whole.
+    """
+
+    solid: FacetedSolid
+    doubt: Reason | None = None
+
+
+def check_to_folder(job: Job, model: Path, listener: Listener) -> SheetCheck:
+    """Check a model against a sheet, and write ``check.json`` and ``check.png`` into the job's
+    folder.
+
+    Raises:
+        UnreadableError: the sheet cannot be read as a drawing, or the file as a model.
+        UsageError: the folder cannot be written.
+        LimitError: a limit was reached, or the disk is full.
+    """
+    progress = Progress(listener, len(STAGES))
+    notes = RunNotes(Report("", job.settings()), progress)
+    with uncollected():
+        checked = _checked(model)
+        sheet = open_sheet(job, notes)
+        found = _compared(job, sheet, checked, notes)
+    folder = OutputFolder(job.output, CHECK_FILES, CHECK_FILE)
+    try:
+        with notes.stage("write"):
+            (folder.staging / PICTURE_FILE).write_bytes(found.picture)
+            (folder.staging / CHECK_FILE).write_bytes(check_json(found.values))
+            folder.commit()
+    except OSError as error:
+        raise os_error(job.output, error) from error
+    finally:
+        folder.discard()
+    return found
+
+
+def _checked(path: Path) -> _Checked:
+    """A model as lines of sight meet it.
+
+    Raises:
+        UnreadableError: as of :func:`.read_model`.
+    """
+    if not format_of(path).is_exact:
+        mesh = read_model(path).mesh
+        return _Checked(faceted_mesh(mesh), None if mesh.watertight else _OPEN)
+    with readable(path):
+        shape = read_shape(path)
+        facts = soundness(shape)
+        doubt = None if facts.valid and facts.closed and facts.solids else _OPEN
+        return _Checked(faceted_shape(shape), doubt)
+
+
+_OPEN = Reason(
+    Code.SOLID_UNSOUND, "the model is not closed, or damaged: what it is full of is not certain"
+)
+
+
+def _compared(job: Job, sheet: OpenedSheet, model: _Checked, notes: RunNotes) -> SheetCheck:
+    refused = None
+    try:
+        lines = with_unseen(sheet_lines(job, sheet, notes), notes)
+        findings = registered_lines(job, lines, sheet.turn, notes)
+    except NoModelError as error:
+        refused = naming_pages(error, sheet.image)
+        found = SheetJudgement(
+            Judgement(Verdict.CANNOT_TELL, (Reason(refused.code, refused.message),))
+        )
+    else:
+        with notes.stage("judge"):
+            away = distance_to_ink(sheet.clean.ink)
+            readings = [
+                (reading, SheetInk(away, placements_of(reading)))
+                for reading in (findings.assumed, findings.other)
+                if reading is not None
+            ]
+            found = judge_solid(model.solid, readings)
+            found = _sized(found, notes.report)
+            if model.doubt is not None and found.judgement.verdict is Verdict.AGREES:
+                found = doubted(found, Judgement(Verdict.CANNOT_TELL, (model.doubt,)))
+    unused = [asdict(each) for each in notes.report.unused]
+    values = check_values(found, sheet.turn.to_stored, notes.report.scale_source, unused)
+    picture = check_picture(values, sheet.picture)
+    return SheetCheck(found.judgement.verdict, values, picture)
+
+
+def _sized(found: SheetJudgement, report: Report) -> SheetJudgement:
+    """The same with a word on the size, where the sheet says how large the part is."""
+    known = {ScaleSource.GIVEN.value, ScaleSource.DIMENSION.value}
+    if found.laid is None or report.scale_source not in known:
+        return found
+    scale = found.laid.pose.scale
+    if abs(scale - 1.0) <= _SAME_SCALE:
+        return found
+    reason = Reason(
+        Code.SIZE_DIFFERS,
+        Message(
+            "the solid has {factor:.4g} times the size that the sheet's numbers say",
+            factor=scale,
+        ),
+    )
+    return doubted(found, Judgement(Verdict.DIFFERS, (reason, *found.judgement.reasons)))
