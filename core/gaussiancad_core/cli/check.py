@@ -18,6 +18,7 @@ from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.processes.events import Listener
 from gaussiancad_core.processes.garbage import uncollected
 from gaussiancad_core.report.job import Job, corrections_file_of
+from gaussiancad_core.storage.outputs import CHECK_FILES
 from gaussiancad_protocol.exit_codes import ExitCode
 
 _EXITS = {
@@ -66,7 +67,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     )
     with uncollected():
         from gaussiancad_core.processes.library_behaviour import silence_opencascade
-        from gaussiancad_core.run.sheet_check import CHECK_FILES, check_to_folder
+        from gaussiancad_core.run.sheet_check import check_to_folder
 
     silence_opencascade()
     job.check(CHECK_FILES)

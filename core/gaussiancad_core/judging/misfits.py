@@ -144,6 +144,31 @@ class Judge:
         ]
         return Misfit(tuple(views), self.sheet.length)
 
+    def sighted(self, solid: FacetedSolid) -> tuple[Met, ...]:
+        """What the lines of sight of each view meet of a solid, as if nothing were cut open."""
+        return tuple(
+            crossings(solid, view.role.frame, pairs.places)
+            for view, pairs in zip(self.sheet.views, self.pairs, strict=True)
+        )
+
+    def cost_of(self, met: Sequence[Met], smooth: Numbers) -> float:
+        """mm of the misfit of what lines of sight meet, without a solid's own edges.
+
+        Args:
+            met: in each view, as of :meth:`sighted`.
+            smooth: of each surface, the first that it passes into smoothly.
+        """
+        total = 0.0
+        with_cut = np.append(smooth, len(smooth))
+        for view, pairs, each in zip(self.sheet.views, self.pairs, met, strict=True):
+            opened = _opened(each, view, pairs.places, len(smooth))
+            signs = seen(opened, with_cut)
+            ends = pairs.one, pairs.other
+            kind = _kinds(signs, ends, pairs.drawn, draws_hidden=view.draws_hidden)
+            wrong = kind != _NONE
+            total += float((_PRICES[kind[wrong]] * pairs.weight[wrong]).sum())
+        return total
+
     def rough_cost(self, solid: FacetedSolid, every: int) -> float:
         """mm of the misfit by one of so many pairs, without the solid's own edges."""
         total = 0.0
@@ -176,9 +201,14 @@ def _with_cut(solid: FacetedSolid) -> Numbers:
 
 def _met(solid: FacetedSolid, view: DrawnView, places: Floats) -> Met:
     met = crossings(solid, view.role.frame, places)
+    return _opened(met, view, places, len(solid.smooth))
+
+
+def _opened(met: Met, view: DrawnView, places: Floats, cut: int) -> Met:
+    """What is met in a view where it is cut open; ``cut`` is the number of what is cut."""
     if view.cut is None:
         return met
-    return cut_open(met, _cut_depths(view, places), len(solid.smooth))
+    return cut_open(met, _cut_depths(view, places), cut)
 
 
 def _cut_depths(view: DrawnView, places: Floats) -> Floats:

@@ -45,16 +45,6 @@ class SheetInk:
         return inside & (away <= _NEAR_PX)
 
 
-def sheet_ink(ink: npt.NDArray[np.bool_], reading: ProjectedReading) -> SheetInk:
-    """The ink of a sheet under a reading of its views.
-
-    Args:
-        ink: (h, w) of the upright sheet.
-        reading: of its views.
-    """
-    return SheetInk(distance_to_ink(ink), placements_of(reading))
-
-
 def placements_of(reading: ProjectedReading) -> dict[Role | SectionRole, Placement]:
     """Where the views of a reading, and the sections beside them, lie on the sheet."""
     sections = {role: section.place for role, section in reading.adjacent_sections.items()}

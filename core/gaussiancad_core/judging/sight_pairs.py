@@ -188,7 +188,7 @@ def _raster(sheet: DrawnSheet, view: DrawnView) -> tuple[Floats, tuple[Floats, F
     """(h, w, 2) mm of the raster's lines of sight, and the widths that they stand for."""
     frame = view.role.frame
     found = [
-        _through_gaps(_levels(sheet, axis.value), sign, float(sheet.size[axis.value]))
+        _through_gaps(levels_along(sheet, axis.value), sign, float(sheet.size[axis.value]))
         for axis, sign in (frame.right_axis, frame.up_axis)
     ]
     (x, widths), (y, heights) = found
@@ -208,7 +208,7 @@ def _through_gaps(levels: Floats, sign: int, size: float) -> tuple[Floats, Float
     return sign * np.array(places)[order], np.array(widths)[order]
 
 
-def _levels(sheet: DrawnSheet, axis: int) -> Floats:
+def levels_along(sheet: DrawnSheet, axis: int) -> Floats:
     """Places in mm along an axis of the part at which any view shows an end or an extreme."""
     values = [np.array([0.0, sheet.size[axis]])]
     for view in sheet.views:

@@ -2,8 +2,9 @@
 
 A wrong hole costs a hundredth of a sheet's lines, and so does what an ordinary reading loses.  So
 no limit on a share tells them apart.  A reason does: an extent that is another one; a whole drawn
-circle that the solid has not; a visible edge of the solid where the sheet has neither line nor ink;
-a hatched area that is no cut.  Without a reason a sheet that is mostly explained agrees, and of one
+circle that the solid has not; a visible edge of the solid where the sheet has neither line nor
+ink; a hatched area that is no cut; a single change of the solid with which it explains the sheet
+better.  Without a reason a sheet that is mostly explained agrees, and of one
 that is not nobody can tell.
 """
 
@@ -16,6 +17,7 @@ import numpy as np
 from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.judging.laying import Laid
 from gaussiancad_core.judging.misfits import Judge, Kind, lost_lines
+from gaussiancad_core.judging.model_edits import Edit, as_message
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_protocol.codes import Code
@@ -77,19 +79,23 @@ class Judgement:
     reasons: tuple[Reason, ...] = ()
 
 
-def judged(laid: Laid, judge: Judge, differing: Sequence[Difference]) -> Judgement:
+def judged(
+    laid: Laid, judge: Judge, differing: Sequence[Difference], edits: Sequence[Edit]
+) -> Judgement:
     """Whether a solid agrees with a drawing.
 
     Args:
         laid: the solid on the sheet.
         judge: of the sheet.
         differing: the places at which they differ, with what ink is there.
+        edits: single changes of the solid that explain the sheet better.
     """
     reasons = (
         *_extents(laid, judge),
         *_circles(laid, judge),
         *_bare_edges(laid, differing),
         *_hatching(laid),
+        *_better(laid, edits),
     )
     if reasons:
         return Judgement(Verdict.DIFFERS, reasons)
@@ -189,6 +195,12 @@ def _hatching(laid: Laid) -> Iterator[Reason]:
                     view=view.view.role,
                 ),
             )
+
+
+def _better(laid: Laid, edits: Sequence[Edit]) -> Iterator[Reason]:
+    """The best change, where the sheet is mostly explained with it."""
+    if edits and laid.misfit.cost - edits[0].mm < _QUIET * laid.misfit.drawn:
+        yield Reason(Code.EXPLAINED_BETTER, as_message(edits[0]))
 
 
 def _unexplained(laid: Laid) -> Reason:

@@ -9,9 +9,8 @@ import numpy as np
 from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.judging.laying import Laid
 from gaussiancad_core.judging.misfits import Kind
+from gaussiancad_core.judging.model_edits import as_message
 from gaussiancad_core.judging.sheet_judgement import SheetJudgement
-
-CHECK_FILE = "check.json"
 
 SCHEMA = 1
 
@@ -48,7 +47,7 @@ def check_values(
             for reason in found.judgement.reasons
         ],
         "share": None if found.laid is None else round(found.laid.misfit.share, 5),
-        "projection": None if found.projection is None else found.projection.value,
+        "projection": None if found.evidence is None else found.evidence.projection.value,
         "pose": None if found.laid is None else _pose(found.laid, scale_source),
         "differences": [
             _difference(each, found, to_stored) for each in found.differences if each.kind in _KINDS
@@ -65,7 +64,17 @@ def check_values(
             }
             for each in found.tally
         ],
-        "edits": [],
+        "edits": [
+            {
+                "what": each.what,
+                "feature": each.feature,
+                "from": each.start,
+                "to": each.end,
+                "mm": round(each.mm, 4),
+                "message": str(as_message(each)),
+            }
+            for each in found.edits
+        ],
         "silent": [],
         "unused": unused,
     }
@@ -89,8 +98,8 @@ def _pose(laid: Laid, scale_source: str) -> dict[str, Any]:
 def _difference(each: Difference, found: SheetJudgement, to_stored: ToStored) -> dict[str, Any]:
     kind, what = _KINDS[each.kind]
     ends, pieces = np.array(each.ends), each.pieces.reshape(-1, 2)
-    if found.ink is not None:
-        place = found.ink.placements[each.view.role]
+    if found.evidence is not None:
+        place = found.evidence.ink.placements[each.view.role]
         ends, pieces = (to_stored(place.to_sheet(points)) for points in (ends, pieces))
     return {
         "view": each.view.role.value,

@@ -3,15 +3,15 @@
 read -> views -> lines -> masks -> judge -> write.
 """
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.comparison.model_files import format_of, read_model
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, faceted_mesh, faceted_shape
-from gaussiancad_core.judging.sheet_ink import distance_to_ink, placements_of, SheetInk
-from gaussiancad_core.judging.sheet_judgement import SheetJudgement, doubted, judge_solid
+from gaussiancad_core.judging.sheet_ink import SheetInk, distance_to_ink, placements_of
+from gaussiancad_core.judging.sheet_judgement import SheetEvidence, SheetJudgement, judge_solid
 from gaussiancad_core.judging.verdicts import Judgement, Reason, Verdict
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.kernel.brep_files import read_shape, readable
@@ -22,21 +22,16 @@ from gaussiancad_core.processes.garbage import uncollected
 from gaussiancad_core.recognition.load_sheet import open_sheet
 from gaussiancad_core.recognition.page_choice import naming_pages
 from gaussiancad_core.recognition.views_and_lines import with_unseen
-from gaussiancad_core.report.check_report import CHECK_FILE, check_json, check_values
+from gaussiancad_core.report.check_report import check_json, check_values
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.run.read_run import sheet_lines
 from gaussiancad_core.run.registering_stage import registered_lines
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
-from gaussiancad_core.storage.outputs import OutputFolder, os_error
+from gaussiancad_core.storage.outputs import CHECK_FILES, OutputFolder, os_error
 from gaussiancad_core.writing.sheet_scale import ScaleSource
 from gaussiancad_protocol.codes import Code
-
-PICTURE_FILE = "check.png"
-
-CHECK_FILES = (CHECK_FILE, PICTURE_FILE)
-"""What a check owns in its output folder."""
 
 STAGES = ("read", "views", "lines", "masks", "judge", "write")
 
@@ -87,11 +82,12 @@ def check_to_folder(job: Job, model: Path, listener: Listener) -> SheetCheck:
         checked = _checked(model)
         sheet = open_sheet(job, notes)
         found = _compared(job, sheet, checked, notes)
-    folder = OutputFolder(job.output, CHECK_FILES, CHECK_FILE)
+    data, picture = CHECK_FILES
+    folder = OutputFolder(job.output, CHECK_FILES, data)
     try:
         with notes.stage("write"):
-            (folder.staging / PICTURE_FILE).write_bytes(found.picture)
-            (folder.staging / CHECK_FILE).write_bytes(check_json(found.values))
+            (folder.staging / picture).write_bytes(found.picture)
+            (folder.staging / data).write_bytes(check_json(found.values))
             folder.commit()
     except OSError as error:
         raise os_error(job.output, error) from error
@@ -135,14 +131,17 @@ def _compared(job: Job, sheet: OpenedSheet, model: _Checked, notes: RunNotes) ->
         with notes.stage("judge"):
             away = distance_to_ink(sheet.clean.ink)
             readings = [
-                (reading, SheetInk(away, placements_of(reading)))
+                SheetEvidence(
+                    reading.numbered, SheetInk(away, placements_of(reading)), reading.projection
+                )
                 for reading in (findings.assumed, findings.other)
                 if reading is not None
             ]
             found = judge_solid(model.solid, readings)
             found = _sized(found, notes.report)
             if model.doubt is not None and found.judgement.verdict is Verdict.AGREES:
-                found = doubted(found, Judgement(Verdict.CANNOT_TELL, (model.doubt,)))
+                judgement = Judgement(Verdict.CANNOT_TELL, (model.doubt,))
+                found = replace(found, judgement=judgement)
     unused = [asdict(each) for each in notes.report.unused]
     values = check_values(found, sheet.turn.to_stored, notes.report.scale_source, unused)
     picture = check_picture(values, sheet.picture)
@@ -164,4 +163,5 @@ def _sized(found: SheetJudgement, report: Report) -> SheetJudgement:
             factor=scale,
         ),
     )
-    return doubted(found, Judgement(Verdict.DIFFERS, (reason, *found.judgement.reasons)))
+    judgement = Judgement(Verdict.DIFFERS, (reason, *found.judgement.reasons))
+    return replace(found, judgement=judgement)

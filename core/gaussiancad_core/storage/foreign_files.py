@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.storage.outputs import PUBLISHED_FILE, READ_FILES, REPORT_FILE
+from gaussiancad_core.storage.outputs import CHECK_FILES, PUBLISHED_FILE, READ_FILES, REPORT_FILE
 from gaussiancad_protocol.codes import Code
 
 _MOST_BYTES = 64 << 20
@@ -14,11 +14,14 @@ _MOST_BYTES = 64 << 20
 
 _MOST_NAMED = 3
 
+_CHECKED = {"schema", "verdict", "differences", "tally"}
+"""Keys by which a check's file is known."""
+
 
 def check_no_foreign(folder: Path, names: Iterable[str]) -> None:
     """Refuse to write over what is not of an earlier run.
 
-    What a run made is told by its report, by its reading, and by its list of what went ahead.
+    What a run made is told by its report, its reading, its check, and by its list of what went ahead.
 
     Args:
         folder: of the output; it may be missing.
@@ -50,6 +53,8 @@ def _known(folder: Path) -> set[str]:
         found |= {REPORT_FILE, *(str(name).split("/")[0] for name in report["files"])}
     if str(_values(folder / READ_FILES[0]).get("schema")).startswith("gaussiancad-reading/"):
         found |= set(READ_FILES)
+    if _CHECKED <= set(_values(folder / CHECK_FILES[0])):
+        found |= set(CHECK_FILES)
     ahead = _values(folder / PUBLISHED_FILE).get("names")
     if isinstance(ahead, list):
         found |= {str(name) for name in ahead}

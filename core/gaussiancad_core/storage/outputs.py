@@ -41,6 +41,9 @@ REPORT_FILE = "report.json"
 READ_FILES = ("reading.json", "reading.png", "sheet.png", "lines.dxf", "lines.svg")
 """What a ``read`` run writes."""
 
+CHECK_FILES = ("check.json", "check.png")
+"""What a ``check`` run writes; the first is put in place last."""
+
 RUN_FILES = (
     "reading.json",
     "solid.step",

@@ -1,0 +1,164 @@
+"""Bores and flat faces along the axes of a solid, as its triangles tell them.
+
+They are what single changes of a model are made of, whatever file it came from.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+
+_ALONG = 1e-3
+"""Largest share of a normal along an axis for a face to run along it."""
+
+_ROUND = 3e-3
+"""Share of a radius by which the corners of a round face may lie beside its circle."""
+
+_WHOLE = 5.5
+"""Radians of its circle that the steps of a bore go round together at least."""
+
+_TOUCH = 1e-4
+"""Share of the longest extent within which two places are one."""
+
+
+@dataclass(frozen=True)
+class Bore:
+    """A round hole along an axis, with all its steps.
+
+    Attributes:
+        axis: that it runs along.
+        centre: (2,) mm in the plane across.
+        radius: mm, of its narrowest step.
+        widest: mm, of its widest step.
+        low, high: mm along the axis.
+    """
+
+    axis: Axis
+    centre: tuple[float, float]
+    radius: float
+    widest: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, eq=False)
+class FlatFace:
+    """A flat face across an axis.
+
+    Attributes:
+        axis: that it lies across.
+        at: mm along it.
+        side: +1 where the material lies below, -1 where it lies above.
+        triangles: numbers of the solid's triangles.
+        area: mm^2.
+    """
+
+    axis: Axis
+    at: float
+    side: int
+    triangles: Numbers
+    area: float
+
+
+def bores_of(solid: FacetedSolid) -> tuple[Bore, ...]:
+    """The round holes of a solid along the axes, the widest first."""
+    long = float(solid.extent.max())
+    steps: dict[Axis, list[tuple[Floats, float, float, float, float]]] = {}
+    normals, areas = _normals(solid)
+    for surface in range(len(solid.smooth)):
+        chosen = np.flatnonzero((solid.surfaces == surface) & (areas > 0.0))
+        if len(chosen) < 2:
+            continue
+        for axis in Axis:
+            if np.abs(normals[chosen, axis.value]).max() < _ALONG:
+                steps.setdefault(axis, []).extend(_round_step(solid, normals, chosen, axis))
+    found = [
+        bore for axis, of_axis in steps.items() for bore in _bores(axis, of_axis, _TOUCH * long)
+    ]
+    return tuple(sorted(found, key=lambda bore: -bore.widest))
+
+
+def flat_faces(solid: FacetedSolid) -> tuple[FlatFace, ...]:
+    """The flat faces of a solid across the axes, the largest first."""
+    normals, areas = _normals(solid)
+    found = []
+    for surface in range(len(solid.smooth)):
+        of_surface = np.flatnonzero((solid.surfaces == surface) & (areas > 0.0))
+        for axis in Axis:
+            along = normals[of_surface, axis.value] if len(of_surface) else np.zeros(0)
+            if not len(along) or np.abs(along).min() < 1.0 - _ALONG:
+                continue
+            for side in (1, -1):
+                chosen = of_surface[side * along > 0.0]
+                if len(chosen):
+                    at = float(solid.vertices[solid.triangles[chosen], axis.value].mean())
+                    area = float(areas[chosen].sum())
+                    found.append(FlatFace(axis, at, side, chosen, area))
+    return tuple(sorted(found, key=lambda face: -face.area))
+
+
+def _normals(solid: FacetedSolid) -> tuple[Floats, Floats]:
+    """(m, 3) outward unit normals of the triangles, and (m,) their areas in mm^2."""
+    a, b, c = (solid.vertices[solid.triangles[:, k]] for k in range(3))
+    across = np.cross(b - a, c - a)
+    length = np.linalg.norm(across, axis=1)
+    return across / np.maximum(length, 1e-300)[:, None], length / 2.0
+
+
+def _round_step(
+    solid: FacetedSolid, normals: Floats, chosen: Numbers, axis: Axis
+) -> Iterator[tuple[Floats, float, float, float, float]]:
+    """Centre, radius, low, high, and radians of a surface that is a cylinder around a hole."""
+    plane = list(IN_PLANE[axis])
+    points = solid.vertices[solid.triangles[chosen]].reshape(-1, 3)
+    flat = points[:, plane]
+    matrix = np.column_stack([2.0 * flat, np.ones(len(flat))])
+    values, _, rank, _ = np.linalg.lstsq(matrix, (flat**2).sum(axis=1), rcond=None)
+    if rank < 3:
+        return
+    centre = values[:2]
+    radius = float(np.sqrt(max(values[2] + centre @ centre, 0.0)))
+    away = np.hypot(*(flat - centre).T)
+    if radius <= 0.0 or np.abs(away - radius).max() > _ROUND * radius:
+        return
+    middles = flat.reshape(-1, 3, 2).mean(axis=1) - centre
+    if (middles * normals[chosen][:, plane]).sum(axis=1).max() >= 0.0:
+        # Its normals point away from the axis: the material is within.
+        return
+    angles = np.sort(np.arctan2(*(flat - centre).T[::-1]))
+    gaps = np.diff(np.append(angles, angles[0] + 2.0 * np.pi))
+    along = points[:, axis.value]
+    # Of a whole circle the largest gap is that between two corners of it.
+    turn = 2.0 * np.pi - (float(gaps.max()) if gaps.max() > 0.3 else 0.0)
+    yield centre, radius, float(along.min()), float(along.max()), turn
+
+
+def _bores(
+    axis: Axis, steps: list[tuple[Floats, float, float, float, float]], touch: float
+) -> Iterator[Bore]:
+    """The steps about one line that touch each other, as bores."""
+    left = sorted(steps, key=lambda step: step[2])
+    while left:
+        run = [left.pop(0)]
+        rest = []
+        for step in left:
+            near = np.hypot(*(step[0] - run[0][0])) <= touch
+            if near and step[2] <= max(each[3] for each in run) + touch:
+                run.append(step)
+            else:
+                rest.append(step)
+        left = rest
+        turns: dict[float, float] = {}
+        for step in run:
+            radius = round(step[1] / touch) * touch
+            turns[radius] = turns.get(radius, 0.0) + step[4]
+        whole = [radius for radius, turn in turns.items() if turn >= _WHOLE]
+        if whole:
+            centre = float(run[0][0][0]), float(run[0][0][1])
+            widest = max(step[1] for step in run)
+            low, high = min(step[2] for step in run), max(step[3] for step in run)
+            yield Bore(axis, centre, min(whole), widest, low, high)
