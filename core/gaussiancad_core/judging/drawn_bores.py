@@ -87,5 +87,5 @@ def _pairs(view: DrawnView, axis: Axis, sheet: DrawnSheet, same: float) -> Itera
     for one, two in combinations(straight, 2):
         gap = abs(one[0] - two[0])
         ends = np.abs(np.subtract(one[1:], two[1:])).max()
-        if ends <= same and same < gap < _WIDEST * sheet.longest:
+        if ends <= same < gap < _WIDEST * sheet.longest:
             yield other.value, (one[0] + two[0]) / 2.0, gap / 2.0, one[1], one[2]

@@ -34,8 +34,13 @@ def changed(met: Met, tool: Met, change: Change, same: float) -> Met:
     count = met.count.copy()
     surface, depth = met.surface.copy(), met.depth.copy()
     touched = np.flatnonzero(tool.count > 0)
-    _merge((met.count, met.surface, met.depth), (tool.count, tool.surface, tool.depth),
-           touched, (int(change), same), (count, surface, depth))
+    _merge(
+        (met.count, met.surface, met.depth),
+        (tool.count, tool.surface, tool.depth),
+        touched,
+        (int(change), same),
+        (count, surface, depth),
+    )
     return Met(count, surface, depth)
 
 
@@ -144,7 +149,9 @@ def _merge(solid, tool, touched, rule, out):  # noqa: ANN001, ANN202
         i = j = k = 0
         in_one = in_two = inside = False
         while i < one_count[r] or j < two_count[r]:
-            if j >= two_count[r] or (i < one_count[r] and one_depth[r, i] <= two_depth[r, j] + same):
+            if j >= two_count[r] or (
+                i < one_count[r] and one_depth[r, i] <= two_depth[r, j] + same
+            ):
                 # The solid's own surface stands for both where they are one.
                 at, number = one_depth[r, i], one_surface[r, i]
             else:

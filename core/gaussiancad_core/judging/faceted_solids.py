@@ -4,13 +4,14 @@ An exact solid and a mesh become the same.  Two faces on one plane, or on one cy
 surface; surfaces that pass smoothly into each other are one to the eye.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
-from OCP.GeomAbs import GeomAbs_CurveType, GeomAbs_SurfaceType
+from OCP.GCPnts import GCPnts_TangentialDeflection
+from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
@@ -30,9 +31,6 @@ _ANGLE = 0.2
 
 _SAME = 2e-5
 """Share of the longest extent within which two faces lie on one surface."""
-
-_CHORDS = 24
-"""Chords of an edge that is not straight."""
 
 _FLAT = 0.44
 """Radians between two triangles of a mesh from which they lie on two surfaces: meshes of round
@@ -98,7 +96,7 @@ def faceted_shape(shape: TopoDS_Shape) -> FacetedSolid:
         if facts.smooth and len(facts.faces) == 2:
             joined.join(*(int(surface_of[table.number(face)]) for face in facts.faces))
         elif not facts.seam:
-            points = _edge_points(facts.edge)
+            points = _edge_points(facts.edge, _DEFLECTION * longest)
             chords.append(np.stack([points[:-1], points[1:]], axis=1))
             edges.append(np.full(len(points) - 1, number))
     return FacetedSolid(
@@ -223,13 +221,8 @@ def _point(point: gp_Pnt) -> Floats:
     return np.array([point.X(), point.Y(), point.Z()])
 
 
-def _edge_points(edge: TopoDS_Edge) -> Floats:
-    """(n, 3) points along an edge, from end to end."""
+def _edge_points(edge: TopoDS_Edge, deflection: float) -> Floats:
+    """(n, 3) points along an edge, from end to end; its chords are within mm of it."""
     curve = BRepAdaptor_Curve(edge)
-    count = 1 if curve.GetType() == GeomAbs_CurveType.GeomAbs_Line else _CHORDS
-    first, last = curve.FirstParameter(), curve.LastParameter()
-    return np.array([_point(curve.Value(at)) for at in _even(first, last, count)])
-
-
-def _even(first: float, last: float, count: int) -> Iterator[float]:
-    return (first + (last - first) * k / count for k in range(count + 1))
+    found = GCPnts_TangentialDeflection(curve, _ANGLE, deflection)
+    return np.array([_point(found.Value(number + 1)) for number in range(found.NbPoints())])

@@ -111,7 +111,9 @@ def _at_scale(solid: FacetedSolid, sheet: DrawnSheet, scale: float) -> Iterator[
         deviation = turned / size - 1.0
         if np.abs(deviation).max() > _FITS:
             continue
-        snaps = np.abs(deviation) <= np.maximum(_SNAP, _SNAP_TOLERANCES * sheet.tolerance / sheet.size)
+        snaps = np.abs(deviation) <= np.maximum(
+            _SNAP, _SNAP_TOLERANCES * sheet.tolerance / sheet.size
+        )
         factor = np.where(snaps, sheet.size / turned, 1.0 / scale)
         matrix = turn * factor[:, None]
         start = np.minimum(matrix @ extent, 0.0)

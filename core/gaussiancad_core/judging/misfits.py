@@ -138,9 +138,7 @@ class Judge:
         """How well a solid that lies on the sheet's axes explains the sheet, wholly."""
         views = [
             _view_misfit(solid, self.sheet, view, pairs, chords)
-            for view, pairs, chords in zip(
-                self.sheet.views, self.pairs, self._chords, strict=True
-            )
+            for view, pairs, chords in zip(self.sheet.views, self.pairs, self._chords, strict=True)
         ]
         return Misfit(tuple(views), self.sheet.length)
 
@@ -178,8 +176,9 @@ class Judge:
             chosen = np.concatenate([beside, blank])
             used = np.unique(np.concatenate([pairs.one[chosen], pairs.other[chosen]]))
             met = _met(solid, view, pairs.places[used])
-            ends = np.searchsorted(used, pairs.one[chosen]), np.searchsorted(
-                used, pairs.other[chosen]
+            ends = (
+                np.searchsorted(used, pairs.one[chosen]),
+                np.searchsorted(used, pairs.other[chosen]),
             )
             signs = seen(met, _with_cut(solid))
             kind = _kinds(signs, ends, pairs.drawn[chosen], draws_hidden=view.draws_hidden)
@@ -309,7 +308,12 @@ def _undrawn_edges(
     chosen = flat > _FLAT
     least = max(_FAR * sheet.aside, _FAR_SHARE * sheet.longest)
     chosen[chords.query(shapely.points(at), predicate="dwithin", distance=least)[0]] = False
-    at, way, mm, edge = at[chosen], way[chosen] / flat[chosen, None], (mm * flat)[chosen], edge[chosen]
+    at, way, mm, edge = (
+        at[chosen],
+        way[chosen] / flat[chosen, None],
+        (mm * flat)[chosen],
+        edge[chosen],
+    )
     if not len(at):
         none = np.zeros(0, int)
         return none, np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), none, none

@@ -1,12 +1,13 @@
 """Notes of holes against a solid: which of them it keeps, counted as the sheet counts them."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats
+from gaussiancad_core.judging.model_features import Bore, bores_of
 from gaussiancad_core.judging.sight_lines import crossings
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 
@@ -19,6 +20,9 @@ _AROUND = 16
 
 _AGREE = 0.75
 """Share of the lines of sight that must meet the same: a hole may cut another one."""
+
+_WIDTH = 0.02
+"""Share of a radius by which a bore may be another one and still be as wide as a note says."""
 
 _DEPTH = 0.02
 """Share of a depth, and of the longest extent times a tenth, by which it may be off."""
@@ -60,17 +64,24 @@ def tally(solid: FacetedSolid, holes: Iterable[NotedHole]) -> tuple[Tally, ...]:
     groups: dict[tuple[str, str], list[NotedHole]] = {}
     for hole in holes:
         groups.setdefault((hole.text, hole.role.value), []).append(hole)
-    found = []
+    found, bores = [], bores_of(solid)
     for (text, role), group in groups.items():
         kept = sum(_is_kept(solid, hole) for hole in group)
         counted = _COUNT.match(text)
-        # A count that no circle was found for is told by the note alone.
         stated = max(len(group), int(counted.group(1)) if counted else 1)
-        lacking = len(group) - kept
-        found.append(
-            Tally(text, "hole", group[0].centre, role, stated, stated - lacking)
-        )
+        # Those for which no circle was found may be anywhere.
+        others = min(stated - len(group), max(0, _alike(bores, group[0]) - kept))
+        found.append(Tally(text, "hole", group[0].centre, role, stated, kept + others))
     return tuple(sorted(found, key=lambda each: each.agrees))
+
+
+def _alike(bores: Sequence[Bore], hole: NotedHole) -> int:
+    """How many bores run the way of a hole and are as wide as its narrowest step."""
+    radius = min(step.diameter for step in hole.steps) / 2.0
+    return sum(
+        bore.axis is hole.role.frame.look_axis[0] and abs(bore.radius - radius) <= _WIDTH * radius
+        for bore in bores
+    )
 
 
 def _is_kept(solid: FacetedSolid, hole: NotedHole) -> bool:

@@ -8,7 +8,6 @@ one.
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from numba import njit
 
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers
@@ -131,14 +130,9 @@ def _cross(corners, surfaces, places, bins, met):  # noqa: ANN001, ANN202
                 x, y = places[i, 0], places[i, 1]
                 # A place on an edge belongs to one of its two triangles: crossings of a line to
                 # the right of it are counted.
-                odd = False
-                if (ay <= y) != (by <= y) and ax + (y - ay) / (by - ay) * (bx - ax) > x:
-                    odd = not odd
-                if (by <= y) != (cy <= y) and bx + (y - by) / (cy - by) * (cx - bx) > x:
-                    odd = not odd
-                if (cy <= y) != (ay <= y) and cx + (y - cy) / (ay - cy) * (ax - cx) > x:
-                    odd = not odd
-                if not odd:
+                one = _is_right(ax, ay, bx, by, x, y)
+                two = _is_right(bx, by, cx, cy, x, y)
+                if one ^ two ^ _is_right(cx, cy, ax, ay, x, y) == 0:
                     continue
                 v = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
                 w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
@@ -151,6 +145,17 @@ def _cross(corners, surfaces, places, bins, met):  # noqa: ANN001, ANN202
                     n -= 1
                 depth[i, n], surface[i, n] = z, surfaces[t]
                 count[i] = min(count[i] + 1, MOST_MET)
+
+
+@njit(cache=True)
+def _is_right(ax, ay, bx, by, x, y):  # noqa: ANN001, ANN202
+    """1 where an edge crosses the line to the right of a place: the same for both triangles at it,
+    whichever way it runs in each."""
+    if (ay <= y) == (by <= y):
+        return 0
+    if ay > by:
+        ax, ay, bx, by = bx, by, ax, ay
+    return 1 if ax + (y - ay) / (by - ay) * (bx - ax) > x else 0
 
 
 @njit(cache=True)

@@ -31,6 +31,10 @@ _GAP = 1.0 / 12.0
 _LINES_IN_GAP, _GAPS = 5, 42
 """Lines of the raster in a gap, and gaps along an axis that it goes through, at most."""
 
+_OFF_MIDDLE = 0.47, 0.4437
+"""Shares of a gap's part at which lines of the raster run, along right and up: not through middles,
+where parts have edges, nor along diagonals."""
+
 _UPON = 1.5
 """Tolerances within which a stroke lies upon another."""
 
@@ -188,21 +192,25 @@ def _raster(sheet: DrawnSheet, view: DrawnView) -> tuple[Floats, tuple[Floats, F
     """(h, w, 2) mm of the raster's lines of sight, and the widths that they stand for."""
     frame = view.role.frame
     found = [
-        _through_gaps(levels_along(sheet, axis.value), sign, float(sheet.size[axis.value]))
-        for axis, sign in (frame.right_axis, frame.up_axis)
+        _through_gaps(sheet, axis.value, sign, share)
+        for (axis, sign), share in zip((frame.right_axis, frame.up_axis), _OFF_MIDDLE, strict=True)
     ]
     (x, widths), (y, heights) = found
     return np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1), (widths, heights)
 
 
-def _through_gaps(levels: Floats, sign: int, size: float) -> tuple[Floats, Floats]:
+def _through_gaps(sheet: DrawnSheet, axis: int, sign: int, share: float) -> tuple[Floats, Floats]:
+    """Lines of the raster through the gaps between places along an axis: (k,) mm along a view's
+    right or up, and the widths that they stand for."""
+    levels, size = levels_along(sheet, axis), float(sheet.size[axis])
     gaps = np.diff(levels)
-    kept = np.sort(np.argsort(-gaps, kind="stable")[:_GAPS])
+    # In a gap as narrow as strokes are looked beside, a line would run along an edge.
+    wide = np.flatnonzero(gaps > 2.0 * sheet.aside)
+    kept = np.sort(wide[np.argsort(-gaps[wide], kind="stable")[:_GAPS]])
     places, widths = [], []
     for gap in kept.tolist():
         count = int(np.clip(np.ceil(gaps[gap] / (_GAP * size)), 1, _LINES_IN_GAP))
-        # Not through middles, where parts have edges.
-        places += [levels[gap] + (k + 0.47) / count * gaps[gap] for k in range(count)]
+        places += [levels[gap] + (k + share) / count * gaps[gap] for k in range(count)]
         widths += [gaps[gap] / count] * count
     order = np.argsort(sign * np.array(places))
     return sign * np.array(places)[order], np.array(widths)[order]
@@ -271,9 +279,7 @@ def _blank(one: Numbers, other: Numbers, weight: Floats, at: Floats) -> _Pairs:
     return _Pairs(one, other, nothing, weight, np.full(len(one), NO_LINE), at)
 
 
-def _is_parted(
-    one: Floats, other: Floats, tree: shapely.STRtree | None
-) -> npt.NDArray[np.bool_]:
+def _is_parted(one: Floats, other: Floats, tree: shapely.STRtree | None) -> npt.NDArray[np.bool_]:
     """(n,) whether a stroke runs between two places."""
     parted = np.zeros(len(one), bool)
     if tree is not None and len(one):

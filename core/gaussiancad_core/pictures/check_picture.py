@@ -39,9 +39,7 @@ _SUB = 4
 """Bits of a pixel's fraction that OpenCV draws with."""
 
 
-def check_picture(
-    values: Mapping[str, Any], sheet: tuple[npt.NDArray[np.uint8], float]
-) -> bytes:
+def check_picture(values: Mapping[str, Any], sheet: tuple[npt.NDArray[np.uint8], float]) -> bytes:
     """The picture as PNG.
 
     Args:

@@ -53,7 +53,7 @@ def _known(folder: Path) -> set[str]:
         found |= {REPORT_FILE, *(str(name).split("/")[0] for name in report["files"])}
     if str(_values(folder / READ_FILES[0]).get("schema")).startswith("gaussiancad-reading/"):
         found |= set(READ_FILES)
-    if _CHECKED <= set(_values(folder / CHECK_FILES[0])):
+    if set(_values(folder / CHECK_FILES[0])) >= _CHECKED:
         found |= set(CHECK_FILES)
     ahead = _values(folder / PUBLISHED_FILE).get("names")
     if isinstance(ahead, list):
