@@ -21,6 +21,7 @@ SECTIONS: dict[str, tuple[Explained, ...]] = {
     "Reasons": explained_results.REASONS,
     "Assumptions": explained_results.ASSUMPTIONS,
     "Warnings": explained_results.WARNINGS,
+    "Reasons of a check": explained_results.CHECK,
     "Warnings of a comparison": explained_results.COMPARISON,
     "Errors: reading files": explained_errors.FILES,
     "Errors: no model follows from the sheet": explained_errors.VIEWS,

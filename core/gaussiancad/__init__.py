@@ -8,16 +8,17 @@
     [60.0, 37.5, 45.0]
 
 ``reconstruct`` reads a sheet and makes the part; ``read``, ``correct`` and ``solve`` do the same in
-steps; ``explain`` says why they are what they are; ``compare`` measures a part against a reference,
-``draw`` draws one.  Every error is an
-:class:`Error` with a ``code`` and a sentence that says what to do.
+steps; ``explain`` says why they are what they are.  ``check`` tells whether a part agrees with its
+drawing, ``compare`` measures it against another, ``features`` finds what it is made of, ``draw``
+draws it.  Every error is an :class:`Error` with a ``code`` and a sentence that says what to do.
 
 The engine runs in a process of its own: importing this package loads no library beside Python's
 own, and a geometry kernel that crashes raises an error here.
 """
 
+from gaussiancad.checks import Check, check
 from gaussiancad.explanations import explain
-from gaussiancad.models import Comparison, compare, draw
+from gaussiancad.models import Comparison, compare, draw, features
 from gaussiancad.part_result import Finding, Result
 from gaussiancad.sheet_reading import Problem, Reading, Stroke, View
 from gaussiancad.sheets import correct, read, reconstruct, solve
@@ -34,6 +35,7 @@ from gaussiancad_core.errors import GaussianCadError as Error
 
 __all__ = [
     "CancelledError",
+    "Check",
     "Comparison",
     "EngineError",
     "Error",
@@ -48,10 +50,12 @@ __all__ = [
     "UsageError",
     "View",
     "__version__",
+    "check",
     "compare",
     "correct",
     "draw",
     "explain",
+    "features",
     "read",
     "reconstruct",
     "solve",

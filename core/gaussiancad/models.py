@@ -17,6 +17,9 @@ _MESH_FILES = ("surface.stl", "hull.stl")
 """What is compared of a result without a solid, the first that is there."""
 
 
+_FEATURES_FILE = "features.json"
+
+
 class Comparison(Mapping[str, Any]):
     """How far a model is from a reference; the keys are those of ``comparison.json``.
 
@@ -85,7 +88,7 @@ def compare(
         points=points, seed=seed, protocol=protocol, register=register, json=True
     )
     ended = run_command(
-        ["compare", _model(result), _model(reference), *stated_options], Watch(progress)
+        ["compare", model_file(result), model_file(reference), *stated_options], Watch(progress)
     )
     if ended.exit_code != ExitCode.DONE:
         raise ended.error()
@@ -119,13 +122,38 @@ def draw(
         UsageError: an option has no such value, or the sheet cannot be written.
     """
     stated_options = options(views=",".join(views), projection=projection, style=style, seed=seed)
-    ended = run_command(["draw", _model(solid), path_of(sheet), *stated_options])
+    ended = run_command(["draw", model_file(solid), path_of(sheet), *stated_options])
     if ended.exit_code != ExitCode.DONE:
         raise ended.error()
     return Path(sheet)
 
 
-def _model(model: Result | PathLike) -> str:
+def features(
+    solid: Result | PathLike, output: PathLike, *, progress: Progress | None = None
+) -> Mapping[str, Any]:
+    """Find the sketches, pads, pockets and holes that make up a solid.
+
+    Args:
+        solid: STEP or BREP file, or what a sheet gave.
+        output: folder for ``features.json`` and ``features.py``, a build123d script.
+        progress: called twice a second; an exception in it stops the search.
+
+    Returns:
+        The content of ``features.json``.
+
+    Raises:
+        UnreadableError: there is no such solid.
+        UsageError: the folder cannot be written.
+    """
+    folder = path_of(output)
+    ended = run_command(["features", model_file(solid), f"--output={folder}"], Watch(progress))
+    if ended.exit_code != ExitCode.DONE:
+        raise ended.error()
+    values = json.loads((Path(folder) / _FEATURES_FILE).read_text(encoding="utf-8"))
+    return MappingProxyType(values)
+
+
+def model_file(model: Result | PathLike) -> str:
     """The file of a model."""
     if not isinstance(model, Result):
         return path_of(model)

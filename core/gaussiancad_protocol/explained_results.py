@@ -302,6 +302,25 @@ WARNINGS = (
     ),
 )
 
+CHECK = (
+    row(
+        "the solid's extents are not those of the views, in any position; or one of them is off "
+        "by more than it can be misread",
+        Code.EXTENTS_DIFFER,
+    ),
+    row("the solid is larger or smaller than the sheet's numbers say", Code.SIZE_DIFFERS),
+    row("a view has a whole circle that the solid does not show", Code.CIRCLE_MISSING),
+    row(
+        "the solid has a visible edge where the sheet has neither a line nor ink",
+        Code.EDGE_NOT_DRAWN,
+    ),
+    row("what a section hatches is not what the solid has cut there", Code.SECTION_DIFFERS),
+    row(
+        "a single change of the solid, which the message tells, explains the sheet better",
+        Code.EXPLAINED_BETTER,
+    ),
+)
+
 COMPARISON = (
     row(
         "a mirror image of the result fits clearly better; it is measured as it is",

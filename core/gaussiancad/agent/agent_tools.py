@@ -13,12 +13,19 @@ from gaussiancad.agent.agent_pictures import PREVIEW_PX, Picture, enlarged, scal
 from gaussiancad.agent.allowed_paths import WorkFolder
 from gaussiancad.agent.kept_readings import Kept, KeptReading, KeptResult
 from gaussiancad.agent.reading_summary import reading_summary, rounded, stroke_entry
-from gaussiancad.agent.result_summary import comparison_summary, result_summary
+from gaussiancad.agent.result_summary import (
+    check_summary,
+    comparison_summary,
+    features_summary,
+    result_summary,
+)
 from gaussiancad.agent.stroke_selection import check_ids, selected_box, selected_strokes
 from gaussiancad.agent.tool_arguments import (
+    CheckArguments,
     CompareArguments,
     CorrectArguments,
     ExplainArguments,
+    FeaturesArguments,
     FilesArguments,
     LookArguments,
     ReadArguments,
@@ -167,6 +174,26 @@ class AgentTools:
             progress=progress,
         )
         return Answer(comparison_summary(comparison))
+
+    def check(self, asked: CheckArguments, progress: Progress) -> Answer:
+        """Tell whether a model agrees with its drawing."""
+        sheet = self.work.inside(asked.sheet)
+        solid = self._model(asked.solid)
+        with self.work.output(sheet, "check", asked.output) as output:
+            found = gaussiancad.check(
+                sheet, solid, output=output, progress=progress, **asked.options()
+            )
+        values = {**check_summary(found), "files": self._files(output)}
+        pictures = (scaled(output / "check.png", "where both differ"),) if asked.picture else ()
+        return Answer(values, pictures)
+
+    def features(self, asked: FeaturesArguments, progress: Progress) -> Answer:
+        """Find the features of a solid."""
+        solid = self._model(asked.solid)
+        named = Path(asked.solid)
+        with self.work.output(named, "features", asked.output) as output:
+            found = gaussiancad.features(solid, output, progress=progress)
+        return Answer({**features_summary(found), "files": self._files(output)})
 
     def _read(
         self, reading: Reading, output: Path, *, picture: bool, earlier: str | None = None

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from gaussiancad import Comparison, Result
+from gaussiancad import Check, Comparison, Result
 
 _MOST_ENTRIES = 12
 """Of each list."""
@@ -70,6 +70,41 @@ def comparison_summary(comparison: Comparison) -> dict[str, Any]:
     }
     found["warnings"] = [_message(entry) for entry in comparison.get("warnings", ())]
     return found
+
+
+def check_summary(found: Check) -> dict[str, Any]:
+    """Whether a model agrees with its drawing, and the worst of what does not."""
+    values: dict[str, Any] = {"verdict": found.verdict, "share": found["share"]}
+    values["reasons"] = [dict(reason) for reason in found.reasons]
+    differences = [
+        {name: value for name, value in each.items() if name != "pieces" and value is not None}
+        for each in found.differences
+    ]
+    for name, entries in (
+        ("differences", differences),
+        ("tally", found.tally),
+        ("edits", found.edits),
+        ("silent", found.silent),
+    ):
+        values |= _listed(name, entries)
+    return values
+
+
+def features_summary(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The features of each solid, by kind, and whether they make it up alone."""
+    return {
+        "solids": [
+            {
+                "whole": solid["whole"],
+                "features": [
+                    {name: each[name] for name in ("kind", "name") if name in each}
+                    for each in solid["features"][:_MOST_ENTRIES]
+                ],
+                "count": len(solid["features"]),
+            }
+            for solid in values["solids"]
+        ]
+    }
 
 
 def _message(entry: Any) -> Any:  # noqa: ANN401

@@ -157,6 +157,24 @@ class CompareArguments(Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     ] = None
 
 
+class CheckArguments(SheetArguments, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Of ``check``."""
+
+    sheet: Annotated[Name, Meta(description=_SHEET)]
+    solid: Annotated[
+        Name, Meta(description="A `result_id`, or a STEP, BREP, STL, PLY or OBJ file.")
+    ]
+    output: Annotated[Name | None, Meta(description=_OUTPUT)] = None
+    picture: Annotated[bool, Meta(description=_PICTURE)] = True
+
+
+class FeaturesArguments(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Of ``features``."""
+
+    solid: Annotated[Name, Meta(description="A `result_id`, or a STEP or BREP file.")]
+    output: Annotated[Name | None, Meta(description=_OUTPUT)] = None
+
+
 class FilesArguments(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Of ``files``."""
 

@@ -7,9 +7,11 @@ from mcp import types
 from msgspec import Struct
 
 from gaussiancad.agent.tool_arguments import (
+    CheckArguments,
     CompareArguments,
     CorrectArguments,
     ExplainArguments,
+    FeaturesArguments,
     FilesArguments,
     LookArguments,
     ReadArguments,
@@ -115,6 +117,25 @@ _TOOLS = (
         "Say in sentences what was read and why, what was tried, and why a part is not verified: "
         "in all, of a view, or at a place.",
         ExplainArguments,
+    ),
+    AgentTool(
+        "check",
+        "Check a model against its drawing",
+        "Tell whether a model agrees with its drawing: `agrees`, `differs` or `cannot-tell`, with "
+        "reasons, the places where lines differ, the notes that it does not keep, and single "
+        "changes of the model that explain the drawing better. The model may lie in any position.",
+        CheckArguments,
+        runs_engine=True,
+        writes=True,
+    ),
+    AgentTool(
+        "features",
+        "Find features",
+        "Find the sketches, pads, pockets and holes that make up a solid: features.json, and "
+        "features.py, a build123d script with its numbers at the top.",
+        FeaturesArguments,
+        runs_engine=True,
+        writes=True,
     ),
     AgentTool(
         "compare",

@@ -1,4 +1,4 @@
-"""The places at which a solid and a sheet differ: one of each line, edge or spot, the worst first."""
+"""Where a solid and a sheet differ: one place of each line, edge or spot, the worst first."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -81,7 +81,6 @@ def _extent(view: ViewMisfit) -> float:
 
 
 def _in_view(view: ViewMisfit, spot: float, ink: SheetInk | None) -> Iterator[Difference]:
-    ways = np.stack([view.at - view.along, view.at + view.along], axis=1)
     for number, kind in enumerate(KINDS):
         of_kind = view.kind == number
         for name in ("line", "edge"):
@@ -89,7 +88,7 @@ def _in_view(view: ViewMisfit, spot: float, ink: SheetInk | None) -> Iterator[Di
             for value in np.unique(values[of_kind & (values >= 0)]).tolist():
                 chosen = of_kind & (values == value)
                 line, edge = (value, -1) if name == "line" else (-1, value)
-                yield _difference(view, kind, ways, chosen, (line, edge), ink)
+                yield _difference(view, kind, chosen, (line, edge), ink)
         loose = np.flatnonzero(of_kind & (view.line < 0) & (view.edge < 0))
         # What runs along an edge that is told by itself is told once.
         known = view.at[of_kind & (view.edge >= 0)]
@@ -98,13 +97,12 @@ def _in_view(view: ViewMisfit, spot: float, ink: SheetInk | None) -> Iterator[Di
         for group in _spots(view.at[loose], spot):
             chosen = np.zeros(len(view.kind), bool)
             chosen[loose[group]] = True
-            yield _difference(view, kind, ways, chosen, (-1, -1), ink)
+            yield _difference(view, kind, chosen, (-1, -1), ink)
 
 
 def _difference(
     view: ViewMisfit,
     kind: Kind,
-    ways: Floats,
     chosen: npt.NDArray[np.bool_],
     numbers: tuple[int, int],
     ink: SheetInk | None,
@@ -115,7 +113,9 @@ def _difference(
         covered = ink.covers(view.view.role, view.at[chosen])
         on_ink = float(np.average(covered, weights=view.mm[chosen]))
     mm = float(view.mm[chosen].sum())
-    return Difference(view.view, kind, mm, ways[chosen], line, edge, on_ink)
+    at, along = view.at[chosen], view.along[chosen]
+    pieces = np.stack([at - along, at + along], axis=1)
+    return Difference(view.view, kind, mm, pieces, line, edge, on_ink)
 
 
 def _spots(places: Floats, reach: float) -> list[Numbers]:

@@ -148,7 +148,7 @@ def _cross(corners, surfaces, places, bins, met):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _is_right(ax, ay, bx, by, x, y):  # noqa: ANN001, ANN202
+def _is_right(ax, ay, bx, by, x, y):  # noqa: ANN001, ANN202, PLR0917
     """1 where an edge crosses the line to the right of a place: the same for both triangles at it,
     whichever way it runs in each."""
     if (ay <= y) == (by <= y):

@@ -21,7 +21,8 @@ _CHECKED = {"schema", "verdict", "differences", "tally"}
 def check_no_foreign(folder: Path, names: Iterable[str]) -> None:
     """Refuse to write over what is not of an earlier run.
 
-    What a run made is told by its report, its reading, its check, and by its list of what went ahead.
+    What a run made is told by its report, its reading or its check, and by its list of what went
+    ahead.
 
     Args:
         folder: of the output; it may be missing.

@@ -1,4 +1,4 @@
-"""The judge: a solid costs nothing on its own drawing, and what differs is told by kind and place."""
+"""A solid costs nothing on its own drawing, and what differs is told by kind and place."""
 
 from collections.abc import Callable
 from dataclasses import replace
