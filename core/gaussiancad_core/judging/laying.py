@@ -1,7 +1,7 @@
 """A solid laid on the axes of a sheet: turned by quarters, at the sheet's scale or its own."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import permutations, product
 
 import numpy as np
@@ -68,11 +68,14 @@ class Laid:
         pose: of the solid.
         solid: in mm of the sheet.
         misfit: of both.
+        stretched: share of the lines that the misfit costs where the solid is stretched to the
+            extents of the sheet; None where its extents are those.
     """
 
     pose: Pose
     solid: FacetedSolid
     misfit: Misfit
+    stretched: float | None = None
 
 
 def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
@@ -92,7 +95,13 @@ def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
         pose = found[number]
         laid = pose.laid(solid)
         tried.append(Laid(pose, laid, judge.misfit(laid)))
-    return min(tried, key=lambda each: each.misfit.cost)
+    best = min(tried, key=lambda each: each.misfit.cost)
+    box = best.solid.box
+    if np.allclose(box, [np.zeros(3), judge.sheet.size]):
+        return best
+    factor = judge.sheet.size / best.solid.extent
+    fitted = best.solid.mapped(np.diag(factor), -factor * box[0])
+    return replace(best, stretched=judge.misfit(fitted).share)
 
 
 def poses(solid: FacetedSolid, sheet: DrawnSheet) -> Iterator[Pose]:

@@ -6,7 +6,7 @@ model lies on ink is not undone: there the reading lost a line.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -141,6 +141,7 @@ def _trials(laid: Laid, judge: Judge, ink: SheetInk) -> Iterator[_Trial]:
         name = f"hole of {2.0 * bore.radius:.4g} mm"
         place = _middle(bore)
         yield _Trial("fill", name, place, None, ((plug, Change.ADD),))
+        yield from _shortened(bore, judge, planes)
         for other in drawn:
             if _may_move(bore, other, sheet.longest):
                 moved = _cylinder(bore, other.centre, bore.radius, planes, 3)
@@ -153,6 +154,18 @@ def _trials(laid: Laid, judge: Judge, ink: SheetInk) -> Iterator[_Trial]:
     for face in faces[:_FACES]:
         if face.area >= _SMALLEST_FACE * sheet.longest**2:
             yield from _shifts(face, laid, judge, ink, planes)
+
+
+def _shortened(bore: Bore, judge: Judge, planes: "_Planes") -> Iterator[_Trial]:
+    """A hole that ends at one of the nearest places within it that the sheet shows."""
+    levels = levels_along(judge.sheet, bore.axis.value)
+    inner = levels[(levels > bore.low + planes.slack) & (levels < bore.high - planes.slack)]
+    radius = bore.widest + planes.slack
+    for at in (*inner[:_PLACES], *inner[_PLACES:][-_PLACES:]):
+        for part in (replace(bore, high=float(at)), replace(bore, low=float(at))):
+            plug = _cylinder(part, bore.centre, radius, planes, 0)
+            name = f"hole of {2.0 * bore.radius:.4g} mm from {part.low:.4g} to {part.high:.4g} mm"
+            yield _Trial("fill", name, _middle(part), None, ((plug, Change.ADD),))
 
 
 @dataclass(frozen=True, eq=False)

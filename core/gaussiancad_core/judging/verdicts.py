@@ -46,11 +46,16 @@ _OFF_INK = 0.004
 _BARE = 0.5
 """Share of an edge that lies on ink at most where the sheet does not draw it."""
 
-_HATCHING = 0.03
+_HATCHING = 0.06
 """The same of a section's lines for areas that are hatched and not cut, or cut and not hatched."""
 
 _QUIET = 0.1
 """Share of the lines that may stay unexplained where a solid agrees: readings lose as much."""
+
+
+_POOR = 0.25
+"""Share of the lines that stays unexplained from which an extent tells nothing: the views were
+read wrongly, or are another part's."""
 
 
 @dataclass(frozen=True)
@@ -119,6 +124,9 @@ NOT_LAID = Judgement(
 
 def _extents(laid: Laid, judge: Judge) -> Iterator[Reason]:
     sheet = judge.sheet
+    if laid.stretched is not None and min(laid.stretched, laid.misfit.share) >= _POOR:
+        # Neither the solid nor a stretched one is what was read.
+        return
     least = np.maximum(_EXTENT, _EXTENT_TOLERANCES * sheet.tolerance / sheet.size)
     for axis in Axis:
         deviation = float(laid.pose.deviation[axis.value])
