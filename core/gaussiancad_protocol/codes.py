@@ -28,6 +28,7 @@ class Code(str, Enum):
     CIRCLE_MISSING = "circle-missing"
     EDGE_NOT_DRAWN = "edge-not-drawn"
     SECTION_DIFFERS = "section-differs"
+    SHADED_VIEWS = "shaded-views"
     EXPLAINED_BETTER = "explained-better"
     SOLID_WAY_LEFT_OUT = "solid-way-left-out"
     PHOTOGRAPHED_AT_A_SLANT = "photographed-at-a-slant"

@@ -316,6 +316,11 @@ CHECK = (
     ),
     row("what a section hatches is not what the solid has cut there", Code.SECTION_DIFFERS),
     row(
+        "views are shaded pictures in place of lines, which are read too poorly to say that the "
+        "model differs",
+        Code.SHADED_VIEWS,
+    ),
+    row(
         "a single change of the solid, which the message tells, explains the sheet better",
         Code.EXPLAINED_BETTER,
     ),

@@ -1,6 +1,6 @@
 """A solid laid on the axes of a sheet: turned by quarters, at the sheet's scale or its own."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import permutations, product
 
@@ -15,6 +15,9 @@ _FITS = 0.06
 
 _SNAP = 0.008
 """Share within which an extent is the sheet's: what was drawn and read is a little off."""
+
+_OTHER = 0.5
+"""Share by which one extent may differ where the two others are the sheet's."""
 
 _SNAP_TOLERANCES = 3.0
 
@@ -105,20 +108,35 @@ def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
 
 
 def poses(solid: FacetedSolid, sheet: DrawnSheet) -> Iterator[Pose]:
-    """The poses in which a solid's extents are about the sheet's, at the sheet's scale; where there
-    is none, at the scale that makes the longest extents one."""
-    found = list(_at_scale(solid, sheet, 1.0))
-    scale = float(solid.extent.max() / sheet.longest)
-    return iter(found or list(_at_scale(solid, sheet, scale)))
+    """The poses in which a solid's extents are about the sheet's: at the sheet's scale, else at the
+    scale that makes the longest extents one, else those in which two extents are the sheet's."""
+    longest = float(solid.extent.max() / sheet.longest)
+    for scale, fits in ((1.0, _fits), (longest, _fits), (1.0, _fits_but_one)):
+        found = list(_at_scale(solid, sheet, scale, fits))
+        if found:
+            return iter(found)
+    return iter(())
 
 
-def _at_scale(solid: FacetedSolid, sheet: DrawnSheet, scale: float) -> Iterator[Pose]:
+def _fits(deviation: Floats) -> bool:
+    return bool(np.abs(deviation).max() <= _FITS)
+
+
+def _fits_but_one(deviation: Floats) -> bool:
+    """Whether two extents are the sheet's, and the third is not wholly another one."""
+    _, second, largest = np.sort(np.abs(deviation))
+    return bool(second <= _SNAP and largest <= _OTHER)
+
+
+def _at_scale(
+    solid: FacetedSolid, sheet: DrawnSheet, scale: float, fits: Callable[[Floats], bool]
+) -> Iterator[Pose]:
     low, extent = solid.box[0], solid.extent
     for turn in _TURNS:
         turned = np.abs(turn @ extent)
         size = scale * sheet.size
         deviation = turned / size - 1.0
-        if np.abs(deviation).max() > _FITS:
+        if not fits(deviation):
             continue
         snaps = np.abs(deviation) <= np.maximum(
             _SNAP, _SNAP_TOLERANCES * sheet.tolerance / sheet.size

@@ -12,9 +12,11 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 import shapely
+from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.judging.drawn_lines import DrawnSheet, DrawnView
-from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.judging.drawn_lines import DrawnSheet, DrawnView, drawn_sheet
+from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers, faceted_shape
 from gaussiancad_core.judging.sight_lines import Met, Seen, crossings, cut_open, seen
 from gaussiancad_core.judging.sight_pairs import NO_LINE, Drawn, SightPairs, sight_pairs
 from gaussiancad_core.model.section_planes import Cut
@@ -185,6 +187,11 @@ class Judge:
             wrong = kind != _NONE
             total += float((_PRICES[kind[wrong]] * pairs.weight[chosen][wrong]).sum())
         return total
+
+
+def solid_misfit(shape: TopoDS_Shape, views: DrawnViews) -> Misfit:
+    """How well an exact solid that lies on the views' axes explains them."""
+    return Judge(drawn_sheet(views)).misfit(faceted_shape(shape))
 
 
 def _chords(view: DrawnView) -> shapely.STRtree:

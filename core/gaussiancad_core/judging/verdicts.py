@@ -46,7 +46,7 @@ _OFF_INK = 0.004
 _BARE = 0.5
 """Share of an edge that lies on ink at most where the sheet does not draw it."""
 
-_HATCHING = 0.06
+_HATCHING = 0.08
 """The same of a section's lines for areas that are hatched and not cut, or cut and not hatched."""
 
 _QUIET = 0.1
@@ -54,8 +54,11 @@ _QUIET = 0.1
 
 
 _POOR = 0.25
-"""Share of the lines that stays unexplained from which an extent tells nothing: the views were
-read wrongly, or are another part's."""
+"""Share of the lines that stays unexplained from which no place tells anything: the views were read
+wrongly, or are another part's."""
+
+_TELLING = 0.15
+"""Share of what is unexplained that a single change has to explain at least."""
 
 
 @dataclass(frozen=True)
@@ -95,22 +98,19 @@ def judged(
         differing: the places at which they differ, with what ink is there.
         edits: single changes of the solid that explain the sheet better.
     """
-    reasons = (
-        *_extents(laid, judge),
-        *_circles(laid, judge),
-        *_bare_edges(laid, differing),
-        *_hatching(laid),
-        *_better(laid, edits),
-    )
+    reasons = [*_extents(laid, judge)]
+    if laid.misfit.share < _POOR:
+        reasons += (*_circles(laid, judge), *_bare_edges(laid, differing), *_hatching(laid))
+    reasons += _better(laid, edits)
     if reasons:
-        return Judgement(Verdict.DIFFERS, reasons)
+        return Judgement(Verdict.DIFFERS, tuple(reasons))
     if laid.misfit.share >= _QUIET:
         return Judgement(Verdict.CANNOT_TELL, (_unexplained(laid),))
     return Judgement(Verdict.AGREES)
 
 
 NOT_LAID = Judgement(
-    Verdict.DIFFERS,
+    Verdict.CANNOT_TELL,
     (
         Reason(
             Code.EXTENTS_DIFFER,
@@ -207,7 +207,9 @@ def _hatching(laid: Laid) -> Iterator[Reason]:
 
 def _better(laid: Laid, edits: Sequence[Edit]) -> Iterator[Reason]:
     """The best change, where the sheet is mostly explained with it."""
-    if edits and laid.misfit.cost - edits[0].mm < _QUIET * laid.misfit.drawn:
+    misfit = laid.misfit
+    least = _TELLING * misfit.cost
+    if edits and edits[0].mm >= least and misfit.cost - edits[0].mm < _QUIET * misfit.drawn:
         yield Reason(Code.EXPLAINED_BETTER, as_message(edits[0]))
 
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
+from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.labelling.cell_labelling import Effort
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sketch.projection_by_sketch import Weighed, weigh
@@ -24,7 +25,6 @@ from gaussiancad_core.solid.exact import ExactResult, exact_solid_and_model
 from gaussiancad_core.solid.limits import Limits, Modelled
 from gaussiancad_core.solid.reasons import UNBUILT, has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.solid.verify import Verification
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import SolidWay, Status
 
@@ -59,10 +59,13 @@ _RELAXED = 0.25
 """Share of the work for a solid that does not have all lines."""
 
 _BESIDE_FIRM = 0.1
-"""The same where a sketch stays unless that has all lines."""
+"""The same beside a sketch that explains nearly all."""
 
 _FIRM = 0.05
-"""Share of the lines' length that a sketch costs at most to stay: lines were misread then."""
+"""Share of the lines that a sketch leaves unexplained at most for little to be tried beside it."""
+
+_ALIKE = 1e-3
+"""Share of the lines within which two solids explain them alike."""
 
 _BRIEF = 0.25
 """Share of the usual effort for what carves the hull alone: a few seconds on usual parts."""
@@ -269,17 +272,21 @@ def _not_strictly(
         models: of both readings, as the search for such solids made them.
     """
     sketched, reading = readings.sketched, readings.taken
-    drawn = sketched.sketched if sketched is not None else None
-    is_firm = drawn is not None and _costs(drawn, reading) <= _FIRM
+    misfit = solid_misfit(sketched.result.shape, reading.drawn) if sketched is not None else None
+    is_firm = misfit is not None and misfit.share <= _FIRM
     share = _BESIDE_FIRM if is_firm else _RELAXED
     less = replace(limits, work=share * limits.work)
     relaxed, _ = _solved(reading, less, models[readings.likelier])
     stated = readings.is_decided, None, readings.is_contradicted
-    if sketched is None or relaxed.status is Status.VERIFIED:
+    if sketched is None or misfit is None or relaxed.status is Status.VERIFIED:
         return ExactModel(reading, relaxed, *stated)
     result = sketched.result
-    if relaxed.shape is not None and _is_better(relaxed, result, is_firm=is_firm):
-        return ExactModel(reading, relaxed, *stated)
+    if relaxed.shape is not None:
+        other = solid_misfit(relaxed.shape, reading.drawn)
+        if other.cost < misfit.cost - _ALIKE * misfit.drawn or (
+            relaxed.explains and not result.explains
+        ):
+            return ExactModel(reading, relaxed, *stated)
     result = replace(
         result,
         conflict=relaxed.conflict,
@@ -287,25 +294,6 @@ def _not_strictly(
         seconds=relaxed.seconds,
     )
     return replace(sketched, result=result)
-
-
-def _costs(sketch: Sketch, reading: ProjectedReading) -> float:
-    """What a sketch costs as a share of the lines' length."""
-    drawn = sum(stroke.length for strokes in reading.drawn.strokes.values() for stroke in strokes)
-    return sketch.energy / drawn
-
-
-def _is_better(relaxed: ExactResult, result: ExactResult, *, is_firm: bool) -> bool:
-    """Whether a solid for which lines are given up takes the place of a sketch: with all lines, or,
-    where the sketch explains less, with fewer wrong ones."""
-    if is_firm or relaxed.explains:
-        return relaxed.explains and not result.explains
-    return _wrong(relaxed.checked) < _wrong(result.checked)
-
-
-def _wrong(verification: Verification) -> float:
-    """mm of line in which a solid and the sheet differ."""
-    return sum(flaw.length for flaw in verification.flaws)
 
 
 def find_for_hull(reading: ProjectedReading, other: ProjectedReading | None) -> ExactModel | None:

@@ -9,6 +9,7 @@ from typing import Any
 
 from gaussiancad_core.comparison.model_files import format_of, read_model
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, faceted_mesh, faceted_shape
 from gaussiancad_core.judging.sheet_ink import SheetInk, distance_to_ink, placements_of
 from gaussiancad_core.judging.sheet_judgement import SheetEvidence, SheetJudgement, judge_solid
@@ -27,7 +28,7 @@ from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.run.read_run import sheet_lines
-from gaussiancad_core.run.registering_stage import registered_lines
+from gaussiancad_core.run.registering_stage import SheetFindings, registered_lines
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.storage.outputs import CHECK_FILES, OutputFolder, os_error
 from gaussiancad_core.writing.sheet_scale import ScaleSource
@@ -140,12 +141,49 @@ def _compared(job: Job, sheet: OpenedSheet, model: _Checked, notes: RunNotes) ->
             found = judge_solid(model.solid, readings)
             found = _sized(found, notes.report)
             if model.doubt is not None and found.judgement.verdict is Verdict.AGREES:
-                judgement = Judgement(Verdict.CANNOT_TELL, (model.doubt,))
-                found = replace(found, judgement=judgement)
+                found = _doubted(found, model.doubt)
+            if found.judgement.verdict is Verdict.DIFFERS and _is_shaded(findings, sheet):
+                found = _doubted(found, _SHADED)
     unused = [asdict(each) for each in notes.report.unused]
     values = check_values(found, sheet.turn.to_stored, notes.report.scale_source, unused)
     picture = check_picture(values, sheet.picture)
     return SheetCheck(found.judgement.verdict, values, picture)
+
+
+_SHADED = Reason(
+    Code.SHADED_VIEWS,
+    "the sheet shows shaded pictures in place of lines: they are not read surely enough to say "
+    "that the model differs",
+)
+
+_PICTURED = 0.5
+"""Share of a view's box that a picture of the file covers from which the view is that picture."""
+
+
+def _is_shaded(findings: SheetFindings, sheet: OpenedSheet) -> bool:
+    """Whether a view of a file is a picture."""
+    drawing = sheet.image.vectors
+    if drawing is None:
+        return False
+    return any(
+        _covered(view.box, box) >= _PICTURED
+        for view in findings.assumed.registered.drawn
+        for box in drawing.pictures
+    )
+
+
+def _covered(box: Box, picture: Box) -> float:
+    """Share of a box that another one covers."""
+    width = min(box[2], picture[2]) - max(box[0], picture[0])
+    height = min(box[3], picture[3]) - max(box[1], picture[1])
+    area = (box[2] - box[0]) * (box[3] - box[1])
+    return max(width, 0.0) * max(height, 0.0) / area if area > 0.0 else 0.0
+
+
+def _doubted(found: SheetJudgement, reason: Reason) -> SheetJudgement:
+    """The same, but nobody can tell."""
+    reasons = (reason, *found.judgement.reasons)
+    return replace(found, judgement=Judgement(Verdict.CANNOT_TELL, reasons))
 
 
 def _sized(found: SheetJudgement, report: Report) -> SheetJudgement:

@@ -8,6 +8,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.coordinates.carriers import find_carriers
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.kernel.brep import area, soundness, volume
 from gaussiancad_core.labelling.cell_labelling import Labelling
 from gaussiancad_core.labelling.conflict_lines import Conflict
@@ -45,9 +46,6 @@ from gaussiancad_protocol.modes import Status
 _FIRST, _OTHERS = 0.6, 0.9
 """Shares of the work at which building, and the search for others, end: of the first model's labels
 and of others'."""
-
-_WHOLE = 0.08
-"""Share of the longest extent from which lines that are wrong, or lacking, count alike."""
 
 _QUICK = 0.25
 """Share of the work that a search took at most for another one, with likely measures."""
@@ -168,7 +166,7 @@ def _found(
         return _failed((error.code, error.message), meter, (attempt,)), None
     meter.lap("model")
     result: ExactResult | None = None
-    best = -1
+    best, worth = -1, (False, False, False, -inf)
     first = first_work(model, views, limits, meter, journal)
     for work, labelling in labelled(first, limits):
         meter.lap("label")
@@ -181,8 +179,9 @@ def _found(
         # Other models may be the better ones: work has to remain for them.
         share = _OTHERS if result is not None else _FIRST
         found = _searched(work, labelling, limits, meter.until(share * limits.work))
-        if result is None or _worth(found, views) > _worth(result, views):
-            result, best = found, len(journal.attempts) - 1
+        found_worth = _worth(found, views)
+        if result is None or found_worth > worth:
+            result, best, worth = found, len(journal.attempts) - 1, found_worth
         if _is_neat(found):
             break
     meter.lap("label")
@@ -256,16 +255,12 @@ def _is_neat(result: ExactResult) -> bool:
 
 
 def _worth(result: ExactResult, views: DrawnViews) -> tuple[bool, bool, bool, float]:
-    """What solids of several models are ranked by: exact lines are right or wrong as a whole."""
+    """What solids of several models are ranked by."""
     verification = result.verification
     if verification is None:
         return False, False, False, -inf
     stated = verification.neat, verification.explains, verification.sound
-    if views.apart is not None:
-        return *stated, verification.share
-    most = _WHOLE * max(views.size)
-    wrong = sum(min(flaw.length, most) for flaw in verification.flaws)
-    return *stated, -wrong
+    return *stated, -solid_misfit(result.shape, views).cost
 
 
 def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline) -> ExactResult:
