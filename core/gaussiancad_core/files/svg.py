@@ -233,7 +233,8 @@ def _size_of_content(path: Path, safe: SafeSvg) -> tuple[_Size, int]:
         )
     longest = (high - low).max()
     space = np.where(low < 0.0, _MARGIN * longest, np.minimum(low, longest))
-    x, y, width, height = (*(low - space).tolist(), *(high - low + 2.0 * space).tolist())
+    x, y = (low - space).tolist()
+    width, height = (high - low + 2.0 * space).tolist()
     if x or y:
         safe.root.set("viewBox", f"{x!r} {y!r} {width!r} {height!r}")
     return _Size(width, height, physical=False), len(curves) - len(near)
