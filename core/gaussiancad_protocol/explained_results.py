@@ -270,7 +270,8 @@ WARNINGS = (
         Code.SURROUNDINGS_LEFT_OUT,
     ),
     row(
-        "groups of lines belong to no view; large ones are a reason, `unused-view`",
+        "groups of lines belong to no view, or lie far from all others; large ones are a reason, "
+        "`unused-view`",
         Code.LINES_LEFT_OUT,
     ),
     row("an isometric or other pictorial view was left out", Code.PICTORIAL_LEFT_OUT),

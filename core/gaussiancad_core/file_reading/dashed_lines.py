@@ -77,10 +77,11 @@ def with_dashed_lines(labelled: LabelledStrokes) -> LabelledStrokes:
     is_open = [n for n in labelled.numbers(Label.OPEN) if not labelled.strokes[n].dashes]
     loose = set(_loose(labelled.strokes, is_open))
     pieces, lines = _lines(labelled.strokes, is_open, loose)
+    loose -= pieces
     rest = [
         number
         for number in is_open
-        if number in loose - pieces and labelled.strokes[number].length < _RING_PIECE
+        if number in loose and labelled.strokes[number].length < _RING_PIECE
     ]
     ring_pieces, rings = _rings(labelled.strokes, rest)
     reason = "dash of a line or circle"

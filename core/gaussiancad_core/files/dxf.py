@@ -30,6 +30,7 @@ from gaussiancad_core.files.dxf_entities import DrawnCurve, Exploder, Explosion
 from gaussiancad_core.files.dxf_faults import BROKEN, left_out
 from gaussiancad_core.files.dxf_paper import drawing_box, paper_box
 from gaussiancad_core.files.dxf_placing import placed_drawing
+from gaussiancad_core.files.far_strokes import far_strokes_left_out, near_numbers
 from gaussiancad_core.files.painting import paint
 from gaussiancad_core.files.sizing import (
     MILLIMETRE,
@@ -98,7 +99,11 @@ def read_dxf(path: Path, page: int) -> FileContent:
     _check_size(path)
     doc = _load(path)
     content = _page(doc, path, page)
-    curves = [drawn.curve for drawn in content.found.curves]
+    drawn = content.found.curves
+    near = near_numbers([one.curve for one in drawn])
+    far = len(drawn) - len(near)
+    content.found.curves = [drawn[number] for number in near.tolist()]
+    curves = [one.curve for one in content.found.curves]
     box = bounds(curves) if curves else (0.0, 0.0, 0.0, 0.0)
     if max(box[2] - box[0], box[3] - box[1]) <= 0.0:
         raise UnreadableError(
@@ -125,7 +130,11 @@ def read_dxf(path: Path, page: int) -> FileContent:
         unit_mm=unit_mm if content.is_model else None,
         unit_px=None if dpi else sizing.scale,
     )
-    notes = (*left_out(path, content.found.unread), *notes_on(path, sizing))
+    notes = (
+        *left_out(path, content.found.unread),
+        *far_strokes_left_out(path, far),
+        *notes_on(path, sizing),
+    )
     picture = paint(vectors, *size)
     return FileContent(
         picture,

@@ -17,6 +17,10 @@ _LETTER = 0.75
 _LINE_SPACING = 5.0 / 3.0
 """Distance of a paragraph's lines over the letters' height (DXF reference, MTEXT)."""
 
+_LONGEST_PARAGRAPH = 20 * LONGEST_TEXT
+"""Characters of a paragraph that are read, its format codes too: ezdxf takes these off in a time
+that grows with their square."""
+
 _SIGN_FONT = re.compile(r"\\F(?:am|ai)?gdt[^;{}\\]*;([^{}\\]*)", re.IGNORECASE)
 """Letters in a font of drawing signs, within an MTEXT."""
 
@@ -71,7 +75,9 @@ def placed_paragraph(text: MText) -> list[PlacedText]:
     Raises:
         ValueError: its place or size is no finite number.
     """
-    content = _SIGN_FONT.sub(lambda found: found[1].translate(_SIGNS), text.text)
+    content = _SIGN_FONT.sub(
+        lambda found: found[1].translate(_SIGNS), text.text[:_LONGEST_PARAGRAPH]
+    )
     every = fast_plain_mtext(content, split=True)
     lines = [line.strip()[:LONGEST_TEXT] for line in every[:LONGEST_TEXT]]
     height = float(text.dxf.char_height)

@@ -5,6 +5,7 @@ then not known.
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element, tostring
@@ -20,13 +21,15 @@ from gaussiancad_core.files.content import (
     check_pixels,
     page_missing,
 )
-from gaussiancad_core.files.painting import render_svg
+from gaussiancad_core.files.far_strokes import far_strokes_left_out, near_numbers
+from gaussiancad_core.files.painting import paint, render_svg
 from gaussiancad_core.files.shown import shown_strokes
 from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.files.svg_shapes import svg_elements, svg_strokes, svg_texts
-from gaussiancad_core.files.vectors import VectorDrawing
+from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.geometry.curves import bounds
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.length_units import MM_PER_INCH
 from gaussiancad_protocol.codes import Code
@@ -40,6 +43,13 @@ _PHYSICAL = {
     "q": CSS_DPI / 101.6,
 }
 """CSS px."""
+
+_MOST_BESIDE = 0.1
+"""px by which lines may be drawn beside their places."""
+
+_MARGIN = 0.05
+"""Blank border before a drawing that has no size and begins beyond the origin, as a share of its
+longest side."""
 
 _RELATIVE = {"": 1.0, "px": 1.0, "em": 16.0, "ex": 8.0}
 
@@ -81,7 +91,9 @@ def read_svg(path: Path, page: int) -> FileContent:
 
 
 def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
-    size = _size(safe.root) or _size_of_content(path, safe)
+    size, far = _size(safe.root), 0
+    if size is None:
+        size, far = _size_of_content(path, safe)
     if size.physical:
         inches = size.width / CSS_DPI, size.height / CSS_DPI
         check_pixels(path, *(side * VECTOR_DPI for side in inches))
@@ -103,12 +115,23 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
             "{path} only refers to other files, which are never opened: embed the drawing in it",
             path=path,
         )
-    grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
+    if _is_far(safe.root, scale * size.width):
+        grey = paint(VectorDrawing(tuple(strokes), tuple(texts)), width, height)
+    else:
+        grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
     shown = shown_strokes(strokes, grey)
+    if not (texts or safe.pictures) and _are_off(strokes, width, height):
+        raise UnreadableError(
+            Code.EMPTY_DRAWING,
+            "{path} has {count} line(s), and none of them lies on its page: set its viewBox around "
+            "the drawing, or export it again",
+            path=path,
+            count=len(strokes),
+        )
     vectors = VectorDrawing(
         shown, tuple(texts), not safe.pictures, unit_px=None if sizing.pixels_per_inch else scale
     )
-    notes = (*_notes(path, safe), *notes_on(path, sizing))
+    notes = (*_notes(path, safe), *far_strokes_left_out(path, far), *notes_on(path, sizing))
     return FileContent(grey, sizing.pixels_per_inch, vectors if shown or texts else None, notes)
 
 
@@ -144,15 +167,37 @@ def _length(text: str | None) -> tuple[float, bool] | None:
     return (pixels, unit in _PHYSICAL) if 0.0 < pixels < 1e9 else None
 
 
-def _view_box(root: Element) -> tuple[float, float] | None:
-    """Width and height of the root's view box."""
+def _view_box(root: Element) -> Box | None:
+    """Corner, width and height of the root's view box."""
     try:
-        _, _, width, height = (
+        x, y, width, height = (
             float(part) for part in (root.get("viewBox") or "").replace(",", " ").split()
         )
     except ValueError:
         return None
-    return (width, height) if 0.0 < width < 1e9 and 0.0 < height < 1e9 else None
+    return (x, y, width, height) if 0.0 < width < 1e9 and 0.0 < height < 1e9 else None
+
+
+def _is_far(root: Element, width: float) -> bool:
+    """Whether a page lies so far from the origin that resvg, which counts in single precision,
+    would draw it beside its place.
+
+    Args:
+        root: with its view box, if any.
+        width: of the page, px.
+    """
+    box = _view_box(root)
+    if box is None:
+        return False
+    farthest = float(np.abs(box[:2]).max())
+    return bool(farthest * np.finfo(np.float32).eps * width > _MOST_BESIDE * box[2])
+
+
+def _are_off(strokes: Sequence[VectorStroke], width: int, height: int) -> bool:
+    """Whether there are strokes, and all of them lie beside the page of so many px."""
+    boxes = np.array([stroke.curve.box for stroke in strokes]).reshape(-1, 4)
+    is_on = (boxes[:, 2:] >= 0.0).all(axis=1) & (boxes[:, :2] <= (width, height)).all(axis=1)
+    return bool(len(boxes)) and not is_on.any()
 
 
 def _size(root: Element) -> _Size | None:
@@ -164,24 +209,35 @@ def _size(root: Element) -> _Size | None:
     if box is None:
         return None
     if width:
-        return _Size(width[0], width[0] * box[1] / box[0], width[1])
+        return _Size(width[0], width[0] * box[3] / box[2], width[1])
     if height:
-        return _Size(height[0] * box[0] / box[1], height[0], height[1])
-    return _Size(box[0], box[1], physical=False)
+        return _Size(height[0] * box[2] / box[3], height[0], height[1])
+    return _Size(box[2], box[3], physical=False)
 
 
-def _size_of_content(path: Path, safe: SafeSvg) -> _Size:
-    """The size that holds all shapes, with as much space after them as before."""
+def _size_of_content(path: Path, safe: SafeSvg) -> tuple[_Size, int]:
+    """The size that holds all shapes, with as much space after them as before, and how many strokes
+    lie too far from all others to be among them.
+
+    A drawing that does not begin near the origin gets a view box.
+    """
     _set_size(safe.root, _Size(1e6, 1e6, physical=False))
     curves = [stroke.curve for stroke in svg_strokes(svg_elements(safe.root), 1.0)]
-    box = bounds(curves) if curves else (0.0, 0.0, 0.0, 0.0)
-    if box[2] <= 0.0 or box[3] <= 0.0:
+    near = [curves[number] for number in near_numbers(curves).tolist()]
+    low, high = np.array(bounds(near) if near else (0.0,) * 4).reshape(2, 2)
+    if not (high > low).any():
         raise UnreadableError(
             Code.EMPTY_DRAWING,
             "{path} has no lines and no size: export the drawing again",
             path=path,
         )
-    return _Size(box[2] + max(box[0], 0.0), box[3] + max(box[1], 0.0), physical=False)
+    longest = (high - low).max()
+    space = np.where(low < 0.0, _MARGIN * longest, np.minimum(low, longest))
+    x, y = (low - space).tolist()
+    width, height = (high - low + 2.0 * space).tolist()
+    if x or y:
+        safe.root.set("viewBox", f"{x!r} {y!r} {width!r} {height!r}")
+    return _Size(width, height, physical=False), len(curves) - len(near)
 
 
 def _set_size(root: Element, size: _Size) -> None:

@@ -169,7 +169,7 @@ def _opened(figure: shapely.Geometry) -> shapely.Geometry:
 
 def _outline(edges: Sequence[PaperStroke]) -> shapely.Geometry:
     """What lines enclose that may end a little before they meet."""
-    return shapely.union_all(faces_of([_longer(edge) for edge in edges]).faces)
+    return faces_of([_longer(edge) for edge in edges]).outline
 
 
 def _longer(edge: PaperStroke) -> PaperStroke:

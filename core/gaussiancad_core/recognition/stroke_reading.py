@@ -20,6 +20,7 @@ from gaussiancad_core.sheet_model.labelled_strokes import Label, LabelledStrokes
 from gaussiancad_core.sheet_model.paper_sheet import PaperSheet, PaperStroke
 from gaussiancad_core.structure.arrowheads import Head
 from gaussiancad_core.structure.centre_strokes import centre_lines_apart
+from gaussiancad_core.structure.crossings import check_crossings
 from gaussiancad_core.structure.dimension_dots import dots_apart
 from gaussiancad_core.structure.dimension_lines import dimensions_apart
 from gaussiancad_core.structure.drawing_area import (
@@ -75,9 +76,13 @@ def read_strokes(
         heads: its arrowheads, mm.
         third_angle: log-odds for third angle by what it says of its projection.
         symbols: boxes of signs that are known, such as that of the projection, mm.
+
+    Raises:
+        LimitError: as of :func:`.check_crossings`.
     """
     labelled, rows = _with_whole_strokes(sheet)
     labelled = _without_symbols(labelled, symbols)
+    check_crossings(labelled.of(Label.OPEN))
     labelled, words, letters = folded_letters(sheet, labelled)
     words = [*words, *rows]
     written = _Written(sheet, words, letters, heads, third_angle)

@@ -33,6 +33,11 @@ class Faces:
     faces: tuple[Polygon, ...]
     dangles: tuple[shapely.Geometry, ...]
 
+    @property
+    def outline(self) -> shapely.Geometry:
+        """Of all faces together: they share their edges, whole ones, so that none is searched."""
+        return shapely.coverage_union_all(self.faces)
+
 
 def faces_of(strokes: Sequence[PaperStroke]) -> Faces:
     """The faces that strokes enclose, and what bounds none."""

@@ -97,11 +97,11 @@ def _dots(labelled: LabelledStrokes) -> Iterator[_Dot]:
         middle = (low + high) / 2.0
         away = np.hypot(*(corners - middle).T)
         radius = float(away.mean())
-        places = np.unique(np.round((corners - low) / _MEET), axis=0)
         is_round = np.abs(away - radius).max() <= _ROUND * radius
-        if not _FEWEST_CORNERS <= len(places) < len(held):
+        if not is_round or not _RADII[0] <= radius <= _RADII[1]:
             continue
-        if is_round and _RADII[0] <= radius <= _RADII[1]:
+        places = np.unique(np.round((corners - low) / _MEET), axis=0)
+        if _FEWEST_CORNERS <= len(places) < len(held):
             yield _Dot([numbers[index] for index in held], middle, radius)
 
 

@@ -163,7 +163,7 @@ def _narrow(labelled: LabelledStrokes) -> list[int]:
     ]
     if not narrow:
         return []
-    enclosed = shapely.union_all(faces_of([labelled.strokes[number] for number in numbers]).faces)
+    enclosed = faces_of([labelled.strokes[number] for number in numbers]).outline
     thin = set(narrow)
     thick = [labelled.strokes[number].line for number in numbers if number not in thin]
     # What thin pens enclose by themselves, as a hole in a shaded picture, is no outline of a view.

@@ -99,7 +99,7 @@ def drawn_views(
         width, height = box[2] - box[0], box[3] - box[1]
         if max(width, height) < _SMALLEST or min(width, height) < _THINNEST:
             continue
-        outline = shapely.union_all(faces_of(group).faces)
+        outline = faces_of(group).outline
         kind = DrawingKind.PLAIN if outline.area >= _LEAST_AREA else DrawingKind.SCRAP
         found.append(DrawnView(box, tuple(group), outline, kind=kind))
     return [_filled(view, hidden, families, others) for view in found]

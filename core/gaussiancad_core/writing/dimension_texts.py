@@ -167,9 +167,13 @@ def _nearby_lines(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[t
     else:
         # A text that does not run along its line stands in it.
         low = high = _ACROSS_LINE * reach
-    strict = [rule for rule in rules if middle - low <= rule.at <= middle + high]
     least, most = across[0] - LOOSELY * height, across[1] + LOOSELY * height
-    loose = [rule for rule in rules if least <= rule.at <= most and rule not in strict]
+    strict, loose = [], []
+    for rule in rules:
+        if middle - low <= rule.at <= middle + high:
+            strict.append(rule)
+        elif least <= rule.at <= most:
+            loose.append(rule)
     sides = (along, across)
     found = _lines_at(strict, sides, height)
     return found + [(line, POSSIBLE * value) for line, value in _lines_at(loose, sides, height)]
@@ -191,8 +195,9 @@ def _lines_at(
     near = sorted(near, key=lambda rule: abs(rule.at - middle))
     found: list[tuple[Rule, float]] = []
     while near:
-        pieces = [rule for rule in near if abs(rule.at - near[0].at) < IN_LINE]
-        near = [rule for rule in near if rule not in pieces]
+        first = near[0].at
+        pieces = [rule for rule in near if abs(rule.at - first) < IN_LINE]
+        near = [rule for rule in near if abs(rule.at - first) >= IN_LINE]
         inline = across[0] < pieces[0].at < across[1]
         for line in _joined(pieces, (along[0] - height, along[1] + height) if inline else None):
             apart = max(line.low - along[1], along[0] - line.high)

@@ -1,3 +1,4 @@
+import itertools
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,7 +10,7 @@ from ezdxf.enums import TextEntityAlignment
 from ezdxf.math import OCS
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
-from gaussiancad_core.files.content import LONGEST_TEXT, FileContent
+from gaussiancad_core.files.content import DEEPEST, LONGEST_TEXT, FileContent
 from gaussiancad_core.files.dxf import read_dxf
 from gaussiancad_core.files.vectors import StrokeKind, StrokeRole, VectorStroke
 from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
@@ -153,6 +154,39 @@ def test_of_a_text_without_end_its_beginning_is_read(read: Read) -> None:
     texts = read(doc).vectors.texts
     assert max(len(text.text) for text in texts) == LONGEST_TEXT
     assert len(texts) == LONGEST_TEXT + 1
+
+
+def test_of_a_paragraph_of_endless_format_codes_its_beginning_is_read(read: Read) -> None:
+    """Their removal takes the square of their number."""
+    doc = _a4()
+    doc.modelspace().add_line((10, 10), (90, 60))
+    doc.modelspace().add_mtext("PLATE" + "{\\H2;" * 200_000)
+    assert [text.text for text in read(doc).vectors.texts] == ["PLATE"]
+
+
+def _part(doc: Drawing) -> None:
+    for corners in ([(20, 20), (80, 20), (80, 60), (20, 60)], [(20, 80), (80, 80), (80, 110)]):
+        for start, end in itertools.pairwise(corners):
+            doc.modelspace().add_line(start, end)
+
+
+@pytest.mark.parametrize("unit", [0, 4])
+@pytest.mark.parametrize("far", [1e4, 1e9])
+@pytest.mark.parametrize("is_through", [False, True])
+def test_a_stroke_at_an_absurd_place_is_none_of_the_drawing(
+    read: Read, unit: int, far: float, is_through: bool
+) -> None:
+    doc = _a4(unit)
+    _part(doc)
+    without = read(doc)
+    # What goes through a drawing is left out where the drawing would be a dot beside it.
+    far = max(far, 1e6) if is_through else far
+    doc.modelspace().add_line((20, 20) if is_through else (far, far), (far + 5, far))
+    content = read(doc)
+    assert content.vectors == without.vectors
+    assert np.array_equal(content.grey, without.grey)
+    (note,) = (note for note in content.notes if note.code == "lines-left-out")
+    assert note.message.args["count"] == 1 and not note.is_doubt
 
 
 def test_blocks_are_taken_apart(read: Read) -> None:
@@ -653,6 +687,25 @@ def test_blocks_in_blocks_are_bounded(read: Read, monkeypatch: pytest.MonkeyPatc
         for column in range(10):
             block.add_blockref(f"B{level}", (column, 0))
     doc.modelspace().add_blockref("B6", (0, 0))
+    with pytest.raises(LimitError) as caught:
+        read(doc)
+    assert caught.value.code == "too-many-elements"
+
+
+@pytest.mark.parametrize("times", [1, 3])
+def test_blocks_that_hold_themselves_end(
+    read: Read, monkeypatch: pytest.MonkeyPatch, times: int
+) -> None:
+    monkeypatch.setattr("gaussiancad_core.files.dxf_entities.MAX_ELEMENTS", 2000)
+    doc = _a4()
+    block = doc.blocks.new("A")
+    block.add_line((0, 0), (1, 1))
+    for column in range(times):
+        block.add_blockref("A", (column, 0))
+    doc.modelspace().add_blockref("A", (10, 10))
+    if times == 1:
+        assert len(read(doc).vectors.strokes) == DEEPEST
+        return
     with pytest.raises(LimitError) as caught:
         read(doc)
     assert caught.value.code == "too-many-elements"

@@ -185,6 +185,39 @@ def test_a_drawing_without_any_size_is_shown_whole(save: Save) -> None:
     assert stroke.curve.radius == pytest.approx(200 * 200 / 96)
 
 
+@pytest.mark.parametrize("place", ["1e4 1e4", "-1e9 1e9"])
+def test_a_stroke_at_an_absurd_place_does_not_size_a_drawing(save: Save, place: str) -> None:
+    body = '<rect x="20" y="20" width="60" height="40"/><path d="M20 90h60 M20 99h60"/>'
+    without = read_svg(save("a.svg", _svg(body, "")), 1)
+    read = read_svg(save("a.svg", _svg(f'{body}<path d="M{place}h5"/>', "")), 1)
+    assert read.vectors == without.vectors
+    assert [note.message.args.get("count") for note in read.notes] == [1, None]
+
+
+@pytest.mark.parametrize("root", ['viewBox="{0} {0} 100 80"', 'width="100" height="80" {1}', ""])
+@pytest.mark.parametrize("far", [-1000, 10**6, 10**9])
+def test_a_page_may_lie_far_from_the_origin(save: Save, far: int, root: str) -> None:
+    def drawing(at: int) -> str:
+        view_box = f'viewBox="{at} {at} 100 80"'
+        body = f'<path d="M{at + 20} {at + 10}h60v40h-60z"/>'
+        return _svg(body, root.format(at, view_box))
+
+    near, read = (read_svg(save("a.svg", drawing(at)), 1) for at in (0, far))
+    assert near.vectors is not None and read.vectors is not None
+    assert len(read.vectors.strokes) == 4
+    if root:
+        ends = [[(s.curve.start, s.curve.end) for s in n.vectors.strokes] for n in (near, read)]
+        assert np.allclose(*ends, atol=1e-3)
+        assert read.grey.shape == near.grey.shape
+        dark = [np.argwhere(content.grey < 128) for content in (near, read)]
+        corners = [(of.min(axis=0), of.max(axis=0)) for of in dark]
+        assert np.allclose(*corners, atol=2.0)
+    else:
+        # Its size is told by what is drawn.
+        (line, *_) = read.vectors.strokes
+        assert line.curve.length > 0.25 * read.grey.shape[1]
+
+
 def test_compressed_and_documented_files(save: Save) -> None:
     doctype = (
         '<?xml version="1.0" encoding="UTF-8"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" '
@@ -286,6 +319,7 @@ BAD: list[tuple[str, bytes | str, type[GaussianCadError]]] = [
     ("damaged-svg", b"\x1f\x8b\x08broken", UnreadableError),
     ("external-content", _svg('<image href="file:///x.png"/>'), UnreadableError),
     ("empty-drawing", _svg("", ""), UnreadableError),
+    ("empty-drawing", _svg('<path d="M500 1h9"/>'), UnreadableError),
     ("image-too-large", _svg("", 'width="90000mm" height="90000mm"'), UnreadableError),
     ("image-too-small", _svg("", 'width="5mm" height="5mm"'), UnreadableError),
     ("too-many-elements", _reuse_bomb(), LimitError),

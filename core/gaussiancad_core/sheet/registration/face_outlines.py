@@ -13,7 +13,7 @@ import shapely
 from shapely import LineString, Polygon
 
 from gaussiancad_core.geometry.points import Box
-from gaussiancad_core.sheet.registration.view_masks import Outline, Region, parents_of
+from gaussiancad_core.sheet.registration.view_masks import Outline, Region
 
 _GAPS_PX = (1.0, 3.0, 6.0)
 """Gaps that are closed, in turn."""
@@ -79,7 +79,7 @@ def _bridges(lines: Sequence[LineString], gap: float) -> list[LineString]:
 
 
 def _filled(faces: Sequence[Polygon]) -> shapely.Geometry:
-    return shapely.union_all([Polygon(face.exterior) for face in faces])
+    return shapely.coverage_union_all(faces)
 
 
 def _spans(bounds: Box, box: Box) -> bool:
@@ -103,9 +103,22 @@ def _outline(faces: Sequence[Polygon], outer: shapely.Geometry, box: Box, factor
     found = [_region(face, corner, factor, shape) for face in kept]
     regions = tuple(
         Region(mask, place, around)
-        for (mask, place), around in zip(found, parents_of(found), strict=True)
+        for (mask, place), around in zip(found, _parents_of(kept), strict=True)
     )
     return Outline(depth, regions, factor, (float(x0), float(y0)))
+
+
+def _parents_of(faces: Sequence[Polygon]) -> list[tuple[int, ...]]:
+    """Numbers of the faces that go around each of some, the innermost first."""
+    parents: list[list[int]] = [[] for _ in faces]
+    around = [number for number, face in enumerate(faces) if face.interiors]
+    filled = np.array([Polygon(faces[number].exterior) for number in around], dtype=object)
+    within = shapely.point_on_surface(np.array(faces, dtype=object))
+    pairs = shapely.STRtree(within).query(filled, "contains")
+    for index, inner in sorted(pairs.T.tolist(), key=lambda pair: filled[pair[0]].area):
+        if inner != around[index]:
+            parents[inner].append(around[index])
+    return [tuple(found) for found in parents]
 
 
 def _region(

@@ -237,7 +237,7 @@ def _regions(
     found = [_region(labels, i, stats[i], half) for i in kept]
     return tuple(
         Region(mask, corner, around)
-        for (mask, corner), around in zip(found, parents_of(found), strict=True)
+        for (mask, corner), around in zip(found, _parents_of(found), strict=True)
     )
 
 
@@ -252,7 +252,7 @@ def _region(
     return cv2.distanceTransform(other, cv2.DIST_L2, 5) < half + 0.5, (x0, y0)
 
 
-def parents_of(found: list[tuple[Mask, tuple[int, int]]]) -> list[tuple[int, ...]]:
+def _parents_of(found: list[tuple[Mask, tuple[int, int]]]) -> list[tuple[int, ...]]:
     """The regions that go around each of some, innermost first.
 
     Args:
