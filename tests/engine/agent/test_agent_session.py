@@ -80,7 +80,8 @@ async def _play(folder: Path) -> None:
     async with Client(stdio_client(server)) as client:
         listed = (await client.list_tools()).tools
         assert [tool.name for tool in listed] == [
-            *("files", "read", "look", "correct", "reconstruct", "explain", "compare")
+            *("files", "read", "look", "correct", "reconstruct", "explain"),
+            *("check", "features", "compare"),
         ]
         assert all(tool.description and tool.input_schema["type"] == "object" for tool in listed)
 
@@ -102,6 +103,11 @@ async def _play(folder: Path) -> None:
         last = await _corrects(call, first)
         part = await _reconstructs(call, last)
         await _explains(call, part, last)
+        checked, (picture,) = await call("check", sheet="block.png", solid=part)
+        assert (checked["verdict"], checked["reasons"]) == ("agrees", [])
+        assert max(picture.size) > 1000
+        features, _ = await call("features", solid=part)
+        assert features["solids"][0]["whole"]
         figures, _ = await call("compare", result=part, reference="block.step", points=1000)
         assert figures["volume_iou"] > 0.999
         assert figures["deviation_mm"]["greatest"] < 0.01
