@@ -65,6 +65,14 @@ class InkLabels:
         columns = np.arange(width) * self.log_p.shape[2] // width
         return InkLabels(self.log_p[:, rows[:, None], columns])
 
+    def without(self, ink: InkClass, where: npt.NDArray[np.bool_]) -> "InkLabels":
+        """The same where it is known that (h, w) bool pixels are not of a class."""
+        if not where.any():
+            return self
+        log_p = self.log_p.copy()
+        log_p[ink][where] = IMPOSSIBLE
+        return InkLabels(log_p)
+
     def hidden_odds(self) -> npt.NDArray[np.float16]:
         """(h, w) log-odds of a hidden line's ink against a visible one's."""
         return self.log_p[InkClass.HIDDEN] - self.log_p[InkClass.VISIBLE]
