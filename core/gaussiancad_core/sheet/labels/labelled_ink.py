@@ -27,12 +27,12 @@ from gaussiancad_core.sheet.labels.line_decoding import LabelledRun, SharedInk, 
 from gaussiancad_core.sheet.labels.line_relations import related
 from gaussiancad_core.sheet.labels.pen_colours import Tints, learnt_colours
 from gaussiancad_core.sheet.labels.pen_widths import learnt_pens
+from gaussiancad_core.sheet.labels.writing_ink import writing_ink
 from gaussiancad_core.sheet.labels.writing_lines import written_lines
 from gaussiancad_core.sheet.tracing.ink_runs import ink_field
 from gaussiancad_core.sheet.tracing.level_rules import rule_of
 from gaussiancad_core.sheet.tracing.ridges import ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_shapes
-from gaussiancad_core.sheet.votes import HALF
 
 _BLOT = 1.4
 """Widths of a line within which another one shares its ink."""
@@ -71,13 +71,12 @@ def separate_by_labels(
     if frame is not None:
         sheet = masked(sheet, frame.drawing_area)
         marks += frame.marks
-    best = labels.best()
-    text = _writing(sheet.ink, best)
+    text = writing_ink(sheet.ink, labels)
     rings = dashed_rings(text, sheet.stroke_width)
     if rings.any():
         text &= ~rings
         labels = labels.without(InkClass.TEXT, rings)
-        best = labels.best()
+    best = labels.best()
     marks += _text_marks(text, sheet.stroke_width)
     sheet = masked(
         sheet, ~cv2.dilate(text.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
@@ -115,17 +114,6 @@ def separate_by_labels(
     decided = SheetLabels((*labelled_lines(shapes, labelled), *curves), sheet.stroke_width)
     askew = sheet.ink & ~part.ink & (best == InkClass.PICTORIAL)
     return SeparatedSheet(part, tuple(marks), hatched, askew, stated, decided)
-
-
-def _writing(ink: Mask, best: np.ndarray) -> Mask:
-    """(h, w) bool, ink that is writing: all of a piece of which most is, else by the pixel."""
-    item = ink & (best == InkClass.TEXT)
-    count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
-    sizes = np.bincount(labels.ravel(), minlength=count)
-    inside = np.bincount(labels[item], minlength=count)
-    most = inside > HALF * sizes
-    most[0] = False
-    return most[labels] | item
 
 
 def _text_marks(text: Mask, stroke_width: float) -> list[Mark]:
