@@ -82,9 +82,7 @@ def _box_along(
     ends = registered.placements[flaw.role].to_sheet(np.array(flaw.ends))
     count = max(2, int(np.hypot(*(ends[1] - ends[0])) / _STEP) + 1)
     places = ends[0] + np.linspace(0.0, 1.0, count)[:, None] * (ends[1] - ends[0])
-    width = next(
-        view.labels.stroke_width for view in registered.drawn if view.role is flaw.role
-    )
+    width = next(view.labels.stroke_width for view in registered.drawn if view.role is flaw.role)
     away = dropped[flaw.role].query(places)[0]
     if (away <= width).mean() < _SHARE:
         return None

@@ -1,12 +1,12 @@
 """What the rest of a sheet says of a doubtful line: a class that is rare on it is rarely right.
 
 The network has learnt from sheets of which most have dimensions, centre lines and symbols, and
-expects them.  The shares of the classes on a sheet are estimated from its own lines, and the log-odds
-corrected for them (Saerens, Latinne, Decaestecker 2002): on a sheet that has nothing but a part, a
-line that may be a break line is an edge.
+expects them.  The shares of the classes on a sheet are estimated from its own lines, and the
+log-odds corrected for them (Saerens, Latinne, Decaestecker 2002): on a sheet that has nothing but a
+part, a line that may be a break line is an edge.
 
-Shares speak for edges alone.  What is more usual than on other sheets gains nothing: the network has
-seen it all the same, and one error more often would make itself likelier.
+Shares speak for edges alone.  What is more usual than on other sheets gains nothing: the network
+has seen it all the same, and one error more often would make itself likelier.
 """
 
 from collections.abc import Sequence

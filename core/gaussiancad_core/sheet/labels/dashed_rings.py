@@ -76,4 +76,4 @@ def _circle_through(points: Floats) -> tuple[Floats, float]:
     away = points - middle
     system = np.column_stack([2.0 * away, np.ones(len(away))])
     x, y, rest = np.linalg.lstsq(system, (away**2).sum(axis=1), rcond=None)[0]
-    return middle + (x, y), float(np.sqrt(rest + x**2 + y**2))
+    return middle + np.array([x, y]), float(np.sqrt(rest + x**2 + y**2))

@@ -49,7 +49,9 @@ def test_a_class_that_is_usual_on_the_sheet_keeps_what_is_in_doubt() -> None:
     assert shifted(dimension, [*EDGES[:10], *DIMENSIONS]) < 0.0
     # Each class for itself.
     assert shifted(centre, [*EDGES[:10], *CENTRES]) < 0.0
-    assert shifted(dimension, [*EDGES[:10], *CENTRES]) > shifted(dimension, [*EDGES[:10], *DIMENSIONS])
+    assert shifted(dimension, [*EDGES[:10], *CENTRES]) > shifted(
+        dimension, [*EDGES[:10], *DIMENSIONS]
+    )
 
 
 def test_shares_never_decide_alone() -> None:
