@@ -38,7 +38,10 @@ def dashed_rings(written: Mask, stroke_width: float) -> Mask:
         written: (h, w) bool, what is taken for writing.
         stroke_width: px.
     """
-    _, pieces, stats, _ = cv2.connectedComponentsWithStats(written.astype(np.uint8), connectivity=8)
+    _, numbered, stats, _ = cv2.connectedComponentsWithStats(
+        written.astype(np.uint8), connectivity=8
+    )
+    pieces = np.asarray(numbered, dtype=np.int32)
     sides = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
     is_dash = (sides > stroke_width) & (sides <= _LONGEST * stroke_width)
     is_dash[0] = False

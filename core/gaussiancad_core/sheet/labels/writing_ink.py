@@ -24,11 +24,12 @@ def writing_ink(ink: Mask, labels: InkLabels) -> Mask:
         labels: of the same picture.
     """
     written = _writing(ink, labels.best())
-    count, pieces, stats, _ = cv2.connectedComponentsWithStats(
+    count, numbered, stats, _ = cv2.connectedComponentsWithStats(
         written.astype(np.uint8), connectivity=8
     )
     if count == 1:
         return written
+    pieces = np.asarray(numbered, dtype=np.int32)
     sure = _mean_odds(pieces, labels, count) <= -SURE
     x, y, width, height = stats[1:, :4].T.astype(float)
     boxes = list(zip(x, y, x + width, y + height, strict=True))
