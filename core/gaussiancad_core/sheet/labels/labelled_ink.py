@@ -98,8 +98,10 @@ def separate_by_labels(
     colours = tint is not None and learnt_colours(tint, shapes, labelled, sheet.stroke_width)
     if colours:
         told_by.append(colours.odds)
-    told_by.append(learnt_shares(labelled, sheet.stroke_width).odds)
-    labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
+    if labels.is_learnt:
+        told_by.append(learnt_shares(labelled, sheet.stroke_width).odds)
+    if len(told_by) > 1:
+        labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
     labelled = related(shapes, labelled, sheet.stroke_width)
     unexplained, loose, curves = _free_curves(ridges.points[free], labels, sheet.ink.shape)
     stated = _labels_by_line(shapes, labelled, unexplained, loose)
