@@ -29,12 +29,13 @@ _LEARNT = {
     InkClass.CENTRE: 0.019,
     InkClass.DIMENSION: 0.200,
     InkClass.HATCHING: 0.078,
+    InkClass.FRAME: 0.156,
     InkClass.PICTORIAL: 0.012,
     InkClass.OTHER: 0.050,
     InkClass.THIN: 0.001,
 }
 """Shares of the ink of the sheets that the network has learnt from, by 180 samples of its training;
-writing and frames are told from lines before."""
+writing is told from lines before."""
 
 _WEIGHT = 300.0
 """Length of line that the learnt shares count as, in stroke widths: a sheet with fewer lines tells
@@ -49,8 +50,7 @@ class ClassShares:
     """How much more, or less, frequent the classes are than on the sheets that were learnt from.
 
     Attributes:
-        shift: (classes,) added to log-probabilities; positive for edges alone, negative for
-            annotation alone.
+        shift: (classes,) added to log-probabilities, negative for annotation alone.
     """
 
     shift: Floats
@@ -95,6 +95,7 @@ def learnt_shares(labelled: Sequence[Sequence[LabelledRun]], stroke_width: float
 
 
 def _shift(shares: Floats, learnt: Floats, is_part: npt.NDArray[np.bool_]) -> Floats:
-    """What shares add to log-probabilities: nothing for annotation, and against it only."""
-    shift = np.log(shares / learnt)
-    return np.where(is_part, np.maximum(shift, 0.0), np.minimum(shift, 0.0))
+    """What shares add to log-probabilities: each class of annotation loses by as much as it is
+    rarer beside edges than where the network has learnt, and none gains."""
+    rarer = np.log(shares / learnt) - np.log(shares[is_part].sum() / learnt[is_part].sum())
+    return np.where(is_part, 0.0, np.minimum(rarer, 0.0))

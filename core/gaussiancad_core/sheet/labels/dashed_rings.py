@@ -27,8 +27,8 @@ those of a line are .29 of its width from its middle."""
 _ALIKE = 2.0
 """Ratio of the ink of the largest dash to that of the smallest at most."""
 
-_OPEN = 2.0
-"""Largest angle without a dash, radians: they go around the circle."""
+_OPEN = 2.6
+"""Largest angle without a dash, radians: one of four may be known for one, but half is no circle."""
 
 
 def dashed_rings(written: Mask, stroke_width: float) -> Mask:

@@ -30,9 +30,9 @@ _PER_PX = 0.25
 _CHANGE = 5.0
 """Cost of a change along unbroken ink where something else meets it, as log-odds."""
 
-_CHANGE_ALONE = 20.0
-"""The same where nothing meets it: an edge ends at edges, so that ink which runs on is of one kind,
-whatever the network takes a stretch of it for."""
+_CHANGE_ALONE = 1000.0
+"""The same where nothing meets it, more than ink of any length tells: an edge ends at edges, so that
+ink which runs on is of one kind.  Which one, all of it says, and then what its ends meet."""
 
 _CHANGE_AT_GAP = 1.5
 """The same between two runs of one line."""

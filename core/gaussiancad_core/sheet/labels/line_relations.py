@@ -30,7 +30,8 @@ _BROKEN_END = 3.0
 """The same where it meets what may be a break line."""
 
 _CORNER = 2.0
-"""Cost of an end of annotation that meets the end of a line of another direction."""
+"""Cost of an end of annotation that meets the end of a line of another direction; hatching ends
+where edges do."""
 
 _BENT = 0.3
 """Sine of the angle between two directions from which they make a corner."""
@@ -170,7 +171,8 @@ def _without_loose_ends(
         total = 0.0
         for k in around:
             total -= pieces[k].evidence * (0.5 if part[k] else -0.5)
-            total += 0.0 if part[k] else _CORNER * float(corners[k])
+            if not part[k] and pieces[k].ink is not InkClass.HATCHING:
+                total += _CORNER * float(corners[k])
             if part[k] and pieces[k].log_p[InkClass.VISIBLE] >= pieces[k].log_p[InkClass.HIDDEN]:
                 total += sum(looseness(near) for near in ends[k])
         return total

@@ -38,7 +38,7 @@ CENTRES = [piece(InkClass.CENTRE, 8.0, 300.0) for _ in range(10)]
 
 
 def test_a_doubtful_line_of_a_sheet_of_edges_alone_is_an_edge() -> None:
-    for ink in (InkClass.CENTRE, InkClass.DIMENSION, InkClass.OTHER, InkClass.HATCHING):
+    for ink in (InkClass.CENTRE, InkClass.DIMENSION, InkClass.OTHER, InkClass.FRAME):
         doubt = piece(ink, 1.5, 60.0)
         assert doubt.margin == pytest.approx(-1.5, abs=0.01)
         assert shifted(doubt, EDGES) > 0.0
