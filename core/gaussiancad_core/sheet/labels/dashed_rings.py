@@ -28,7 +28,7 @@ _ALIKE = 2.0
 """Ratio of the ink of the largest dash to that of the smallest at most."""
 
 _OPEN = 2.6
-"""Largest angle without a dash, radians: one of four may be known for one, but half is no circle."""
+"""Largest angle without a dash, radians: one of four may be told, half is no circle."""
 
 
 def dashed_rings(written: Mask, stroke_width: float) -> Mask:

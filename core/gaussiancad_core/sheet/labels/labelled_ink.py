@@ -71,12 +71,12 @@ def separate_by_labels(
     if frame is not None:
         sheet = masked(sheet, frame.drawing_area)
         marks += frame.marks
-    text = writing_ink(sheet.ink, labels)
-    rings = dashed_rings(text, sheet.stroke_width)
-    if rings.any():
-        text &= ~rings
-        labels = labels.without(InkClass.TEXT, rings)
     best = labels.best()
+    rings = dashed_rings(sheet.ink & (best == InkClass.TEXT), sheet.stroke_width)
+    if rings.any():
+        labels = labels.without(InkClass.TEXT, rings)
+        best = labels.best()
+    text = writing_ink(sheet.ink, labels)
     marks += _text_marks(text, sheet.stroke_width)
     sheet = masked(
         sheet, ~cv2.dilate(text.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)

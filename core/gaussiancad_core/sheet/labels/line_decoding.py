@@ -31,8 +31,8 @@ _CHANGE = 5.0
 """Cost of a change along unbroken ink where something else meets it, as log-odds."""
 
 _CHANGE_ALONE = 1000.0
-"""The same where nothing meets it, more than ink of any length tells: an edge ends at edges, so that
-ink which runs on is of one kind.  Which one, all of it says, and then what its ends meet."""
+"""The same where nothing meets it, more than ink of any length tells: an edge ends at edges, so
+that ink which runs on is of one kind.  Which one, all of it says, and then what its ends meet."""
 
 _CHANGE_AT_GAP = 1.5
 """The same between two runs of one line."""
