@@ -284,7 +284,8 @@ WARNINGS = (
     ),
     row(
         "the lines around the named views leave gaps; as the exact solid has all lines of the"
-        " sheet, the surface was made with its outline there",
+        " sheet, or its outline runs along the sheet's ink, the surface was made with its outline"
+        " there",
         Code.OUTLINE_OF_SOLID,
     ),
     row(

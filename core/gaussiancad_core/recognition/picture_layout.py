@@ -40,6 +40,9 @@ from gaussiancad_protocol.codes import Code
 _STUB = 1.8
 """Width of a line that sticks out of a view at most, in stroke widths."""
 
+_HARDLY = 3.0
+"""Log-odds by which an arrangement is hardly less likely than one with a turned view: few are."""
+
 _LARGEST_LEFT_OUT = 10.0
 """Size of a drawing that is no view, in that of all views, at most."""
 
@@ -134,7 +137,20 @@ def _chosen(drawings: PictureDrawings, stated: Stated) -> _Chosen | None:
     third = third_angle_odds(stated.projection, stated.symbol)
     ranking = arranged_views(views, third, fixed)
     best = chosen_views(views, ranking, fixed, third)
+    best = _upright(best, ranking) if best is not None and ranking is not None else best
     return _Chosen(drawings, best, ranking) if best is not None else None
+
+
+def _upright(best: Arrangement, ranking: Ranking) -> Arrangement | None:
+    """An arrangement without turned views, which are not read: one of as many views that is hardly
+    less likely, or else the best one without those that are turned."""
+    for other in (best, *ranking.others):
+        is_upright = not any(placed.turn for placed in other.placed.values())
+        is_as_likely = other.odds >= best.odds - _HARDLY
+        if is_upright and is_as_likely and len(other.placed) == len(best.placed):
+            return other
+    placed = {number: placed for number, placed in best.placed.items() if not placed.turn}
+    return replace(best, placed=placed) if placed else None
 
 
 def _without_loose_ends(

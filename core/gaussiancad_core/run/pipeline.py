@@ -164,7 +164,7 @@ class _Run:
         solid = asked if asked is not None and asked.result.shape is not None else None
         if solid:
             self._publish(solid, self._status(solid))
-        models = self._make_models(reading.registered, exact, solid, turn)
+        models = self._make_models(reading.registered, exact, solid, sheet)
         with self.notes.stage("check"):
             checked = self._check(reading.registered, models, solid, turn)
             conflict = asked.result.conflict if asked is not None else None
@@ -369,7 +369,7 @@ class _Run:
         registered: RegisteredSheet,
         exact: "ExactModel | None",
         solid: "ExactModel | None",
-        turn: Turn,
+        sheet: OpenedSheet,
     ) -> "Models | None":
         """Hull, Gaussians and surface, if they are asked for."""
         if self.job.result is ResultKind.SOLID:
@@ -377,8 +377,8 @@ class _Run:
         # Torch and Open3D are loaded for a surface alone.
         from gaussiancad_core.run.surface_models import SurfaceRun
 
-        run = SurfaceRun(self.job, self.folder, self.progress, self.notes)
-        return run.models(registered, exact, solid, turn)
+        run = SurfaceRun(self.job, self.folder, self.progress, self.notes, sheet.clean)
+        return run.models(registered, exact, solid, sheet.turn)
 
     def _check(
         self,

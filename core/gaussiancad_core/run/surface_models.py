@@ -12,9 +12,10 @@ from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.run_notes import RunNotes
 from gaussiancad_core.run import surface_stage
 from gaussiancad_core.run.run_models import Models
-from gaussiancad_core.run.solid_outlines import with_solid_outlines
+from gaussiancad_core.run.solid_outlines import PlacedInk, with_solid_outlines
 from gaussiancad_core.sheet.image.colouring import coloured
 from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
 from gaussiancad_core.splatting.checkpoints import CheckpointPlace
 from gaussiancad_core.splatting.gaussian_training import TrainingResult
@@ -35,12 +36,14 @@ class SurfaceRun:
         folder: of the run's files.
         progress: told how far it is.
         notes: the report as it fills.
+        sheet: with all its ink, upright.
     """
 
     job: Job
     folder: OutputFolder
     progress: Progress
     notes: RunNotes
+    sheet: CleanSheet
 
     def models(
         self,
@@ -113,7 +116,9 @@ class SurfaceRun:
     ) -> RegisteredSheet:
         """The views in colour, their masks the exact solid's where the ink encloses others."""
         result = exact.result if exact else None
-        outlined = with_solid_outlines(registered.views, result)
+        outlined = with_solid_outlines(
+            registered.views, result, PlacedInk(self.sheet, registered.placements)
+        )
         if outlined.closed:
             names = " and ".join(role.value for role in outlined.closed)
             self.notes.warn(

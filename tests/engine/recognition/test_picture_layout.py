@@ -7,7 +7,7 @@ import pytest
 
 from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.model.axes import Projection, Role
-from gaussiancad_core.recognition.picture_layout import Stated, picture_layout
+from gaussiancad_core.recognition.picture_layout import Stated, _upright, picture_layout
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.labels.labelled_ink import separate_by_labels
 from gaussiancad_core.sheet.labels.plain_labels import plain_labels
 from gaussiancad_core.sheet.reading_options import Box
 from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_core.views.role_search import Arrangement, Placed, Ranking
 
 Corners = tuple[int, int, int, int]
 
@@ -119,3 +120,15 @@ def test_a_line_that_sticks_out_is_cut_off_where_views_belong_together_without_i
     left, layout = picture_layout(sheet, separated, Stated({}, Projection.THIRD))
     assert _shows(layout, {Role.FRONT: FRONT, Role.TOP: ABOVE, Role.RIGHT: RIGHT})
     assert not left.part.ink[:, 200:290].any()
+
+
+def test_views_that_are_read_stand_upright() -> None:
+    front, turned, top = Placed(Role.FRONT), Placed(Role.LEFT, 3), Placed(Role.TOP)
+    best = Arrangement({0: front, 1: turned}, Projection.THIRD, 20.0)
+    alike = Arrangement({1: front, 0: top}, Projection.THIRD, 18.5)
+    unlike = Arrangement({1: front, 0: top}, Projection.THIRD, 12.0)
+    assert _upright(best, Ranking(best, (alike, unlike))) is alike
+    assert _upright(alike, Ranking(alike, (best,))) is alike
+    # What is turned is left out where nothing else is as likely.
+    alone = _upright(best, Ranking(best, (unlike,)))
+    assert alone is not None and alone.placed == {0: front}

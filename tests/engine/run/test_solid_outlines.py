@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
@@ -13,7 +14,10 @@ from gaussiancad_core.kernel.brep import volume
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.cameras import orthographic_camera
 from gaussiancad_core.model.views import ViewSet
-from gaussiancad_core.run.solid_outlines import with_solid_outlines
+from gaussiancad_core.run.solid_outlines import PlacedInk, with_solid_outlines
+from gaussiancad_core.sheet.image.deskew import Turn
+from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
+from gaussiancad_core.sheet.registration.view_registration import Placement
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_protocol.modes import Status
@@ -66,3 +70,43 @@ def test_a_solid_with_other_lines_than_the_sheet_knows_no_better(viewed: Viewed)
     for result in (None, _result(views, None, Status.FAILED), _result(views, other, Status.FAILED)):
         found = with_solid_outlines(_broken(views), result)
         assert found.closed == ()
+
+
+def _inked(views: ViewSet, *, without: Role | None = None) -> PlacedInk:
+    """A sheet on which the outlines of views are drawn, one beside the other."""
+    border, x, placements = 10, 10, {}
+    height = max(view.mask.shape[0] for view in views.views) + 2 * border
+    width = sum(view.mask.shape[1] + border for view in views.views) + border
+    ink = np.zeros((height, width), np.uint8)
+    for view in views.views:
+        rows, columns = view.mask.shape
+        (left, top), pitch = view.origin, view.mm_per_pixel
+        placements[view.role] = Placement(
+            view.role,
+            (x, border, x + columns, border + rows),
+            (left, left + columns * pitch),
+            (top - rows * pitch, top),
+        )
+        if view.role is not without:
+            contours, _ = cv2.findContours(
+                view.mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE
+            )
+            cv2.drawContours(ink, contours, -1, 1, 3, offset=(x, border))
+        x += columns + border
+    weight = ink.astype(np.float32)
+    sheet = CleanSheet(ink > 0, weight, 3.0, Turn(0.0, (0.0, 0.0)))
+    return PlacedInk(sheet, placements)
+
+
+def test_an_outline_along_ink_counts_though_other_lines_do_not_agree(viewed: Viewed) -> None:
+    views = viewed(PLATE)
+    other = cut(PLATE, box((-1, -1, 10), (5, 31, 21)))
+    result = _result(views, other, Status.FAILED)
+    assert not result.explains
+    found = with_solid_outlines(_broken(views), result, _inked(views))
+    # Its front view is another one.
+    assert found.closed == (Role.TOP,)
+    mask, drawn = found.views[Role.TOP].mask, views[Role.TOP].mask
+    assert (mask ^ drawn).sum() <= 0.01 * drawn.sum()
+    bare = with_solid_outlines(_broken(views), result, _inked(views, without=Role.TOP))
+    assert bare.closed == ()

@@ -12,7 +12,9 @@ from gaussiancad_core.sheet.annotations.inked_shapes import InkedShape, inked_sh
 from gaussiancad_core.sheet.annotations.separated_ink import SeparatedSheet, line_marks
 from gaussiancad_core.sheet.annotations.sheet_frame import find_frame
 from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
+from gaussiancad_core.sheet.labels.class_shares import learnt_shares
 from gaussiancad_core.sheet.labels.dash_rhythm_labels import rhythm_odds
+from gaussiancad_core.sheet.labels.dashed_rings import dashed_rings
 from gaussiancad_core.sheet.labels.ink_classes import PART, InkClass
 from gaussiancad_core.sheet.labels.label_evidence import (
     LabelledLine,
@@ -21,19 +23,22 @@ from gaussiancad_core.sheet.labels.label_evidence import (
     labelled_lines,
 )
 from gaussiancad_core.sheet.labels.labels_network import InkLabels, part_odds
-from gaussiancad_core.sheet.labels.line_decoding import LabelledRun, labelled_runs
+from gaussiancad_core.sheet.labels.line_decoding import LabelledRun, SharedInk, labelled_runs
 from gaussiancad_core.sheet.labels.line_relations import related
 from gaussiancad_core.sheet.labels.pen_colours import Tints, learnt_colours
 from gaussiancad_core.sheet.labels.pen_widths import learnt_pens
+from gaussiancad_core.sheet.labels.writing_ink import writing_ink
 from gaussiancad_core.sheet.labels.writing_lines import written_lines
 from gaussiancad_core.sheet.tracing.ink_runs import ink_field
 from gaussiancad_core.sheet.tracing.level_rules import rule_of
 from gaussiancad_core.sheet.tracing.ridges import ridge_points
 from gaussiancad_core.sheet.tracing.shape_growth import GrowthRules, grow_shapes
-from gaussiancad_core.sheet.votes import HALF
 
 _BLOT = 1.4
 """Widths of a line within which another one shares its ink."""
+
+_NEAR = 1.5
+"""Widths of a line from what meets it within which it may end."""
 
 _LEAST_POINT = 0.4
 """Size of a decimal point at least, in widths of a line."""
@@ -67,7 +72,11 @@ def separate_by_labels(
         sheet = masked(sheet, frame.drawing_area)
         marks += frame.marks
     best = labels.best()
-    text = _writing(sheet.ink, best)
+    rings = dashed_rings(sheet.ink & (best == InkClass.TEXT), sheet.stroke_width)
+    if rings.any():
+        labels = labels.without(InkClass.TEXT, rings)
+        best = labels.best()
+    text = writing_ink(sheet.ink, labels)
     marks += _text_marks(text, sheet.stroke_width)
     sheet = masked(
         sheet, ~cv2.dilate(text.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
@@ -77,7 +86,10 @@ def separate_by_labels(
     grown = grow_shapes(ridges, rules)
     field = ink_field(sheet)
     shapes = [inked_shape(sheet, field, ridges, item) for item in grown]
-    shared = _shared(shapes, sheet)
+    free = np.ones(len(ridges.points), dtype=bool)
+    for entry in grown:
+        free[entry.members] = False
+    shared = _shared(shapes, sheet, ridges.points[free])
     told_by = [rhythm_odds]
     labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
     pens = learnt_pens(sheet, shapes, labelled)
@@ -86,12 +98,11 @@ def separate_by_labels(
     colours = tint is not None and learnt_colours(tint, shapes, labelled, sheet.stroke_width)
     if colours:
         told_by.append(colours.odds)
+    if labels.is_learnt:
+        told_by.append(learnt_shares(labelled, sheet.stroke_width).odds)
     if len(told_by) > 1:
         labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
     labelled = related(shapes, labelled, sheet.stroke_width)
-    free = np.ones(len(ridges.points), dtype=bool)
-    for entry in grown:
-        free[entry.members] = False
     unexplained, loose, curves = _free_curves(ridges.points[free], labels, sheet.ink.shape)
     stated = _labels_by_line(shapes, labelled, unexplained, loose)
     part = erased(sheet, stated)
@@ -107,17 +118,6 @@ def separate_by_labels(
     return SeparatedSheet(part, tuple(marks), hatched, askew, stated, decided)
 
 
-def _writing(ink: Mask, best: np.ndarray) -> Mask:
-    """(h, w) bool, ink that is writing: all of a piece of which most is, else by the pixel."""
-    item = ink & (best == InkClass.TEXT)
-    count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
-    sizes = np.bincount(labels.ravel(), minlength=count)
-    inside = np.bincount(labels[item], minlength=count)
-    most = inside > HALF * sizes
-    most[0] = False
-    return most[labels] | item
-
-
 def _text_marks(text: Mask, stroke_width: float) -> list[Mark]:
     """One mark for each line of writing."""
     _, _, stats, _ = cv2.connectedComponentsWithStats(text.astype(np.uint8), connectivity=8)
@@ -129,8 +129,10 @@ def _text_marks(text: Mask, stroke_width: float) -> list[Mark]:
     return [Mark(AnnotationKind.TEXT, box) for box in written_lines(letters)]
 
 
-def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:
-    """(h, w) bool, ink that more than one line or circle runs through."""
+def _shared(
+    shapes: list[InkedShape], sheet: CleanSheet, free: npt.NDArray[np.float64]
+) -> SharedInk:
+    """Where lines and circles meet each other, or a curve; (n, 2) points of these."""
     count = np.zeros(sheet.ink.shape, np.uint8)
     width = max(1, round(_BLOT * sheet.stroke_width))
     layer = np.zeros(sheet.ink.shape, np.uint8)
@@ -145,7 +147,12 @@ def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:
         for box in boxes:
             count[box] += layer[box]
             layer[box] = 0
-    return count > 1
+    shared = count > 1
+    met = shared.astype(np.uint8)
+    columns, rows = np.rint(free).astype(int).T
+    met[rows, columns] = 1
+    side = 2 * int(np.ceil(_NEAR * sheet.stroke_width)) + 1
+    return SharedInk(shared, cv2.dilate(met, np.ones((side, side), np.uint8)) > 0)
 
 
 def _free_curves(

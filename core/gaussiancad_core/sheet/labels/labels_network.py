@@ -7,7 +7,7 @@ tells on what.  It wants lines of three px (:mod:`gaussiancad_core.sheet.image.w
 
 import hashlib
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.resources import as_file, files
 from itertools import product
@@ -49,9 +49,11 @@ class InkLabels:
     Attributes:
         log_p: (classes, h, w) float16, natural logarithm of each class's probability; away from
             ink that of paper is 0.
+        is_learnt: whether a network says so, that expects what it has learnt from.
     """
 
     log_p: npt.NDArray[np.float16]
+    is_learnt: bool = True
 
     def at(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         """(n, classes) log-probabilities at points (n, 2)."""
@@ -63,7 +65,15 @@ class InkLabels:
         """The labels of the same picture at another size in px, by the nearest pixel."""
         rows = np.arange(height) * self.log_p.shape[1] // height
         columns = np.arange(width) * self.log_p.shape[2] // width
-        return InkLabels(self.log_p[:, rows[:, None], columns])
+        return replace(self, log_p=self.log_p[:, rows[:, None], columns])
+
+    def without(self, ink: InkClass, where: npt.NDArray[np.bool_]) -> "InkLabels":
+        """The same where it is known that (h, w) bool pixels are not of a class."""
+        if not where.any():
+            return self
+        log_p = self.log_p.copy()
+        log_p[ink][where] = IMPOSSIBLE
+        return replace(self, log_p=log_p)
 
     def hidden_odds(self) -> npt.NDArray[np.float16]:
         """(h, w) log-odds of a hidden line's ink against a visible one's."""

@@ -28,7 +28,11 @@ _PER_PX = 0.25
 """Weight of a px: neighbouring points see the same ink."""
 
 _CHANGE = 5.0
-"""Cost of a change along unbroken ink."""
+"""Cost of a change along unbroken ink where something else meets it, as log-odds."""
+
+_CHANGE_ALONE = 1000.0
+"""The same where nothing meets it, more than ink of any length tells: an edge ends at edges, so
+that ink which runs on is of one kind.  Which one, all of it says, and then what its ends meet."""
 
 _CHANGE_AT_GAP = 1.5
 """The same between two runs of one line."""
@@ -41,6 +45,19 @@ _STEP = 1.0
 
 _TELLING_PX = 40.0
 """px of a line that tell what it is: what one stretch of it looks like, the rest does, too."""
+
+
+@dataclass(frozen=True, eq=False)
+class SharedInk:
+    """Where the lines of a sheet meet.
+
+    Attributes:
+        shared: (h, w) bool, ink that more than one line runs through.
+        met: (h, w) bool, what is near to ink of two lines, or to a curve that is no line.
+    """
+
+    shared: npt.NDArray[np.bool_]
+    met: npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +133,7 @@ class _Points:
 def labelled_runs(
     shape: InkedShape,
     labels: InkLabels,
-    shared: npt.NDArray[np.bool_],
+    ink: SharedInk,
     pens: Sequence[Callable[[InkedShape, InkedRun, Floats], Floats]] = (),
 ) -> list[LabelledRun]:
     """The runs of a line or circle, parted where they change from the part's to annotation.
@@ -124,17 +141,18 @@ def labelled_runs(
     Args:
         shape: with its runs.
         labels: of the picture.
-        shared: (h, w) bool, ink that more than one line runs through.
+        ink: where others meet it.
         pens: further log-odds of the points of a run each, from their (n, classes)
             log-probabilities.
     """
-    points = []
+    points, met = [], []
     for inked_run in shape.runs:
         where = points_along(shape.geometry, inked_run.run, _STEP)
         log_p = labels.at(where)
         network = part_odds(log_p)
         odds = network + sum(pen(shape, inked_run, log_p) for pen in pens)
-        weights = np.where(values_at(shared, where), _SHARED, 1.0)
+        weights = np.where(values_at(ink.shared, where), _SHARED, 1.0)
+        met.append(values_at(ink.met, where))
         odds, network = (np.clip(each, -OF_A_POINT, OF_A_POINT) for each in (odds, network))
         points.append(_Points(log_p, odds, network, weights))
     if not points:
@@ -143,7 +161,7 @@ def labelled_runs(
     points = _with_row_linetypes(points, rows)
     stated = np.concatenate([_weighed(point.odds) * point.weights for point in points]) * _PER_PX
     starts = np.cumsum([0, *(len(point.odds) for point in points)])
-    change = np.full(len(stated), _CHANGE)
+    change = np.where(np.concatenate(met), _CHANGE, _CHANGE_ALONE)
     change[starts[:-1]] = np.where(rows, _CHANGE_IN_ROW, _CHANGE_AT_GAP)
     is_part = _cheapest(stated, change)
     return [

@@ -1,9 +1,10 @@
 """What a line is by those that it meets: edges end at edges, and a figure is of one kind.
 
-The network sees each pixel's surroundings; that an outline closes it does not ask.  Two relations
+The network sees each pixel's surroundings; that an outline closes it does not ask.  Three relations
 say more: an edge that ends where no other edge or break line is costs something, so that a doubtful
-piece between two loose ends is an edge; and lines that hang together are all of a view or all of a
-pictorial.
+piece between two loose ends is an edge; so does annotation that ends at a corner, as edges do, for
+its lines run past each other or end at nothing; and lines that hang together are all of a view or
+all of a pictorial.
 """
 
 from collections.abc import Iterable, Sequence
@@ -27,6 +28,13 @@ _LOOSE_END = 6.0
 
 _BROKEN_END = 3.0
 """The same where it meets what may be a break line."""
+
+_CORNER = 2.0
+"""Cost of an end of annotation that meets the end of a line of another direction; hatching ends
+where edges do."""
+
+_BENT = 0.3
+"""Sine of the angle between two directions from which they make a corner."""
 
 _REACH = 1.2
 """Distance from an end to the edge that it meets at most, in stroke widths."""
@@ -61,7 +69,8 @@ def related(shapes: Sequence[InkedShape], labelled: Labelled, stroke_width: floa
     ]
     ends = _meetings(points, _REACH * stroke_width + _SPARE_PX)
     pieces = _of_one_figure(pieces, ends)
-    pieces = _without_loose_ends(pieces, ends)
+    corners = _corners(points, _REACH * stroke_width + _SPARE_PX)
+    pieces = _without_loose_ends(pieces, ends, corners)
     rest = iter(pieces)
     return [[next(rest) for _ in each] for each in labelled]
 
@@ -80,6 +89,18 @@ def _meetings(points: Sequence[Floats], reach: float) -> list[tuple[list[int], l
         )
         for k, (near_first, near_last) in enumerate(zip(firsts, lasts, strict=True))
     ]
+
+
+def _corners(points: Sequence[Floats], reach: float) -> npt.NDArray[np.int64]:
+    """(n,) how many ends of each piece meet an end of one of another direction."""
+    ends = np.array([(point[0], point[-1]) for point in points]).reshape(-1, 2)
+    ways = np.array([(point[1] - point[0], point[-1] - point[-2]) for point in points])
+    ways = ways.reshape(-1, 2) / np.maximum(np.hypot(*ways.reshape(-1, 2).T), 1e-9)[:, None]
+    one, other = cKDTree(ends).query_pairs(reach, output_type="ndarray").reshape(-1, 2).T
+    bent = np.abs(ways[one, 0] * ways[other, 1] - ways[one, 1] * ways[other, 0]) > _BENT
+    met = np.zeros(len(ends), bool)
+    met[one[bent]] = met[other[bent]] = True
+    return met.reshape(-1, 2).sum(axis=1)
 
 
 def _of_one_figure(
@@ -113,7 +134,9 @@ def _of_one_figure(
 
 
 def _without_loose_ends(
-    pieces: list[LabelledRun], ends: list[tuple[list[int], list[int]]]
+    pieces: list[LabelledRun],
+    ends: list[tuple[list[int], list[int]]],
+    corners: npt.NDArray[np.int64],
 ) -> list[LabelledRun]:
     """Turn pieces, or groups of doubtful ones that hang together, as long as that costs less."""
     touched: list[set[int]] = [set() for _ in pieces]
@@ -127,13 +150,16 @@ def _without_loose_ends(
         if abs(piece.margin) <= SURE and piece.is_part is (piece.margin > 0.0)
     }
     part = [piece.is_part for piece in pieces]
-    pairs = [
-        (k, j) for k in doubtful for near in ends[k] for j in near if j in doubtful and not part[j]
-    ]
-    pairs = [(k, j) for k, j in pairs if not part[k]]
-    groups = _components(len(pieces), pairs)
-    chosen = [{k} for k in doubtful]
-    chosen += [items for group in _members(groups) if len(items := set(group) & doubtful) > 1]
+    pairs = [(k, j) for k in doubtful for near in ends[k] for j in near if j in doubtful]
+    apart = [(k, j) for k, j in pairs if not part[k] and not part[j]]
+    # What hangs together by itself, and by edges in doubt between.
+    together = {
+        frozenset(k for k in group if k in doubtful and not part[k])
+        for by in (apart, pairs)
+        for group in _members(_components(len(pieces), by))
+    }
+    chosen = [{k} for k in sorted(doubtful)]
+    chosen += [set(items) for items in sorted(together, key=sorted) if len(items) > 1]
 
     def looseness(near: Sequence[int]) -> float:
         if any(part[j] for j in near):
@@ -145,6 +171,8 @@ def _without_loose_ends(
         total = 0.0
         for k in around:
             total -= pieces[k].evidence * (0.5 if part[k] else -0.5)
+            if not part[k] and pieces[k].ink is not InkClass.HATCHING:
+                total += _CORNER * float(corners[k])
             if part[k] and pieces[k].log_p[InkClass.VISIBLE] >= pieces[k].log_p[InkClass.HIDDEN]:
                 total += sum(looseness(near) for near in ends[k])
         return total

@@ -28,7 +28,7 @@ _LINE = {
 _DASH = {InkClass.HIDDEN: 0.5, InkClass.VISIBLE: 0.2, InkClass.CENTRE: 0.2, InkClass.TEXT: 0.1}
 """The same of a short piece of ink that stands by itself."""
 
-_WRITING = {InkClass.TEXT: 0.9, InkClass.VISIBLE: 0.05, InkClass.HIDDEN: 0.05}
+_WRITING = {InkClass.TEXT: 0.96, InkClass.VISIBLE: 0.02, InkClass.HIDDEN: 0.02}
 """The same of ink that stands like writing."""
 
 
@@ -55,4 +55,4 @@ def plain_labels(sheet: CleanSheet) -> InkLabels:
     for where, shares in kinds:
         for ink, share in shares.items():
             log_p[ink][where] = np.log(share)
-    return InkLabels(log_p)
+    return InkLabels(log_p, is_learnt=False)

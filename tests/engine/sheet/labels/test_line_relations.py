@@ -51,6 +51,14 @@ def square(last: InkClass, odds: float) -> list[tuple[InkedShape, list[LabelledR
     ]
 
 
+BUMP = [(0.0, 20.0), (-30.0, 25.0), (-30.0, 55.0), (0.0, 60.0)]
+
+
+def bump(*kinds: tuple[InkClass, float]) -> list[tuple[InkedShape, list[LabelledRun]]]:
+    """Three lines that go round on one side of the square."""
+    return [piece(BUMP[k], BUMP[k + 1], *kind) for k, kind in enumerate(kinds)]
+
+
 STRAY, DASH = ((300.0, 300.0), (360.0, 330.0)), ((20.0, 40.0), (32.0, 40.0))
 HALVES = [
     piece((0.0, 80.0), (0.0, 40.0), InkClass.OTHER, 1.0),
@@ -79,12 +87,27 @@ def test_a_line_is_what_those_that_it_meets_make_of_it(
     assert set(kinds[:3]) == {InkClass.VISIBLE}
 
 
+@pytest.mark.parametrize("middle", [(InkClass.VISIBLE, 1.2), (InkClass.OTHER, 1.0)])
+def test_annotation_has_no_corners_that_edges_have(middle: tuple[InkClass, float]) -> None:
+    """A bump is an outline, though each of its lines may be annotation."""
+    doubt = InkClass.OTHER, 1.0
+    whole = [*square(InkClass.VISIBLE, 4.0), *bump(doubt, middle, doubt)]
+    assert inks(*whole) == [InkClass.VISIBLE] * 7
+    # What runs past its neighbour, as extension and dimension lines do, has none.
+    past = [
+        piece(BUMP[0], (-36.0, 26.0), *doubt),
+        piece((-30.0, 15.0), (-30.0, 65.0), InkClass.OTHER, 1.0),
+        piece((-36.0, 54.0), BUMP[3], *doubt),
+    ]
+    assert inks(*square(InkClass.VISIBLE, 4.0), *past)[4:] == [InkClass.OTHER] * 3
+
+
 def test_who_turned_a_line_is_known_and_how_surely() -> None:
     *sides, last = found(*square(InkClass.DIMENSION, 1.0))
     assert {side.why for side in sides} == {Evidence.NETWORK}
     assert last.why is Evidence.LOOSE_END
-    # Two loose ends less, against what its ink says.
-    assert last.support == 2 * 6.0 - abs(last.evidence)
+    # Two loose ends and two corners of annotation less, against what its ink says.
+    assert last.support == 2 * 6.0 + 2 * 2.0 - abs(last.evidence)
     *_, stray = found(*square(InkClass.VISIBLE, 4.0), piece((9.0, 9.0), (29.0, 9.0), *DOUBTFUL))
     assert (stray.ink, stray.why) == (InkClass.OTHER, Evidence.LOOSE_END)
     *_, last = found(*square(InkClass.PICTORIAL, 2.0))
