@@ -3,10 +3,10 @@
 from enum import IntEnum
 
 import numpy as np
-from numba import njit
 
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers
-from gaussiancad_core.judging.sight_lines import MOST_MET, Met
+from gaussiancad_core.judging.sight_kernels import merge
+from gaussiancad_core.judging.sight_lines import Met
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 
@@ -34,7 +34,7 @@ def changed(met: Met, tool: Met, change: Change, same: float) -> Met:
     count = met.count.copy()
     surface, depth = met.surface.copy(), met.depth.copy()
     touched = np.flatnonzero(tool.count > 0)
-    _merge(
+    merge(
         (met.count, met.surface, met.depth),
         (tool.count, tool.surface, tool.depth),
         touched,
@@ -136,36 +136,3 @@ def _walls_beside(
 def _tool(vertices: Floats, triangles: Numbers, surfaces: Numbers) -> FacetedSolid:
     none = np.zeros(0, int)
     return FacetedSolid(vertices, triangles, surfaces, none, np.zeros((0, 2, 3)), none)
-
-
-@njit(cache=True)
-def _merge(solid, tool, touched, rule, out):  # noqa: ANN001, ANN202
-    one_count, one_surface, one_depth = solid
-    two_count, two_surface, two_depth = tool
-    change, same = rule
-    count, surface, depth = out
-    for q in range(len(touched)):
-        r = touched[q]
-        i = j = k = 0
-        in_one = in_two = inside = False
-        while i < one_count[r] or j < two_count[r]:
-            if j >= two_count[r] or (
-                i < one_count[r] and one_depth[r, i] <= two_depth[r, j] + same
-            ):
-                # The solid's own surface stands for both where they are one.
-                at, number = one_depth[r, i], one_surface[r, i]
-            else:
-                at, number = two_depth[r, j], two_surface[r, j]
-            while i < one_count[r] and one_depth[r, i] <= at + same:
-                in_one = not in_one
-                i += 1
-            while j < two_count[r] and two_depth[r, j] <= at + same:
-                in_two = not in_two
-                j += 1
-            now = (in_one or in_two) if change == 0 else (in_one and not in_two)
-            if now != inside:
-                if k < MOST_MET:
-                    surface[r, k], depth[r, k] = number, at
-                    k += 1
-                inside = now
-        count[r] = k

@@ -173,9 +173,9 @@ class Judge:
         """mm of the misfit by one of so many pairs, without the solid's own edges."""
         total = 0.0
         for view, pairs in zip(self.sheet.views, self.pairs, strict=True):
-            beside = np.flatnonzero(pairs.drawn != Drawn.NOTHING)[:: max(1, every // 2)]
+            strokes = np.flatnonzero(pairs.drawn != Drawn.NOTHING)[:: max(1, every // 2)]
             blank = np.flatnonzero(pairs.drawn == Drawn.NOTHING)[::every]
-            chosen = np.concatenate([beside, blank])
+            chosen = np.concatenate([strokes, blank])
             used = np.unique(np.concatenate([pairs.one[chosen], pairs.other[chosen]]))
             met = _met(solid, view, pairs.places[used])
             ends = (
@@ -258,8 +258,11 @@ def _view_misfit(
     ]
     if view.cut is not None and view.cut.areas is not None:
         rows.append(_hatched_otherwise(view.cut, pairs, signs, len(solid.smooth)))
-    joined = [np.concatenate(column) for column in zip(*rows, strict=True)]
-    return ViewMisfit(view, *joined, _shares(pairs, lost, len(view.lines)))
+    kinds, at, along, mm, line, edge = (
+        np.concatenate(column) for column in zip(*rows, strict=True)
+    )
+    share_lost = _shares(pairs, lost, len(view.lines))
+    return ViewMisfit(view, kinds, at, along, mm, line, edge, share_lost)
 
 
 def _halves(pairs: SightPairs, chosen: npt.NDArray[np.bool_]) -> Floats:

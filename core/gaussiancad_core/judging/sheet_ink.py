@@ -47,8 +47,10 @@ class SheetInk:
 
 def placements_of(reading: ProjectedReading) -> dict[Role | SectionRole, Placement]:
     """Where the views of a reading, and the sections beside them, lie on the sheet."""
-    sections = {role: section.place for role, section in reading.adjacent_sections.items()}
-    return {**reading.registered.placements, **sections}
+    found: dict[Role | SectionRole, Placement] = {}
+    found.update(reading.registered.placements.items())
+    found.update((role, section.place) for role, section in reading.adjacent_sections.items())
+    return found
 
 
 def distance_to_ink(ink: npt.NDArray[np.bool_]) -> npt.NDArray[np.float32]:

@@ -114,12 +114,18 @@ def sight_pairs(sheet: DrawnSheet, view: DrawnView) -> SightPairs:
         *_neighbours(raster, cells, first, tree),
         *_towards_raster(sides, np.tile(near.weight, 2), raster, first, tree),
     ]
-    joined = [
-        np.concatenate([getattr(part, name) for part in parts])
-        for name in ("one", "other", "drawn", "weight", "line", "at")
-    ]
     mean = np.sqrt(cells[0][:, None] * cells[1][None, :])
-    return SightPairs(places, *joined, first, mean.reshape(-1))
+    return SightPairs(
+        places,
+        np.concatenate([part.one for part in parts]),
+        np.concatenate([part.other for part in parts]),
+        np.concatenate([part.drawn for part in parts]),
+        np.concatenate([part.weight for part in parts]),
+        np.concatenate([part.line for part in parts]),
+        np.concatenate([part.at for part in parts]),
+        first,
+        mean.reshape(-1),
+    )
 
 
 @dataclass(frozen=True, eq=False)

@@ -52,7 +52,7 @@ def check_picture(values: Mapping[str, Any], sheet: tuple[npt.NDArray[np.uint8],
         small = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
         grey = np.asarray(small, dtype=np.uint8)
     pale = np.rint(255.0 - _PALE * (255.0 - np.arange(256.0))).astype(np.uint8)
-    picture = cv2.cvtColor(pale[grey], cv2.COLOR_GRAY2BGR)
+    picture = np.asarray(cv2.cvtColor(pale[grey], cv2.COLOR_GRAY2BGR), dtype=np.uint8)
     scale = factor / reduction
     for number, difference in reversed(list(enumerate(values["differences"], 1))):
         colour = _COLOURS[difference["kind"]][::-1]
