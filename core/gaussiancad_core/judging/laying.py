@@ -17,7 +17,7 @@ _SNAP = 0.008
 """Share within which an extent is the sheet's: what was drawn and read is a little off."""
 
 _OTHER = 0.5
-"""Share by which one extent may differ where the two others are the sheet's."""
+"""Share by which extents may differ where one is the sheet's."""
 
 _SNAP_TOLERANCES = 3.0
 
@@ -109,9 +109,9 @@ def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
 
 def poses(solid: FacetedSolid, sheet: DrawnSheet) -> Iterator[Pose]:
     """The poses in which a solid's extents are about the sheet's: at the sheet's scale, else at the
-    scale that makes the longest extents one, else those in which two extents are the sheet's."""
+    scale that makes the longest extents one, else those in which one extent is the sheet's."""
     longest = float(solid.extent.max() / sheet.longest)
-    for scale, fits in ((1.0, _fits), (longest, _fits), (1.0, _fits_but_one)):
+    for scale, fits in ((1.0, _fits), (longest, _fits), (1.0, _fits_once)):
         found = list(_at_scale(solid, sheet, scale, fits))
         if found:
             return iter(found)
@@ -122,10 +122,10 @@ def _fits(deviation: Floats) -> bool:
     return bool(np.abs(deviation).max() <= _FITS)
 
 
-def _fits_but_one(deviation: Floats) -> bool:
-    """Whether two extents are the sheet's, and the third is not wholly another one."""
-    _, second, largest = np.sort(np.abs(deviation))
-    return bool(second <= _SNAP and largest <= _OTHER)
+def _fits_once(deviation: Floats) -> bool:
+    """Whether one extent is the sheet's, and the others are not wholly other ones."""
+    away = np.abs(deviation)
+    return bool(away.min() <= _SNAP and away.max() <= _OTHER)
 
 
 def _at_scale(

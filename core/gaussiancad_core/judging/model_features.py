@@ -4,7 +4,7 @@ They are what single changes of a model are made of, whatever file it came from.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -77,9 +77,44 @@ def bores_of(solid: FacetedSolid) -> tuple[Bore, ...]:
             if np.abs(normals[chosen, axis.value]).max() < _ALONG:
                 steps.setdefault(axis, []).extend(_round_step(solid, normals, chosen, axis))
     found = [
-        bore for axis, of_axis in steps.items() for bore in _bores(axis, of_axis, _TOUCH * long)
+        _with_cones(bore, solid, normals, areas, _TOUCH * long)
+        for axis, of_axis in steps.items()
+        for bore in _bores(axis, of_axis, _TOUCH * long)
     ]
     return tuple(sorted(found, key=lambda bore: -bore.widest))
+
+
+def _with_cones(
+    bore: Bore, solid: FacetedSolid, normals: Floats, areas: Floats, touch: float
+) -> Bore:
+    """The same bore with the cones that go on at its ends: countersinks, tips of drills."""
+    corners = solid.vertices[solid.triangles]
+    along = corners[..., bore.axis.value]
+    away = corners[..., list(IN_PLANE[bore.axis])] - np.array(bore.centre)
+    radius = np.hypot(away[..., 0], away[..., 1])
+    inward = (away.mean(axis=1) * normals[:, list(IN_PLANE[bore.axis])]).sum(axis=1) < 0.0
+    grown = True
+    while grown:
+        grown = False
+        near = (along.min(axis=1) <= bore.high + touch) & (along.max(axis=1) >= bore.low - touch)
+        near &= (radius.min(axis=1) <= bore.widest + touch) & inward & (areas > 0.0)
+        for surface in np.unique(solid.surfaces[near]).tolist():
+            chosen = (solid.surfaces == surface) & (areas > 0.0)
+            low, high = float(along[chosen].min()), float(along[chosen].max())
+            beyond = low < bore.low - touch or high > bore.high + touch
+            if beyond and inward[chosen].all() and _is_cone(along[chosen], radius[chosen], touch):
+                widest = max(bore.widest, float(radius[chosen].max()))
+                bore = replace(
+                    bore, widest=widest, low=min(bore.low, low), high=max(bore.high, high)
+                )
+                grown = True
+    return bore
+
+
+def _is_cone(along: Floats, radius: Floats, touch: float) -> bool:
+    """Whether the radii of places grow evenly along an axis."""
+    fit = np.polyfit(along.reshape(-1), radius.reshape(-1), 1)
+    return bool(np.abs(np.polyval(fit, along) - radius).max() <= touch)
 
 
 def flat_faces(solid: FacetedSolid) -> tuple[FlatFace, ...]:

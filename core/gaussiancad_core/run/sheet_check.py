@@ -47,25 +47,42 @@ class SheetCheck:
     Attributes:
         verdict: whether they agree.
         values: the content of ``check.json``.
-        picture: PNG of the sheet with the differences over it.
     """
 
     verdict: Verdict
     values: dict[str, Any]
-    picture: bytes
 
 
 @dataclass(frozen=True, eq=False)
-class _Checked:
+class CheckedModel:
     """A model of a file.
 
     Attributes:
-        solid: as triangles.
+        solid: as lines of sight meet it.
         doubt: why it encloses nothing for certain; None where it is whole.
     """
 
     solid: FacetedSolid
     doubt: Reason | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class ReadSheet:
+    """A sheet that models are checked against.
+
+    Attributes:
+        sheet: as stored and upright.
+        readings: of its views, the likelier first; none where no part follows from it.
+        refused: why there are none.
+        is_shaded: whether a view of a file is a picture.
+        report: what was told of the sheet.
+    """
+
+    sheet: OpenedSheet
+    readings: tuple[SheetEvidence, ...]
+    refused: Reason | None
+    is_shaded: bool
+    report: Report
 
 
 def check_to_folder(job: Job, model: Path, listener: Listener) -> SheetCheck:
@@ -77,40 +94,47 @@ def check_to_folder(job: Job, model: Path, listener: Listener) -> SheetCheck:
         UsageError: the folder cannot be written.
         LimitError: a limit was reached, or the disk is full.
     """
-    progress = Progress(listener, len(STAGES))
-    notes = RunNotes(Report("", job.settings()), progress)
+    notes = RunNotes(Report("", job.settings()), Progress(listener, len(STAGES)))
     with uncollected():
-        checked = _checked(model)
-        sheet = open_sheet(job, notes)
-        found = _compared(job, sheet, checked, notes)
+        checked = checked_model(model)
+        read = read_for_check(job, notes)
+        with notes.stage("judge"):
+            found = checked_on(read, checked)
+        values = check_values(
+            found,
+            read.sheet.turn.to_stored,
+            read.report.scale_source,
+            [asdict(each) for each in read.report.unused],
+        )
     data, picture = CHECK_FILES
     folder = OutputFolder(job.output, CHECK_FILES, data)
     try:
         with notes.stage("write"):
-            (folder.staging / picture).write_bytes(found.picture)
-            (folder.staging / data).write_bytes(check_json(found.values))
+            image = check_picture(values, read.sheet.picture)
+            (folder.staging / picture).write_bytes(image)
+            (folder.staging / data).write_bytes(check_json(values))
             folder.commit()
     except OSError as error:
         raise os_error(job.output, error) from error
     finally:
         folder.discard()
-    return found
+    return SheetCheck(found.judgement.verdict, values)
 
 
-def _checked(path: Path) -> _Checked:
-    """A model as lines of sight meet it.
+def checked_model(path: Path) -> CheckedModel:
+    """A model of a file, as lines of sight meet it.
 
     Raises:
         UnreadableError: as of :func:`.read_model`.
     """
     if not format_of(path).is_exact:
         mesh = read_model(path).mesh
-        return _Checked(faceted_mesh(mesh), None if mesh.watertight else _OPEN)
+        return CheckedModel(faceted_mesh(mesh), None if mesh.watertight else _OPEN)
     with readable(path):
         shape = read_shape(path)
         facts = soundness(shape)
-        doubt = None if facts.valid and facts.closed and facts.solids else _OPEN
-        return _Checked(faceted_shape(shape), doubt)
+        is_whole = facts.valid and facts.closed and facts.solids
+        return CheckedModel(faceted_shape(shape), None if is_whole else _OPEN)
 
 
 _OPEN = Reason(
@@ -118,36 +142,40 @@ _OPEN = Reason(
 )
 
 
-def _compared(job: Job, sheet: OpenedSheet, model: _Checked, notes: RunNotes) -> SheetCheck:
-    refused = None
+def read_for_check(job: Job, notes: RunNotes) -> ReadSheet:
+    """A sheet as models are checked against it.
+
+    Raises:
+        UnreadableError: it cannot be read as a drawing at all.
+        LimitError: a limit was reached.
+    """
+    sheet = open_sheet(job, notes)
     try:
         lines = with_unseen(sheet_lines(job, sheet, notes), notes)
         findings = registered_lines(job, lines, sheet.turn, notes)
     except NoModelError as error:
-        refused = naming_pages(error, sheet.image)
-        found = SheetJudgement(
-            Judgement(Verdict.CANNOT_TELL, (Reason(refused.code, refused.message),))
-        )
-    else:
-        with notes.stage("judge"):
-            away = distance_to_ink(sheet.clean.ink)
-            readings = [
-                SheetEvidence(
-                    reading.numbered, SheetInk(away, placements_of(reading)), reading.projection
-                )
-                for reading in (findings.assumed, findings.other)
-                if reading is not None
-            ]
-            found = judge_solid(model.solid, readings)
-            found = _sized(found, notes.report)
-            if model.doubt is not None and found.judgement.verdict is Verdict.AGREES:
-                found = _doubted(found, model.doubt)
-            if found.judgement.verdict is Verdict.DIFFERS and _is_shaded(findings, sheet):
-                found = _doubted(found, _SHADED)
-    unused = [asdict(each) for each in notes.report.unused]
-    values = check_values(found, sheet.turn.to_stored, notes.report.scale_source, unused)
-    picture = check_picture(values, sheet.picture)
-    return SheetCheck(found.judgement.verdict, values, picture)
+        message = naming_pages(error, sheet.image).message
+        return ReadSheet(sheet, (), Reason(error.code, message), False, notes.report)
+    away = distance_to_ink(sheet.clean.ink)
+    readings = [
+        SheetEvidence(reading.numbered, SheetInk(away, placements_of(reading)), reading.projection)
+        for reading in (findings.assumed, findings.other)
+        if reading is not None
+    ]
+    shaded = _is_shaded(findings, sheet)
+    return ReadSheet(sheet, tuple(readings), None, shaded, notes.report)
+
+
+def checked_on(read: ReadSheet, model: CheckedModel) -> SheetJudgement:
+    """Whether a model agrees with a sheet."""
+    if read.refused is not None:
+        return SheetJudgement(Judgement(Verdict.CANNOT_TELL, (read.refused,)))
+    found = _sized(judge_solid(model.solid, read.readings), read.report)
+    if model.doubt is not None and found.judgement.verdict is Verdict.AGREES:
+        found = _doubted(found, model.doubt)
+    if read.is_shaded and found.judgement.verdict is Verdict.DIFFERS:
+        found = _doubted(found, _SHADED)
+    return found
 
 
 _SHADED = Reason(

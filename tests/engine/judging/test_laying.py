@@ -12,7 +12,7 @@ from gaussiancad_core.judging.faceted_solids import faceted_shape
 from gaussiancad_core.judging.laying import lay
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.model.axes import Axis
-from sample_parts.modelling import box, cut, cylinder
+from sample_parts.modelling import box, cut, cylinder, fuse
 
 # No turn of its mirror image is the part itself.
 _PART = cut(
@@ -62,3 +62,12 @@ def test_a_stretched_solid_is_told_by_how_much(judge: Judge) -> None:
 
 def test_another_part_is_laid_nowhere(judge: Judge) -> None:
     assert lay(faceted_shape(box((0.0, 0.0, 0.0), (60.0, 60.0, 10.0))), judge) is None
+
+
+def test_a_part_with_something_put_on_is_laid_by_what_fits(judge: Judge) -> None:
+    # It stands out of two sides.
+    higher = fuse(_PART, box((10.0, 25.0, 29.0), (20.0, 42.0, 34.0)))
+    laid = lay(faceted_shape(higher), judge)
+    assert laid is not None
+    assert laid.pose.deviation == pytest.approx([0.0, 0.05, 4.0 / 30.0])
+    assert laid.misfit.share < 0.25
