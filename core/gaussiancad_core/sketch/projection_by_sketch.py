@@ -7,7 +7,7 @@ best leaves more of them unexplained where the reading is wrong.  Where both lea
 readings mostly show one and the same part.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -91,7 +91,24 @@ def weigh(readings: Sequence[ReadViews]) -> Weighed:
         stroke.length for strokes in readings[best].drawn.strokes.values() for stroke in strokes
     )
     clear = telling and most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
+    if clear:
+        return Weighed(sketches, best, clear, most > (1.0 + _PLAIN) * least)
     # A search that was not ended tells no unusual reading.
-    better = telling and not unusual and known[1 - best].energy > (1.0 + _LIKELIER) * least
-    likelier = best if clear or better else 0
-    return Weighed(sketches, likelier, clear, clear and most > (1.0 + _PLAIN) * least)
+    likelier = _likelier(known)
+    if likelier is None or not telling or is_unusual(readings[likelier].drawn.roles):
+        likelier = 0
+    return Weighed(sketches, likelier, is_clear=False)
+
+
+def _likelier(known: Mapping[int, Sketch]) -> int | None:
+    """The reading whose part leaves less unexplained, or else whose slabs cost less; None where
+    both do alike."""
+    values: tuple[Callable[[Sketch], float], ...] = (
+        lambda found: found.unexplained,
+        lambda found: found.energy,
+    )
+    for value in values:
+        one, other = sorted(known, key=lambda number: value(known[number]))
+        if value(known[other]) > (1.0 + _LIKELIER) * value(known[one]):
+            return one
+    return None

@@ -1,13 +1,18 @@
-"""A part sketched from the lines of its views: slabs of regions, along the cheapest axis."""
+"""A part sketched from the lines of its views: slabs of regions, along the axis that the judge
+finds best."""
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
+from typing import Any
 
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.judging.drawn_lines import drawn_sheet
+from gaussiancad_core.judging.faceted_solids import faceted_shape
+from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.labelling.part_model import MOST_STROKES
 from gaussiancad_core.model.axes import Axis
@@ -33,6 +38,9 @@ _EFFORT = 1.0
 _MOST = 0.6
 """Units of it for one of them."""
 
+_SLACK = 1.5
+"""What a choice may cost, of the cheapest along another axis, to be judged beside it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Sketch:
@@ -47,6 +55,7 @@ class Sketch:
         shape: the part in mm; None where the kernel made none.
         carriers: of the views: where their lines may lie.
         at_least: mm that every part costs, along any axis.
+        unexplained: mm of line that the judge finds the part not to explain; infinite without one.
     """
 
     choice: Choice
@@ -57,6 +66,7 @@ class Sketch:
     shape: TopoDS_Shape | None
     carriers: PartCarriers
     at_least: float
+    unexplained: float
 
     @property
     def energy(self) -> float:
@@ -83,34 +93,88 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     if max(map(len, views.strokes.values())) > MOST_STROKES:
         return None
     places = find_places(views, grid)
-    best: Choice | None = None
+    choices: list[Choice] = []
     left, at_least = _EFFORT, inf
     # What is not made of slabs along an axis has many lines that nothing explains.
     for plan in sorted(plans_of(views, places), key=lambda this_plan: this_plan.alien):
-        least = inf if best is None else best.energy
-        if left <= 0.0 or plan.alien >= least:
+        # The judge has the last word: an axis may cost somewhat more here and explain more there.
+        most = _SLACK * min((choice.energy for choice in choices), default=inf)
+        if left <= 0.0 or plan.alien >= most:
             at_least = min(at_least, plan.alien)
             continue
-        choice, bound, spent = choose(plan, least, min(_MOST, left))
+        choice, bound, spent = choose(plan, most, min(_MOST, left))
         left -= spent
         at_least = min(at_least, bound)
-        if choice is not None and (best is None or choice.energy < best.energy):
-            best = choice
-    if best is None:
+        if choice is not None:
+            choices.append(choice)
+    if not choices:
         return None
-    slabs = slabs_of(best)
-    plan = best.plan
-    shape, refused, is_turned = None, plan.breaks, False
+    judge = Judge(drawn_sheet(views))
+    bodies = [_built(choice, judge) for choice in sorted(choices, key=lambda each: each.energy)]
+    body = min(bodies, key=lambda each: each.cost)
+    at_least = min(at_least, body.choice.energy)
+    return Sketch(
+        body.choice,
+        body.slabs,
+        body.breaks,
+        body.slopes,
+        body.bores,
+        body.shape,
+        places.carriers,
+        at_least,
+        body.cost,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Body:
+    """A choice as the kernel made it; what it cannot make is left out.
+
+    Attributes:
+        choice, slabs, breaks, slopes, bores, shape: as of the sketch.
+        cost: mm of line that it leaves unexplained; infinite where there is none.
+    """
+
+    choice: Choice
+    slabs: tuple[Slab, ...]
+    breaks: tuple[EdgeBreak, ...] = ()
+    slopes: tuple[Slope, ...] = ()
     bores: tuple[Bore, ...] = ()
-    # What the kernel cannot do any more is left out.
+    shape: TopoDS_Shape | None = None
+    cost: float = inf
+
+    def with_step(self, shape: TopoDS_Shape, judge: Judge, **made: Any) -> "_Body":  # noqa: ANN401
+        """The same after one more step, if the step explains something, or takes nothing away."""
+        cost = _cost(shape, judge)
+        return replace(self, shape=shape, cost=cost, **made) if cost <= self.cost else self
+
+
+def _built(choice: Choice, judge: Judge) -> _Body:
+    """The body of a choice: its slabs, and each later step that does not make it worse."""
+    plan = choice.plan
+    body = _Body(choice, slabs_of(choice))
+    if not body.slabs:
+        return body
     with suppress(*KERNEL_FAILURES):
-        if slabs:
-            shape = body_of(best, slabs, cones_of(best))
-            shape, refused = with_breaks(shape, plan)
-            shape = turned_down(shape, plan)
-            is_turned = True
-            shape, bores = with_holes(shape, plan)
-    made = tuple(edge_break for edge_break in plan.breaks if edge_break not in refused)
-    slopes = plan.slopes if is_turned else ()
-    at_least = min(at_least, best.energy)
-    return Sketch(best, slabs, made, slopes, bores, shape, places.carriers, at_least)
+        shape = body_of(choice, body.slabs, cones_of(choice))
+        body = replace(body, shape=shape, cost=_cost(shape, judge))
+    if body.shape is None:
+        return body
+    if plan.breaks:
+        with suppress(*KERNEL_FAILURES):
+            shape, refused = with_breaks(body.shape, plan)
+            made = tuple(each for each in plan.breaks if each not in refused)
+            body = body.with_step(shape, judge, breaks=made)
+    if plan.slopes:
+        with suppress(*KERNEL_FAILURES):
+            body = body.with_step(turned_down(body.shape, plan), judge, slopes=plan.slopes)
+    if plan.cross_holes:
+        with suppress(*KERNEL_FAILURES):
+            shape, bores = with_holes(body.shape, plan)
+            body = body.with_step(shape, judge, bores=bores)
+    return body
+
+
+def _cost(shape: TopoDS_Shape, judge: Judge) -> float:
+    """mm of line that a body leaves unexplained."""
+    return judge.misfit(faceted_shape(shape)).cost

@@ -59,8 +59,48 @@ def test_the_sketch_that_explains_clearly_more_tells_the_reading(
         lambda energy, grid: (
             None
             if energy is None
-            else SimpleNamespace(energy=energy, at_least=energy if energy < 199.0 else 0.0)
+            else SimpleNamespace(
+                energy=energy, at_least=energy if energy < 199.0 else 0.0, unexplained=0.0
+            )
         ),
     )
     found = weigh(readings)
     assert (found.likelier, found.is_clear) == (likelier, is_clear)
+
+
+@pytest.mark.parametrize(
+    ("unexplained", "roles", "likelier"),
+    [
+        ((40.0, 20.0), (USUAL, USUAL), 1),
+        ((20.0, 40.0), (USUAL, USUAL), 0),
+        # Alike: the slabs tell.
+        ((20.0, 20.1), (USUAL, USUAL), 1),
+        ((40.0, 20.0), (USUAL, UNUSUAL), 0),
+    ],
+)
+def test_what_the_parts_leave_unexplained_tells_the_likelier_reading(
+    monkeypatch: pytest.MonkeyPatch,
+    unexplained: tuple[float, float],
+    roles: tuple[tuple[Role, ...], ...],
+    likelier: int,
+) -> None:
+    readings = [
+        SimpleNamespace(
+            numbered=number,
+            drawn=SimpleNamespace(
+                strokes={Role.FRONT: [SimpleNamespace(length=500.0)]}, roles=role
+            ),
+            grid=1.0,
+        )
+        for number, role in enumerate(roles)
+    ]
+    energies = 104.0, 100.0
+    monkeypatch.setattr(
+        projection_by_sketch,
+        "sketch",
+        lambda number, grid: SimpleNamespace(
+            energy=energies[number], at_least=0.0, unexplained=unexplained[number]
+        ),
+    )
+    found = weigh(readings)
+    assert (found.likelier, found.is_clear) == (likelier, False)
