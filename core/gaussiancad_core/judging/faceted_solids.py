@@ -77,7 +77,7 @@ class FacetedSolid:
 
 
 def faceted_shape(shape: TopoDS_Shape) -> FacetedSolid:
-    """An exact solid, or several, as triangles.
+    """An exact solid, or several, as triangles; none of a shape without faces.
 
     Args:
         shape: mm; its stored triangulation is replaced.
@@ -87,7 +87,7 @@ def faceted_shape(shape: TopoDS_Shape) -> FacetedSolid:
     for face in faces:
         table.number(face)
     vertices, triangles, numbers = tessellate_faces(shape, 1.0, 0.5)
-    longest = float(np.ptp(vertices, axis=0).max())
+    longest = float(np.ptp(vertices, axis=0).max()) if len(vertices) else 1.0
     vertices, triangles, numbers = tessellate_faces(shape, _DEFLECTION * longest, _ANGLE)
     surface_of = _surfaces(faces, _SAME * longest)
     joined = _Groups(int(surface_of.max()) + 1 if len(surface_of) else 0)

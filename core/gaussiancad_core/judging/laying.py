@@ -88,7 +88,7 @@ def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
         solid: mm.
         judge: of the sheet.
     """
-    found = list(poses(solid, judge.sheet))
+    found = list(poses(solid, judge.sheet)) if len(solid.triangles) else []
     if not found:
         return None
     rough = [judge.rough_cost(pose.laid(solid), _EVERY) for pose in found]

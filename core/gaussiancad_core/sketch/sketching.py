@@ -1,5 +1,4 @@
-"""A part sketched from the lines of its views: slabs of regions, along the axis that the judge
-finds best."""
+"""A part sketched from the lines of its views: slabs of regions, along the cheapest axis."""
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -37,9 +36,6 @@ _EFFORT = 1.0
 
 _MOST = 0.6
 """Units of it for one of them."""
-
-_SLACK = 1.5
-"""What a choice may cost, of the cheapest along another axis, to be judged beside it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,28 +89,25 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     if max(map(len, views.strokes.values())) > MOST_STROKES:
         return None
     places = find_places(views, grid)
-    choices: list[Choice] = []
+    best: Choice | None = None
     left, at_least = _EFFORT, inf
     # What is not made of slabs along an axis has many lines that nothing explains.
     for plan in sorted(plans_of(views, places), key=lambda this_plan: this_plan.alien):
-        # The judge has the last word: an axis may cost somewhat more here and explain more there.
-        most = _SLACK * min((choice.energy for choice in choices), default=inf)
-        if left <= 0.0 or plan.alien >= most:
+        least = inf if best is None else best.energy
+        if left <= 0.0 or plan.alien >= least:
             at_least = min(at_least, plan.alien)
             continue
-        choice, bound, spent = choose(plan, most, min(_MOST, left))
+        choice, bound, spent = choose(plan, least, min(_MOST, left))
         left -= spent
         at_least = min(at_least, bound)
-        if choice is not None:
-            choices.append(choice)
-    if not choices:
+        if choice is not None and (best is None or choice.energy < best.energy):
+            best = choice
+    if best is None:
         return None
-    judge = Judge(drawn_sheet(views))
-    bodies = [_built(choice, judge) for choice in sorted(choices, key=lambda each: each.energy)]
-    body = min(bodies, key=lambda each: each.cost)
-    at_least = min(at_least, body.choice.energy)
+    body = _built(best, Judge(drawn_sheet(views)))
+    at_least = min(at_least, best.energy)
     return Sketch(
-        body.choice,
+        best,
         body.slabs,
         body.breaks,
         body.slopes,
@@ -131,11 +124,10 @@ class _Body:
     """A choice as the kernel made it; what it cannot make is left out.
 
     Attributes:
-        choice, slabs, breaks, slopes, bores, shape: as of the sketch.
+        slabs, breaks, slopes, bores, shape: as of the sketch.
         cost: mm of line that it leaves unexplained; infinite where there is none.
     """
 
-    choice: Choice
     slabs: tuple[Slab, ...]
     breaks: tuple[EdgeBreak, ...] = ()
     slopes: tuple[Slope, ...] = ()
@@ -152,7 +144,7 @@ class _Body:
 def _built(choice: Choice, judge: Judge) -> _Body:
     """The body of a choice: its slabs, and each later step that does not make it worse."""
     plan = choice.plan
-    body = _Body(choice, slabs_of(choice))
+    body = _Body(slabs_of(choice))
     if not body.slabs:
         return body
     with suppress(*KERNEL_FAILURES):

@@ -138,3 +138,10 @@ def test_a_section_shows_what_its_plane_cuts() -> None:
     deeper = cut(_BLOCK, cylinder(Axis.Z, (20.0, 15.0), 6.0, 6.0, 31.0))
     misfit = _misfit(deeper, views)
     assert {Kind.MISSING, Kind.EXTRA, Kind.HATCHING} <= _kinds(misfit)
+
+
+def test_of_nothing_every_line_is_missing(drawn: Draw) -> None:
+    views = drawn(_BLOCK)
+    misfit = _misfit(cut(_BLOCK, _BLOCK), views)
+    assert _kinds(misfit) == {Kind.MISSING}
+    assert misfit.share == pytest.approx(1.0)
