@@ -26,6 +26,9 @@ from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
 _WORTH = 0.002
 """Share of the lines by which a change has to explain a sheet better to be told."""
 
+_NOTHING = 1e-9
+"""Share of the lines within which a change makes no difference."""
+
 _BORES, _FACES, _DRILLS = 40, 40, 40
 """Features of a model, and holes of a sheet, that changes are made of, the largest first."""
 
@@ -80,10 +83,21 @@ class _Trial:
     tools: tuple[tuple[FacetedSolid, Change], ...]
 
 
-def better_edits(
-    laid: Laid, judge: Judge, ink: SheetInk, mirrored: FacetedSolid
-) -> tuple[Edit, ...]:
-    """The single changes of a model that explain a sheet better, the best first.
+@dataclass(frozen=True, eq=False)
+class TriedEdits:
+    """What single changes of a model told.
+
+    Attributes:
+        better: those that explain the sheet better, the best first.
+        silent: features that may be left out, or moved, without a line that tells.
+    """
+
+    better: tuple[Edit, ...]
+    silent: tuple[Edit, ...]
+
+
+def tried_edits(laid: Laid, judge: Judge, ink: SheetInk, mirrored: FacetedSolid) -> TriedEdits:
+    """The single changes of a model, as far as they tell something.
 
     Args:
         laid: the model on the sheet.
@@ -97,17 +111,29 @@ def better_edits(
     smooth = np.append(solid.smooth, len(solid.smooth) + np.arange(_NEW))
     before = judge.cost_of(base, smooth)
     least = _WORTH * laid.misfit.drawn
-    found = []
+    found, silent = [], []
     for trial in _trials(laid, judge, ink):
         mm = before - judge.cost_of(_tried(trial, base, judge, solid), smooth)
+        edit = Edit(trial.what, trial.feature, trial.start, trial.end, mm)
         if mm > least:
-            found.append(Edit(trial.what, trial.feature, trial.start, trial.end, mm))
+            found.append(edit)
+        elif abs(mm) <= _NOTHING * laid.misfit.drawn and trial.start is not None:
+            silent.append(edit)
     other = lay(mirrored, judge)
     if other is not None:
         mm = before - judge.cost_of(judge.sighted(other.solid), other.solid.smooth)
         if mm > least:
             found.append(Edit("mirror", "the whole part", None, None, mm))
-    return tuple(sorted(found, key=lambda edit: -edit.mm))
+    return TriedEdits(tuple(sorted(found, key=lambda edit: -edit.mm)), tuple(_once(silent)))
+
+
+def _once(edits: Sequence[Edit]) -> Iterator[Edit]:
+    """The first change of each feature."""
+    known: set[tuple[str, tuple[float, float, float] | None]] = set()
+    for edit in edits:
+        if (edit.feature, edit.start) not in known:
+            known.add((edit.feature, edit.start))
+            yield edit
 
 
 _NEW = 6

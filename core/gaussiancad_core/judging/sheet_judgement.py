@@ -11,7 +11,7 @@ from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import FacetedSolid
 from gaussiancad_core.judging.laying import Laid, lay
 from gaussiancad_core.judging.misfits import Judge
-from gaussiancad_core.judging.model_edits import Edit, better_edits
+from gaussiancad_core.judging.model_edits import Edit, tried_edits
 from gaussiancad_core.judging.note_tally import Tally, tally
 from gaussiancad_core.judging.sheet_ink import SheetInk
 from gaussiancad_core.judging.verdicts import NOT_LAID, Judgement, judged
@@ -46,6 +46,7 @@ class SheetJudgement:
         laid: the solid on the sheet; None where its extents fit in no pose.
         differences: places at which both differ, the worst first.
         edits: single changes of the solid that explain the sheet better, the best first.
+        silent: features of the solid that may be left out, or moved, and no line tells.
         tally: notes against the solid.
     """
 
@@ -54,6 +55,7 @@ class SheetJudgement:
     laid: Laid | None = None
     differences: tuple[Difference, ...] = ()
     edits: tuple[Edit, ...] = ()
+    silent: tuple[Edit, ...] = ()
     tally: tuple[Tally, ...] = ()
 
 
@@ -74,7 +76,7 @@ def judge_solid(solid: FacetedSolid, readings: Sequence[SheetEvidence]) -> Sheet
         return SheetJudgement(NOT_LAID)
     laid, judge, evidence = min(tried, key=lambda each: each[0].misfit.cost)
     differing = differences(laid.misfit, evidence.ink)
-    edits = better_edits(laid, judge, evidence.ink, solid.mapped(_MIRROR, np.zeros(3)))
+    edits = tried_edits(laid, judge, evidence.ink, solid.mapped(_MIRROR, np.zeros(3)))
     kept = tally(laid.solid, evidence.views.holes)
-    judgement = judged(laid, judge, differing, edits)
-    return SheetJudgement(judgement, evidence, laid, differing, edits, kept)
+    judgement = judged(laid, judge, differing, edits.better)
+    return SheetJudgement(judgement, evidence, laid, differing, edits.better, edits.silent, kept)

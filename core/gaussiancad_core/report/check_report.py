@@ -24,6 +24,13 @@ _KINDS = {
 }
 """How kinds are named in the file, and of what they speak.  Smooth edges are no difference."""
 
+_SILENT = {
+    "fill": "the sheet shows the same without it",
+    "move": "the sheet shows the same with it elsewhere",
+    "shift": "no line of the sheet tells where along its axis it lies",
+}
+"""Why the sheet tells nothing of a feature, by the change that no line told."""
+
 ToStored = Callable[[np.ndarray], np.ndarray]
 """(n, 2) px of the upright sheet to px of the sheet as stored."""
 
@@ -75,7 +82,10 @@ def check_values(
             }
             for each in found.edits
         ],
-        "silent": [],
+        "silent": [
+            {"feature": each.feature, "at": each.start, "why": _SILENT[each.what]}
+            for each in found.silent
+        ],
         "unused": unused,
     }
 

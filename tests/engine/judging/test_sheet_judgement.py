@@ -15,6 +15,7 @@ from gaussiancad_core.judging.sheet_judgement import SheetEvidence, SheetJudgeme
 from gaussiancad_core.judging.verdicts import Verdict
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.sheet.registration.view_registration import placement
 from gaussiancad_protocol.codes import Code
 from sample_parts.modelling import box, cut, cylinder, fuse
@@ -151,3 +152,20 @@ def test_notes_are_counted_against_the_part(evidence: SheetEvidence) -> None:
     assert (rows["Ø10 DEEP 8"].count_found, rows["Ø10 DEEP 8"].count_stated) == (0, 1)
     # One of the two that the note speaks of was found on the sheet, and is there.
     assert (rows["2x Ø10 THRU"].count_found, rows["2x Ø10 THRU"].count_stated) == (1, 2)
+
+
+def test_what_no_view_tells_is_named(drawn: Callable[[TopoDS_Shape], DrawnViews]) -> None:
+    def visible(part: TopoDS_Shape) -> DrawnViews:
+        views = drawn(part)
+        strokes = {
+            role: tuple(s for s in lines if s.linetype is Linetype.VISIBLE)
+            for role, lines in views.strokes.items()
+        }
+        return replace(views, strokes=strokes)
+
+    blind = cut(_PART, cylinder(Axis.Z, (28.0, 28.0), 3.0, -1.0, 9.0))
+    found = judge_solid(faceted_shape(blind), [_evidence(visible(_PART))])
+    assert found.judgement.verdict is Verdict.AGREES
+    # It opens downwards, where no view looks from.
+    assert "hole of 6 mm" in {edit.feature for edit in found.silent}
+    assert "hole of 10 mm" not in {edit.feature for edit in found.silent}
