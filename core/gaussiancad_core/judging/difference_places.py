@@ -9,9 +9,10 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from gaussiancad_core.judging.difference_kinds import KINDS, PRICES, Kind
 from gaussiancad_core.judging.drawn_lines import DrawnView
 from gaussiancad_core.judging.faceted_solids import Floats, Numbers
-from gaussiancad_core.judging.misfits import KINDS, PRICES, Kind, Misfit, ViewMisfit
+from gaussiancad_core.judging.misfits import Misfit, ViewMisfit
 from gaussiancad_core.judging.sheet_ink import SheetInk
 
 _ONE_SPOT = 0.05

@@ -7,7 +7,6 @@ with it (:mod:`.sight_pairs`).  Nothing is redrawn: no hidden-line algorithm has
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 import numpy.typing as npt
@@ -15,55 +14,20 @@ import shapely
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.judging.difference_kinds import (
+    NO_KIND,
+    NUMBER,
+    PRICES_OF_NUMBERS,
+    Kind,
+    kinds_between,
+)
 from gaussiancad_core.judging.drawn_lines import DrawnSheet, DrawnView, drawn_sheet
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers, faceted_shape
-from gaussiancad_core.judging.sight_lines import Met, Seen, crossings, cut_open, seen
+from gaussiancad_core.judging.opened_views import met_in, opened, with_cut
+from gaussiancad_core.judging.sight_lines import Met, Seen, crossings, seen
 from gaussiancad_core.judging.sight_pairs import NO_LINE, Drawn, SightPairs, sight_pairs
+from gaussiancad_core.judging.undrawn_edges import Rows, undrawn_edges
 from gaussiancad_core.model.section_planes import Cut
-
-
-class Kind(Enum):
-    """In what a solid and a sheet differ at a place."""
-
-    MISSING = "missing"
-    MISSING_HIDDEN = "missing-hidden"
-    EXTRA = "extra"
-    EXTRA_HIDDEN = "extra-hidden"
-    LINETYPE = "linetype"
-    TANGENT = "tangent"
-    HATCHING = "hatching"
-
-
-KINDS = tuple(Kind)
-_NONE = -1
-_NUMBER = {kind: number for number, kind in enumerate(KINDS)}
-
-PRICES = {
-    Kind.MISSING: 1.0,
-    Kind.MISSING_HIDDEN: 0.7,
-    Kind.EXTRA: 1.0,
-    Kind.EXTRA_HIDDEN: 0.7,
-    Kind.LINETYPE: 0.35,
-    Kind.TANGENT: 0.1,
-    Kind.HATCHING: 1.0,
-}
-"""What a mm of line costs.  A smooth edge may be drawn or left out; what is hidden is often left
-out, and a linetype is the least sure of what a reader tells."""
-
-_PRICES = np.array([PRICES[kind] for kind in KINDS])
-
-_FAR, _FAR_SHARE = 2.0, 0.006
-"""How far from all strokes an edge of the solid is undrawn: lengths from a stroke to the lines of
-sight beside it, and share of the longest extent, at least."""
-
-_FLAT = 0.2
-"""Share of an edge's length that a view shows of it at least to look at it there."""
-
-_EDGE_STEP = 1.0 / 60.0
-"""Share of the longest extent between places on an edge."""
-
-_ONCE = 1.0 / 120.0
-"""Share of the longest extent within which what two edges draw counts once."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,11 +58,11 @@ class ViewMisfit:
     @property
     def cost(self) -> float:
         """mm of line at their prices."""
-        return float((_PRICES[self.kind] * self.mm).sum())
+        return float((PRICES_OF_NUMBERS[self.kind] * self.mm).sum())
 
     def of(self, *kinds: Kind) -> npt.NDArray[np.bool_]:
         """(d,) which differences are of these kinds."""
-        return np.isin(self.kind, [_NUMBER[kind] for kind in kinds])
+        return np.isin(self.kind, [NUMBER[kind] for kind in kinds])
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,14 +123,14 @@ class Judge:
             smooth: of each surface, the first that it passes into smoothly.
         """
         total = 0.0
-        with_cut = np.append(smooth, len(smooth))
+        surfaces = np.append(smooth, len(smooth))
         for view, pairs, each in zip(self.sheet.views, self.pairs, met, strict=True):
-            opened = _opened(each, view, pairs.places, len(smooth))
-            signs = seen(opened, with_cut)
+            open_met = opened(each, view, pairs.places, len(smooth))
+            signs = seen(open_met, surfaces)
             ends = pairs.one, pairs.other
-            kind = _kinds(signs, ends, pairs.drawn, draws_hidden=view.draws_hidden)
-            wrong = kind != _NONE
-            total += float((_PRICES[kind[wrong]] * pairs.weight[wrong]).sum())
+            kind = kinds_between(signs, ends, pairs.drawn, draws_hidden=view.draws_hidden)
+            wrong = kind != NO_KIND
+            total += float((PRICES_OF_NUMBERS[kind[wrong]] * pairs.weight[wrong]).sum())
         return total
 
     def rough_cost(self, solid: FacetedSolid, every: int) -> float:
@@ -177,15 +141,15 @@ class Judge:
             blank = np.flatnonzero(pairs.drawn == Drawn.NOTHING)[::every]
             chosen = np.concatenate([strokes, blank])
             used = np.unique(np.concatenate([pairs.one[chosen], pairs.other[chosen]]))
-            met = _met(solid, view, pairs.places[used])
+            met = met_in(solid, view, pairs.places[used])
             ends = (
                 np.searchsorted(used, pairs.one[chosen]),
                 np.searchsorted(used, pairs.other[chosen]),
             )
-            signs = seen(met, _with_cut(solid))
-            kind = _kinds(signs, ends, pairs.drawn[chosen], draws_hidden=view.draws_hidden)
-            wrong = kind != _NONE
-            total += float((_PRICES[kind[wrong]] * pairs.weight[chosen][wrong]).sum())
+            signs = seen(met, with_cut(solid))
+            kind = kinds_between(signs, ends, pairs.drawn[chosen], draws_hidden=view.draws_hidden)
+            wrong = kind != NO_KIND
+            total += float((PRICES_OF_NUMBERS[kind[wrong]] * pairs.weight[chosen][wrong]).sum())
         return total
 
 
@@ -200,39 +164,6 @@ def _chords(view: DrawnView) -> shapely.STRtree:
     return shapely.STRtree(shapely.linestrings(np.concatenate(ends)) if ends else [])
 
 
-def _with_cut(solid: FacetedSolid) -> Numbers:
-    """The solid's surfaces, and one more for what a plane cuts."""
-    return np.append(solid.smooth, len(solid.smooth))
-
-
-def _met(solid: FacetedSolid, view: DrawnView, places: Floats) -> Met:
-    met = crossings(solid, view.role.frame, places)
-    return _opened(met, view, places, len(solid.smooth))
-
-
-def _opened(met: Met, view: DrawnView, places: Floats, cut: int) -> Met:
-    """What is met in a view where it is cut open; ``cut`` is the number of what is cut."""
-    if view.cut is None:
-        return met
-    return cut_open(met, _cut_depths(view, places), cut)
-
-
-def _cut_depths(view: DrawnView, places: Floats) -> Floats:
-    """(n,) mm along the look where a view is cut at places; NaN where it is not."""
-    depths = np.full(len(places), np.nan)
-    if view.cut is None:
-        return depths
-    sign = view.role.frame.look_axis[1]
-    for opening in reversed(view.cut.openings):
-        inside = (
-            np.ones(len(places), bool)
-            if opening.region is None
-            else shapely.contains_xy(opening.region, places[:, 0], places[:, 1])
-        )
-        depths[inside] = sign * opening.at
-    return depths
-
-
 def _view_misfit(
     solid: FacetedSolid,
     sheet: DrawnSheet,
@@ -240,11 +171,13 @@ def _view_misfit(
     pairs: SightPairs,
     chords: shapely.STRtree,
 ) -> ViewMisfit:
-    met = _met(solid, view, pairs.places)
-    signs = seen(met, _with_cut(solid))
-    kind = _kinds(signs, (pairs.one, pairs.other), pairs.drawn, draws_hidden=view.draws_hidden)
-    lost = np.isin(kind, [_NUMBER[Kind.MISSING], _NUMBER[Kind.MISSING_HIDDEN]])
-    wrong = kind != _NONE
+    met = met_in(solid, view, pairs.places)
+    signs = seen(met, with_cut(solid))
+    kind = kinds_between(
+        signs, (pairs.one, pairs.other), pairs.drawn, draws_hidden=view.draws_hidden
+    )
+    lost = np.isin(kind, [NUMBER[Kind.MISSING], NUMBER[Kind.MISSING_HIDDEN]])
+    wrong = kind != NO_KIND
     rows = [
         (
             kind[wrong],
@@ -252,9 +185,9 @@ def _view_misfit(
             _halves(pairs, wrong),
             pairs.weight[wrong],
             pairs.line[wrong],
-            np.full(int(wrong.sum()), _NONE),
+            np.full(int(wrong.sum()), NO_KIND),
         ),
-        _undrawn_edges(solid, sheet, view, chords),
+        undrawn_edges(solid, sheet, view, chords),
     ]
     if view.cut is not None and view.cut.areas is not None:
         rows.append(_hatched_otherwise(view.cut, pairs, signs, len(solid.smooth)))
@@ -281,95 +214,7 @@ def _shares(pairs: SightPairs, lost: npt.NDArray[np.bool_], count: int) -> Float
     return gone / np.maximum(every, 1)
 
 
-def _kinds(
-    signs: Seen, ends: tuple[Numbers, Numbers], drawn: Numbers, *, draws_hidden: bool
-) -> Numbers:
-    """(p,) number of the kind in which each pair differs from what is drawn; -1 where it does
-    not."""
-    one, other = ends
-    same = signs.sharp[one] == signs.sharp[other]
-    shown = signs.first[one] != signs.first[other]
-    smooth = same & (signs.every[one] != signs.every[other])
-    nothing, visible, hidden = (drawn == each for each in Drawn)
-    kind = np.full(len(drawn), _NONE)
-    kind[nothing & ~same & shown] = _NUMBER[Kind.EXTRA]
-    if draws_hidden:
-        kind[nothing & ~same & ~shown] = _NUMBER[Kind.EXTRA_HIDDEN]
-    kind[visible & same] = _NUMBER[Kind.MISSING]
-    kind[hidden & same] = _NUMBER[Kind.MISSING_HIDDEN]
-    kind[~nothing & smooth] = _NUMBER[Kind.TANGENT]
-    kind[visible & ~same & ~shown] = _NUMBER[Kind.LINETYPE]
-    kind[hidden & ~same & shown] = _NUMBER[Kind.LINETYPE]
-    return kind
-
-
-_Rows = tuple[Numbers, Floats, Floats, Floats, Numbers, Numbers]
-
-
-def _undrawn_edges(
-    solid: FacetedSolid, sheet: DrawnSheet, view: DrawnView, chords: shapely.STRtree
-) -> _Rows:
-    """Places on the solid's edges that it shows in a view where no stroke is near."""
-    frame = view.role.frame
-    axes = np.array([frame.right, frame.up], dtype=np.float64)
-    at, way, mm, edge = _on_edges(solid, _EDGE_STEP * sheet.longest)
-    at, way = at @ axes.T, way @ axes.T
-    flat = np.hypot(*way.T)
-    chosen = flat > _FLAT
-    least = max(_FAR * sheet.aside, _FAR_SHARE * sheet.longest)
-    chosen[chords.query(shapely.points(at), predicate="dwithin", distance=least)[0]] = False
-    at, way, mm, edge = (
-        at[chosen],
-        way[chosen] / flat[chosen, None],
-        (mm * flat)[chosen],
-        edge[chosen],
-    )
-    if not len(at):
-        none = np.zeros(0, int)
-        return none, np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), none, none
-    across = sheet.aside * np.stack([-way[:, 1], way[:, 0]], axis=1)
-    signs = seen(_met(solid, view, np.vstack([at - across, at + across])), _with_cut(solid))
-    numbers = np.arange(len(at))
-    kind = _kinds(
-        signs,
-        (numbers, numbers + len(at)),
-        np.full(len(at), Drawn.NOTHING.value),
-        draws_hidden=view.draws_hidden,
-    )
-    kept = (kind != _NONE) & _first_at(at, _ONCE * sheet.longest)
-    return (
-        kind[kept],
-        at[kept],
-        way[kept] * (mm[kept] / 2.0)[:, None],
-        mm[kept],
-        np.full(int(kept.sum()), NO_LINE),
-        edge[kept],
-    )
-
-
-def _on_edges(solid: FacetedSolid, step: float) -> tuple[Floats, Floats, Floats, Numbers]:
-    """(n, 3) places on the solid's edges, unit vectors along them, mm that each stands for, and
-    numbers of the edges."""
-    ways = solid.sharp[:, 1] - solid.sharp[:, 0]
-    lengths = np.linalg.norm(ways, axis=1)
-    counts = np.maximum(np.ceil(lengths / step), 1).astype(np.int64)
-    chord = np.repeat(np.arange(len(counts)), counts)
-    share = (np.arange(len(chord)) - np.repeat(np.cumsum(counts) - counts, counts) + 0.47) / counts[
-        chord
-    ]
-    at = solid.sharp[chord, 0] + share[:, None] * ways[chord]
-    units = ways[chord] / np.maximum(lengths, 1e-12)[chord, None]
-    return at, units, (lengths / counts)[chord], solid.edges[chord]
-
-
-def _first_at(at: Floats, step: float) -> npt.NDArray[np.bool_]:
-    """(n,) whether no earlier place lies in the same square."""
-    first = np.zeros(len(at), bool)
-    first[np.unique(np.round(at / step).astype(np.int64), axis=0, return_index=True)[1]] = True
-    return first
-
-
-def _hatched_otherwise(cut: Cut, pairs: SightPairs, signs: Seen, surface: int) -> _Rows:
+def _hatched_otherwise(cut: Cut, pairs: SightPairs, signs: Seen, surface: int) -> Rows:
     """Lines of sight of the raster that meet a cut where nothing is hatched, or the other way."""
     places = pairs.places[pairs.raster :]
     is_open = np.zeros(len(places), bool)
@@ -383,8 +228,8 @@ def _hatched_otherwise(cut: Cut, pairs: SightPairs, signs: Seen, surface: int) -
     is_cut = signs.first[pairs.raster :] == surface
     wrong = is_open & (hatched != is_cut)
     count = int(wrong.sum())
-    none = np.full(count, _NONE)
-    kinds = np.full(count, _NUMBER[Kind.HATCHING])
+    none = np.full(count, NO_KIND)
+    kinds = np.full(count, NUMBER[Kind.HATCHING])
     return kinds, places[wrong], np.zeros((count, 2)), pairs.cells[wrong], none, none
 
 

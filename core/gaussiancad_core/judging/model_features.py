@@ -187,11 +187,10 @@ def _bores(
             else:
                 rest.append(step)
         left = rest
-        turns: dict[float, float] = {}
+        turns: dict[int, float] = {}
         for step in run:
-            radius = round(step[1] / touch) * touch
-            turns[radius] = turns.get(radius, 0.0) + step[4]
-        whole = [radius for radius, turn in turns.items() if turn >= _WHOLE]
+            turns[round(step[1] / touch)] = turns.get(round(step[1] / touch), 0.0) + step[4]
+        whole = [step[1] for step in run if turns[round(step[1] / touch)] >= _WHOLE]
         if whole:
             centre = float(run[0][0][0]), float(run[0][0][1])
             widest = max(step[1] for step in run)

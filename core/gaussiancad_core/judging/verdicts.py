@@ -14,9 +14,10 @@ from enum import Enum
 
 import numpy as np
 
+from gaussiancad_core.judging.difference_kinds import Kind
 from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.judging.laying import Laid
-from gaussiancad_core.judging.misfits import Judge, Kind, lost_lines
+from gaussiancad_core.judging.misfits import Judge, lost_lines
 from gaussiancad_core.judging.model_edits import Edit, as_message
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Axis

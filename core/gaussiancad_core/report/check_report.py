@@ -6,9 +6,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from gaussiancad_core.judging.difference_kinds import Kind
 from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.judging.laying import Laid
-from gaussiancad_core.judging.misfits import Kind
 from gaussiancad_core.judging.model_edits import as_message
 from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 

@@ -8,9 +8,10 @@ import pytest
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.judging.difference_kinds import KINDS, Kind
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import faceted_mesh, faceted_shape
-from gaussiancad_core.judging.misfits import KINDS, Judge, Kind, Misfit, total_mm
+from gaussiancad_core.judging.misfits import Judge, Misfit, total_mm
 from gaussiancad_core.kernel.brep import bounding_box, tessellate
 from gaussiancad_core.lines.cut_solids import section_view
 from gaussiancad_core.lines.hlr import LineDrawing
