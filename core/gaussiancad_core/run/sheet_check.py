@@ -114,7 +114,10 @@ def _checked(path: Path) -> _Checked:
 
 
 _OPEN = Reason(
-    Code.SOLID_UNSOUND, "the model is not closed, or damaged: what it is full of is not certain"
+    Code.SOLID_UNSOUND,
+    Message(
+        "the model is not closed, or damaged: what it is full of is not certain", case="model"
+    ),
 )
 
 
