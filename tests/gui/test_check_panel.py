@@ -61,7 +61,6 @@ class Panel(WindowCase):
         self.check()
         self.assertEqual(self.boxes(), [])
         self.assertEqual(self.text("verdict"), "The model differs from the drawing.")
-        self.assertEqual(self.text("stage"), "The model differs from the drawing.")
         reasons = self.text("reasons").split("\n")
         self.assertEqual(len(reasons), 3)
         self.assertIn("has a circle of 9.999 mm that the model does not show", reasons[0])
@@ -144,6 +143,27 @@ class Panel(WindowCase):
         self.document.recompute()
         spin(1000)
         self.assertFalse(widget(QtWidgets.QLabel, "stale").isVisible())
+
+    def test_the_place_of_a_model_counts_and_its_name_does_not(self) -> None:
+        self.check()
+        self.part.Label = "Another name"
+        self.document.recompute()
+        spin(1000)
+        stale = widget(QtWidgets.QLabel, "stale")
+        self.assertFalse(stale.isVisible())
+        self.part.Placement.Base = FreeCAD.Vector(0, 0, 3)
+        self.document.recompute()
+        self.wait_for(stale.isVisible)
+
+    def test_a_model_that_is_changed_while_the_engine_works_is_told(self) -> None:
+        self.behave("takes-long")
+        button = self.start()
+        spin(300)
+        self.part.Shape = Part.makeBox(60, 40, 30)
+        self.document.recompute()
+        self.wait_for(button.isEnabled)
+        self.assertEqual(self.boxes(), [])
+        self.assertTrue(widget(QtWidgets.QLabel, "stale").isVisible())
 
     def test_where_nothing_can_be_told_the_reading_can_be_checked(self) -> None:
         self.behave("cannot-tell")

@@ -40,6 +40,7 @@ BEHAVIOURS = (
     "half",  # exit 0 with a damaged surface
     "differs",  # features that make another solid; a check that finds differences
     "cannot-tell",  # a check that can tell nothing
+    "takes-long",  # a check that takes two seconds
     "no-features",  # no features are found
     "features-wait",  # they are looked for until it is stopped
     "no-views",  # a sheet is read, and has no views
@@ -278,6 +279,8 @@ def check(arguments: list[str]) -> int:
         send("stage", name=name, index=index, of=6)
         while behaviour == "slow" and name == "judge":
             time.sleep(0.05)
+    if behaviour == "takes-long":
+        time.sleep(2.0)
     if behaviour == "refuse":
         return refuse("empty-drawing", f"{sheet.name} has no lines", 4)
     values = data_of("check.json")

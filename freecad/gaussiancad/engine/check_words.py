@@ -8,6 +8,7 @@ from freecad.gaussiancad.engine.check_file import (
     DifferenceKind,
     Place,
 )
+from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import translate
 
 
@@ -51,6 +52,12 @@ def difference_words(difference: CheckDifference) -> tuple[str, str]:
         )
     other = translate("GaussianCAD", "Different")
     return other, other
+
+
+def view_words(difference: CheckDifference) -> str:
+    """The name of the view, for a section with its letters."""
+    role, _, letters = difference.view.partition(" ")
+    return f"{role_name(role)} {letters}".rstrip()
 
 
 def edit_words(edit: CheckEdit) -> str:

@@ -10,7 +10,6 @@ import FreeCADGui
 
 from freecad.gaussiancad.engine.check_file import CheckVerdict, read_check
 from freecad.gaussiancad.engine.check_job import CHECK_FILE, CHECK_PICTURE, CheckJob
-from freecad.gaussiancad.engine.check_words import verdict_words
 from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, Projection, ReconstructJob
 from freecad.gaussiancad.engine.process import RunResult
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
@@ -135,7 +134,7 @@ class CheckPanel(EnginePanel):
         bring_into_sight(self.view)
         if check.verdict is CheckVerdict.CANNOT_TELL:
             self.run_view.offer(translate("GaussianCAD", "Correct Sheet…"), self._correct)
-        return Success(verdict_words(check.verdict))
+        return Success(translate("GaussianCAD", "Finished"))
 
     def set_editable(self, editable: bool) -> None:
         """Let the user choose another model or drawing, or not."""

@@ -20,8 +20,8 @@ from freecad.gaussiancad.engine.check_words import (
     edit_words,
     note_words,
     verdict_words,
+    view_words,
 )
-from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.placing import FRAMES
 from freecad.gaussiancad.objects.sources import Source
@@ -75,6 +75,7 @@ class CheckView(QtWidgets.QWidget):
             ("mm", translate("GaussianCAD", "Change of the model")),
             self._choose_edit,
         )
+        self.edits.verticalHeader().hide()
         self.edits.setToolTip(
             translate(
                 "GaussianCAD",
@@ -113,7 +114,7 @@ class CheckView(QtWidgets.QWidget):
         self.reasons.setVisible(bool(told))
         self.differences.show_rows(
             [
-                (role_name(each.view), f"{each.length:.3g}", difference_words(each)[0])
+                (view_words(each), f"{each.length:.3g}", difference_words(each)[0])
                 for each in check.differences
             ],
             [RowLook(difference_words(each)[1], COLOURS[each.kind]) for each in check.differences],

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from freecad.gaussiancad.qt import QtGui, QtWidgets
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 _ROW = 24
 """px of a row."""
@@ -50,7 +50,11 @@ class RowTable(QtWidgets.QTableWidget):
             self.horizontalHeader().setSectionResizeMode(column, mode)
         self.horizontalHeader().setStretchLastSection(True)
         self.horizontalHeader().setHighlightSections(False)
-        self.verticalHeader().setDefaultSectionSize(_ROW)
+        # Task panels are narrow: a text that does not fit takes another line.
+        self.setWordWrap(True)
+        self.setTextElideMode(QtCore.Qt.TextElideMode.ElideNone)
+        self.verticalHeader().setSectionResizeMode(mode)
+        self.verticalHeader().setMinimumSectionSize(_ROW)
         self.setMinimumHeight(_ROW * _MOST_ROWS)
         self._on_chosen = on_chosen
         self.itemSelectionChanged.connect(self._choose)
