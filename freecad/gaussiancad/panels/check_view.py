@@ -108,10 +108,10 @@ class CheckView(QtWidgets.QWidget):
         self._mark = PiecesMark(document)
         self.setEnabled(True)
         self.verdict.setText(verdict_words(check.verdict))
-        told = [reason.words for reason in check.reasons]
-        told += [note_words(note) for note in check.notes]
-        self.reasons.setText("\n".join(f"• {sentence}" for sentence in told))
-        self.reasons.setVisible(bool(told))
+        sentences = [reason.words for reason in check.reasons]
+        sentences += [note_words(note) for note in check.notes]
+        self.reasons.setText("\n".join(f"• {sentence}" for sentence in sentences))
+        self.reasons.setVisible(bool(sentences))
         self.differences.show_rows(
             [
                 (view_words(each), f"{each.length:.3g}", difference_words(each)[0])

@@ -81,18 +81,18 @@ def test_the_pose_in_the_file_leads_from_the_model_to_the_pieces() -> None:
 def test_a_change_has_its_places_on_the_model_and_its_diameter() -> None:
     edit = Edit("move", "hole of 10 mm", (15.0, 12.0, 15.0), (20.0, 12.0, 15.0), 8.0, 10.0)
     values = _values(replace(_found(Role.FRONT, [[[0.0, 0.0], [1.0, 0.0]]]), edits=(edit,)))
-    (told,) = values["edits"]
-    assert told["from"] == (15.0, 12.0, 15.0)
-    assert told["model_from"] == [56.0, 20.0, 50.0]
-    assert told["model_to"] == [56.0, 30.0, 50.0]
-    assert told["diameter_mm"] == 10.0
+    (change,) = values["edits"]
+    assert change["from"] == (15.0, 12.0, 15.0)
+    assert change["model_from"] == [56.0, 20.0, 50.0]
+    assert change["model_to"] == [56.0, 30.0, 50.0]
+    assert change["diameter_mm"] == 10.0
 
 
 def test_a_change_without_a_place_has_none_on_the_model() -> None:
     edit = Edit("mirror", "the whole part", None, None, 8.0)
     values = _values(replace(_found(Role.FRONT, [[[0.0, 0.0], [1.0, 0.0]]]), edits=(edit,)))
-    (told,) = values["edits"]
-    assert (told["model_from"], told["model_to"], told["diameter_mm"]) == (None, None, None)
+    (change,) = values["edits"]
+    assert (change["model_from"], change["model_to"], change["diameter_mm"]) == (None, None, None)
 
 
 def test_reasons_keep_the_values_of_their_sentences() -> None:
