@@ -3131,6 +3131,10 @@
         <translation>Notiz „{text}“: Die Zeichnung sagt {stated}, das Modell hat {found}.</translation>
     </message>
     <message>
+        <source>The drawing does not say how large the part is: the size was not checked.</source>
+        <translation>Die Zeichnung sagt nicht, wie groß das Bauteil ist: Die Größe wurde nicht geprüft.</translation>
+    </message>
+    <message>
         <source>The model fits the views in no position: it is another part, or the views were read wrong. Check {canvas} how they were read.</source>
         <translation>Das Modell passt in keiner Lage zu den Ansichten: Es ist ein anderes Bauteil, oder die Ansichten wurden falsch gelesen. Prüfen Sie {canvas}, wie sie gelesen wurden.</translation>
     </message>

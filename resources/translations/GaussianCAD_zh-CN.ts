@@ -3131,6 +3131,10 @@
         <translation>注释“{text}”：图纸标注 {stated} 个，模型有 {found} 个。</translation>
     </message>
     <message>
+        <source>The drawing does not say how large the part is: the size was not checked.</source>
+        <translation>图纸没有说明零件的大小：未检查尺寸。</translation>
+    </message>
+    <message>
         <source>The model fits the views in no position: it is another part, or the views were read wrong. Check {canvas} how they were read.</source>
         <translation>模型在任何位置都与视图不符：它是另一个零件，或视图读取有误。请{canvas}检查视图的读取情况。</translation>
     </message>

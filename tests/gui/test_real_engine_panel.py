@@ -77,6 +77,12 @@ class RealRun(WindowCase):
         self.assertEqual([box.text() for box in self.boxes()], [])
         verdict = widget(QtWidgets.QLabel, "verdict")
         self.assertEqual(verdict.text(), "The model differs from the drawing.")
+        # The sample has no numbers: lengths are those of the model, whatever was assumed.
+        reasons = widget(QtWidgets.QLabel, "reasons").text()
+        self.assertIn("the size was not checked", reasons)
+        self.assertEqual(widget(QtWidgets.QPlainTextEdit, "log").toPlainText(), "")
+        change = widget(QtWidgets.QTableWidget, "edits").item(0, 1).text()
+        self.assertRegex(change, r"^Fill the hole of (8|8\.0\d+|7\.9\d+) mm at \(30, 10, 6\)$")
         self.picture("real-check")
         widget(QtWidgets.QTableWidget, "differences").selectRow(0)
         spin(1000)

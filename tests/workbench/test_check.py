@@ -150,6 +150,40 @@ class File(FolderCase):
         for damaged in (None, {}, {"matrix": [[0, 0, 0]] * 3}, {"matrix": [[1, 0], [0, 1]]}):
             self.assertIsNone(parse_check({"verdict": "agrees", "pose": damaged}).axes)
 
+    def test_where_the_size_is_not_known_lengths_are_those_of_the_model(self) -> None:
+        values = {
+            "verdict": "differs",
+            "pose": {"scale": 0.8, "scale_source": "given"},
+            "reasons": [
+                {
+                    "code": "circle-missing",
+                    "message": "no circle",
+                    "args": {"view": "top", "diameter_mm": 10.0, "right": 40.0},
+                }
+            ],
+            "differences": [{"length_mm": 20.0}],
+            "edits": [{"what": "fill", "mm": 5.0, "diameter_mm": 10.0}],
+        }
+        check = parse_check(values)
+        self.assertTrue(check.is_size_checked)
+        self.assertEqual(check.reasons[0].args["diameter_mm"], 10.0)
+        self.assertEqual((check.differences[0].length, check.edits[0].diameter), (20.0, 10.0))
+        for source in ("default", "sheet"):
+            values["pose"]["scale_source"] = source
+            check = parse_check(values)
+            self.assertFalse(check.is_size_checked)
+            self.assertEqual(
+                check.reasons[0].args, {"view": "top", "diameter_mm": 8.0, "right": 40.0}
+            )
+            self.assertIn("a circle of 8 mm", check.reasons[0].words)
+            edit = check.edits[0]
+            self.assertEqual(
+                (check.differences[0].length, edit.length, edit.diameter), (16.0, 4.0, 8.0)
+            )
+
+    def test_of_a_model_that_fits_nowhere_nothing_is_said_of_the_size(self) -> None:
+        self.assertTrue(parse_check({"verdict": "cannot-tell", "pose": None}).is_size_checked)
+
     def test_a_file_without_a_verdict_is_told(self) -> None:
         path = self.folder / CHECK_FILE
         for content in ("{}", "[1]", "{", json.dumps({"verdict": "perhaps"})):

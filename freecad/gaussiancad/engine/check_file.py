@@ -4,7 +4,7 @@ Missing fields read as nothing, since fields may be added; a file without a verd
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 from typing import Any
@@ -23,6 +23,9 @@ Place = tuple[float, float, float]
 
 Piece = tuple[Place, Place]
 """The ends of a piece of line; twice the same place where only a spot is known."""
+
+_SIZED = ("given", "dimension")
+"""Sources of a scale with which a model's size is checked."""
 
 
 class CheckVerdict(Enum):
@@ -107,6 +110,8 @@ class SheetCheck:
         differences: the worst first.
         edits: the best first.
         notes: those that the model does not keep.
+        is_size_checked: False where the drawing does not say how large the part is; all mm are
+            those of the model then.
         axes: the drawing's x, y and z as directions of length 1 in the model's own coordinates;
             None where the model fits in no position.
     """
@@ -116,6 +121,7 @@ class SheetCheck:
     differences: tuple[CheckDifference, ...]
     edits: tuple[CheckEdit, ...]
     notes: tuple[CheckNote, ...]
+    is_size_checked: bool = True
     axes: tuple[Place, Place, Place] | None = None
 
 
@@ -139,17 +145,31 @@ def parse_check(values: dict[str, Any]) -> SheetCheck:
         ValueError: it has no verdict.
     """
     notes = (_note(each) for each in _objects(values.get("tally")) if not each.get("agrees"))
+    pose = values.get("pose")
+    pose = pose if isinstance(pose, dict) else {}
+    is_size_checked = not pose or pose.get("scale_source") in _SIZED
+    scale = 1.0 if is_size_checked else as_number(pose.get("scale")) or 1.0
     return SheetCheck(
         CheckVerdict(values.get("verdict")),
-        as_remarks(values.get("reasons")),
-        tuple(_difference(each) for each in _objects(values.get("differences"))),
-        tuple(_edit(each) for each in _objects(values.get("edits"))),
+        tuple(_in_model_mm(each, scale) for each in as_remarks(values.get("reasons"))),
+        tuple(_difference(each, scale) for each in _objects(values.get("differences"))),
+        tuple(_edit(each, scale) for each in _objects(values.get("edits"))),
         tuple(notes),
-        _axes(values.get("pose")),
+        is_size_checked,
+        _axes(pose.get("matrix")),
     )
 
 
-def _difference(values: dict[str, Any]) -> CheckDifference:
+def _in_model_mm(reason: Remark, scale: float) -> Remark:
+    """A reason with its lengths in mm of the model."""
+    args = {
+        name: scale * value if name.endswith("_mm") and as_number(value) is not None else value
+        for name, value in reason.args.items()
+    }
+    return replace(reason, args=args)
+
+
+def _difference(values: dict[str, Any], scale: float) -> CheckDifference:
     kind = values.get("kind")
     known = {each.value for each in DifferenceKind}
     pieces = values.get("model")
@@ -158,19 +178,20 @@ def _difference(values: dict[str, Any]) -> CheckDifference:
         str(values.get("view", "")),
         DifferenceKind(kind) if kind in known else None,
         values.get("of") == "hidden line",
-        as_number(values.get("length_mm")) or 0.0,
+        scale * (as_number(values.get("length_mm")) or 0.0),
         tuple(each for each in found if each is not None),
     )
 
 
-def _edit(values: dict[str, Any]) -> CheckEdit:
+def _edit(values: dict[str, Any], scale: float) -> CheckEdit:
+    diameter = as_number(values.get("diameter_mm"))
     return CheckEdit(
         str(values.get("what", "")),
         str(values.get("message", "")),
-        as_number(values.get("mm")) or 0.0,
+        scale * (as_number(values.get("mm")) or 0.0),
         _place(values.get("model_from")),
         _place(values.get("model_to")),
-        as_number(values.get("diameter_mm")),
+        None if diameter is None else scale * diameter,
     )
 
 
@@ -180,9 +201,8 @@ def _note(values: dict[str, Any]) -> CheckNote:
     return CheckNote(text, view, int(stated), int(found))
 
 
-def _axes(pose: object) -> tuple[Place, Place, Place] | None:
+def _axes(rows: object) -> tuple[Place, Place, Place] | None:
     """The first three numbers of a matrix's rows, each row as long as 1."""
-    rows = pose.get("matrix") if isinstance(pose, dict) else None
     found = [as_numbers(row)[:3] for row in rows] if isinstance(rows, list) else []
     lengths = [math.hypot(*row) for row in found[:3]]
     if len(lengths) < 3 or any(len(row) < 3 for row in found[:3]) or min(lengths) <= 0.0:

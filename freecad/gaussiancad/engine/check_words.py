@@ -89,5 +89,12 @@ def note_words(note: CheckNote) -> str:
     return text.format(text=note.text, stated=note.stated, found=note.found)
 
 
+def size_words() -> str:
+    """That the size is none of the questions."""
+    return translate(
+        "GaussianCAD", "The drawing does not say how large the part is: the size was not checked."
+    )
+
+
 def _place(place: Place | None) -> str | None:
     return None if place is None else "({:.4g}, {:.4g}, {:.4g})".format(*place)

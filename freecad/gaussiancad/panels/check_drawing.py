@@ -12,6 +12,7 @@ from freecad.gaussiancad.engine.check_file import CheckVerdict, read_check
 from freecad.gaussiancad.engine.check_job import CHECK_FILE, CHECK_PICTURE, CheckJob
 from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, Projection, ReconstructJob
 from freecad.gaussiancad.engine.process import RunResult
+from freecad.gaussiancad.engine.protocol import Event
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.comparable import comparable_objects
@@ -36,6 +37,9 @@ _MOST_PAGES = 9999
 
 _VERDICTS = (4, 5)
 """The engine's exit codes of models that differ, and of those of which it cannot tell."""
+
+_SIZE_UNKNOWN = ("scale-assumed", "full-scale-assumed")
+"""Codes of warnings that ask for a length, which a check does not need."""
 
 _LOG = 60
 """px of the messages: there are few."""
@@ -111,6 +115,11 @@ class CheckPanel(EnginePanel):
             )
         self._job = replace(known, projection=self.projection.mode)
         return self._job.arguments()
+
+    def take_event(self, event: Event) -> None:
+        """Show an event; that the size is not known is told with the outcome."""
+        if event.text("code") not in _SIZE_UNKNOWN:
+            super().take_event(event)
 
     def has_outcome(self, result: RunResult) -> bool:
         """A model that differs, or of which nothing can be told, has been checked all the same."""

@@ -19,6 +19,7 @@ from freecad.gaussiancad.engine.check_words import (
     difference_words,
     edit_words,
     note_words,
+    size_words,
     verdict_words,
     view_words,
 )
@@ -110,6 +111,8 @@ class CheckView(QtWidgets.QWidget):
         self.verdict.setText(verdict_words(check.verdict))
         sentences = [reason.words for reason in check.reasons]
         sentences += [note_words(note) for note in check.notes]
+        if not check.is_size_checked:
+            sentences.append(size_words())
         self.reasons.setText("\n".join(f"• {sentence}" for sentence in sentences))
         self.reasons.setVisible(bool(sentences))
         self.differences.show_rows(
