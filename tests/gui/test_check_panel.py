@@ -204,6 +204,17 @@ class Panel(WindowCase):
         spin(300)
         self.assertEqual(self.boxes(), [])
 
+    def test_a_document_that_is_closed_while_the_engine_works_is_told(self) -> None:
+        self.behave("takes-long")
+        button = self.start()
+        spin(300)
+        FreeCAD.closeDocument("Test")
+        if FreeCADGui.Control.activeDialog():
+            self.choose_sheet(self.folder / "another.png")
+            self.wait_for(button.isEnabled)
+            (box,) = self.boxes()
+            self.assertIn("closed", box.text())
+
 
 class OfReconstruction(WindowCase):
     def test_the_drawing_of_a_reconstruction_is_offered(self) -> None:
@@ -222,6 +233,21 @@ class OfReconstruction(WindowCase):
         self.assertEqual(widget(QtWidgets.QLineEdit, "sheet").text(), str(self.sheet))
         self.assertEqual(widget(QtWidgets.QComboBox, "projection").currentText(), "First angle")
         self.assertIn("Part", widget(QtWidgets.QComboBox, "model").currentText())
+
+
+class OfBody(WindowCase):
+    def test_of_a_selected_feature_the_whole_body_is_checked(self) -> None:
+        document = FreeCAD.newDocument("Test")
+        document.addObject("Part::Box", "First")
+        body = document.addObject("PartDesign::Body", "Body")
+        box = document.addObject("PartDesign::AdditiveBox", "Box")
+        body.addObject(box)
+        document.recompute()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(box)
+        self.open_panel("GaussianCAD_Check")
+        self.assertEqual(widget(QtWidgets.QComboBox, "model").currentText(), "Body")
+        self.assertEqual(widget(QtWidgets.QLineEdit, "sheet").text(), "")
 
 
 class EmptyDocument(WindowCase):

@@ -224,7 +224,10 @@ class CheckPanel(EnginePanel):
     def _take_settings(self) -> None:
         """Take what the document knows of the drawing's page."""
         path = self.sheet.path
-        group = group_of(self._document(), Path(path), self.page.value()) if path else None
+        document = FreeCAD.listDocuments().get(self._document_name)
+        if document is None or not path:
+            return
+        group = group_of(document, Path(path), self.page.value())
         if group is not None:
             job = ReconstructJob.kept(path, "", texts_of(group, "Settings"))
             self.projection.choose(job.projection)
