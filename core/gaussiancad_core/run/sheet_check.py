@@ -115,9 +115,7 @@ def _checked(path: Path) -> _Checked:
 
 _OPEN = Reason(
     Code.SOLID_UNSOUND,
-    Message(
-        "the model is not closed, or damaged: what it is full of is not certain", case="model"
-    ),
+    Message("the model is not closed, or damaged: what it is full of is not certain", case="model"),
 )
 
 
