@@ -42,7 +42,7 @@ class Check(Mapping[str, Any]):
 
     @property
     def reasons(self) -> list[Mapping[str, Any]]:
-        """Why, the strongest first: ``code`` and ``message``."""
+        """Why, the strongest first: ``code``, ``message`` and the ``args`` in it."""
         return list(self._values["reasons"])
 
     @property

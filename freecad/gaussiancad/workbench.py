@@ -37,7 +37,7 @@ class GaussianCADWorkbench(FreeCADGui.Workbench):
         if solid_among(chosen) is not None:
             commands = (*commands, "GaussianCAD_ToBody")
         if chosen:
-            self.appendContextMenu("", [*commands, "GaussianCAD_Compare"])
+            self.appendContextMenu("", [*commands, "GaussianCAD_Compare", "GaussianCAD_Check"])
 
 
 def register() -> None:

@@ -7,6 +7,7 @@ TOOLBAR = (
     "GaussianCAD_Reconstruct",
     "GaussianCAD_Solutions",
     "GaussianCAD_Compare",
+    "GaussianCAD_Check",
     "GaussianCAD_CheckEngine",
 )
 

@@ -999,6 +999,30 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Change of the model</source>
+        <translation>Änderung am Modell</translation>
+    </message>
+    <message>
+        <source>Single changes with which the model explains more of the drawing, and how many millimetres of its lines</source>
+        <translation>Einzelne Änderungen, mit denen das Modell mehr von der Zeichnung erklärt, und wie viele Millimeter ihrer Linien</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>The model was changed since: check again.</source>
+        <translation>Das Modell wurde seitdem geändert: Prüfen Sie noch einmal.</translation>
+    </message>
+    <message>
         <source>Quality</source>
         <translation>Qualität</translation>
     </message>
@@ -1267,12 +1291,40 @@
         <translation>Start</translation>
     </message>
     <message>
+        <source>Check Against Drawing</source>
+        <translation>An Zeichnung prüfen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
         <source>Starting the engine</source>
         <translation>Engine wird gestartet</translation>
     </message>
     <message>
+        <source>There is nothing to check. Open a document with a part, a body or a mesh, or choose a file.</source>
+        <translation>Es gibt nichts zu prüfen. Öffnen Sie ein Dokument mit einem Bauteil, einem Körper oder einem Netz, oder wählen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>Check Again</source>
+        <translation>Noch einmal prüfen</translation>
+    </message>
+    <message>
         <source>Correct Sheet…</source>
         <translation>Blatt korrigieren…</translation>
+    </message>
+    <message>
+        <source>The document was closed. Open it and check again.</source>
+        <translation>Das Dokument wurde geschlossen. Öffnen Sie es und prüfen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Model and drawing</source>
+        <translation>Modell und Zeichnung</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>The drawing of {name} is gone, and the document holds no copy of it. Choose the drawing in Reconstruct from Drawing.</source>
@@ -2547,6 +2599,10 @@
         <translation>Oberfläche erzeugen</translation>
     </message>
     <message>
+        <source>holding the model against the views</source>
+        <translation>Modell mit den Ansichten vergleichen</translation>
+    </message>
+    <message>
         <source>checking against the sheet</source>
         <translation>Am Blatt prüfen</translation>
     </message>
@@ -2994,6 +3050,130 @@
         <source>No body was made: several solids fit the sheet. Choose one, then use To Body.</source>
         <translation>Es wurde kein Körper erzeugt: Mehrere Festkörper passen zur Zeichnung. Wählen Sie einen und dann In Körper umwandeln.</translation>
     </message>
+    <message>
+        <source>The model agrees with the drawing.</source>
+        <translation>Das Modell stimmt mit der Zeichnung überein.</translation>
+    </message>
+    <message>
+        <source>The model differs from the drawing.</source>
+        <translation>Das Modell weicht von der Zeichnung ab.</translation>
+    </message>
+    <message>
+        <source>It cannot be told whether the model agrees with the drawing.</source>
+        <translation>Ob das Modell mit der Zeichnung übereinstimmt, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Missing, hidden</source>
+        <translation>Fehlt, verdeckt</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Fehlt</translation>
+    </message>
+    <message>
+        <source>The drawing has a line here that the model does not show.</source>
+        <translation>Die Zeichnung hat hier eine Linie, die das Modell nicht zeigt.</translation>
+    </message>
+    <message>
+        <source>Extra, hidden</source>
+        <translation>Zu viel, verdeckt</translation>
+    </message>
+    <message>
+        <source>Extra</source>
+        <translation>Zu viel</translation>
+    </message>
+    <message>
+        <source>The model has an edge here that the drawing does not show.</source>
+        <translation>Das Modell hat hier eine Kante, die die Zeichnung nicht zeigt.</translation>
+    </message>
+    <message>
+        <source>Linetype</source>
+        <translation>Linienart</translation>
+    </message>
+    <message>
+        <source>The line is visible in one of both and hidden in the other.</source>
+        <translation>Die Linie ist im einen sichtbar und im anderen verdeckt.</translation>
+    </message>
+    <message>
+        <source>Hatching</source>
+        <translation>Schraffur</translation>
+    </message>
+    <message>
+        <source>The hatched area is not where the model is cut.</source>
+        <translation>Die schraffierte Fläche ist nicht dort, wo das Modell geschnitten ist.</translation>
+    </message>
+    <message>
+        <source>Different</source>
+        <translation>Anders</translation>
+    </message>
+    <message>
+        <source>Fill the hole of {diameter} mm at {start}</source>
+        <translation>Füllen Sie die Bohrung von {diameter} mm bei {start}</translation>
+    </message>
+    <message>
+        <source>Drill a hole of {diameter} mm at {end}</source>
+        <translation>Bohren Sie eine Bohrung von {diameter} mm bei {end}</translation>
+    </message>
+    <message>
+        <source>Move the hole of {diameter} mm from {start} to {end}</source>
+        <translation>Verschieben Sie die Bohrung von {diameter} mm von {start} nach {end}</translation>
+    </message>
+    <message>
+        <source>Move the flat face at {start} to {end}</source>
+        <translation>Verschieben Sie die ebene Fläche bei {start} nach {end}</translation>
+    </message>
+    <message>
+        <source>Take the mirror image of the model</source>
+        <translation>Nehmen Sie das Spiegelbild des Modells</translation>
+    </message>
+    <message>
+        <source>Note “{text}”: the drawing says {stated}, the model has {found}.</source>
+        <translation>Notiz „{text}“: Die Zeichnung sagt {stated}, das Modell hat {found}.</translation>
+    </message>
+    <message>
+        <source>The drawing does not say how large the part is: the size was not checked.</source>
+        <translation>Die Zeichnung sagt nicht, wie groß das Bauteil ist: Die Größe wurde nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>The model fits the views in no position: it is another part, or the views were read wrong. Check {canvas} how they were read.</source>
+        <translation>Das Modell passt in keiner Lage zu den Ansichten: Es ist ein anderes Bauteil, oder die Ansichten wurden falsch gelesen. Prüfen Sie {canvas}, wie sie gelesen wurden.</translation>
+    </message>
+    <message>
+        <source>The views are {stated_mm} mm long along {axis} (x runs along the front view&apos;s width, z up its height), the model is {measured_mm} mm long.</source>
+        <translation>Die Ansichten sind längs {axis} {stated_mm} mm lang (x läuft längs der Breite der Vorderansicht, z ihre Höhe hinauf), das Modell ist {measured_mm} mm lang.</translation>
+    </message>
+    <message>
+        <source>The model has {factor} times the size that the drawing&apos;s numbers say.</source>
+        <translation>Das Modell ist {factor}-mal so groß, wie die Zahlen der Zeichnung sagen.</translation>
+    </message>
+    <message>
+        <source>The view “{view}” has a circle of {diameter_mm} mm that the model does not show.</source>
+        <translation>Die Ansicht „{view}“ hat einen Kreis von {diameter_mm} mm, den das Modell nicht zeigt.</translation>
+    </message>
+    <message>
+        <source>The model shows an edge of {length_mm} mm in the view “{view}” that is not drawn there. Such edges are {total_mm} mm long in all.</source>
+        <translation>Das Modell zeigt in der Ansicht „{view}“ eine Kante von {length_mm} mm, die dort nicht gezeichnet ist. Solche Kanten sind insgesamt {total_mm} mm lang.</translation>
+    </message>
+    <message>
+        <source>The section in the view “{view}” is hatched where the model is not cut, or the other way round.</source>
+        <translation>Der Schnitt in der Ansicht „{view}“ ist dort schraffiert, wo das Modell nicht geschnitten ist, oder umgekehrt.</translation>
+    </message>
+    <message>
+        <source>The drawing shows shaded pictures in place of lines. They are not read surely enough to say that the model differs.</source>
+        <translation>Die Zeichnung zeigt schattierte Bilder statt Linien. Sie werden nicht sicher genug gelesen, um zu sagen, dass das Modell abweicht.</translation>
+    </message>
+    <message>
+        <source>With a single change the model explains the drawing better: it is the first one among the changes.</source>
+        <translation>Mit einer einzelnen Änderung erklärt das Modell die Zeichnung besser: Sie steht als erste unter den Änderungen.</translation>
+    </message>
+    <message>
+        <source>{percent} % of the lines that were read disagree with the model, and nothing tells whether the model or the reading is wrong. Check {canvas} how the lines were read.</source>
+        <translation>{percent} % der gelesenen Linien passen nicht zum Modell, und nichts sagt, ob das Modell oder das Gelesene falsch ist. Prüfen Sie {canvas}, wie die Linien gelesen wurden.</translation>
+    </message>
+    <message>
+        <source>The model is not closed, or damaged: what it is full of is not certain.</source>
+        <translation>Das Modell ist nicht geschlossen oder beschädigt: Wo es voll ist, ist nicht sicher.</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -3084,6 +3264,17 @@
     <message>
         <source>The task panel begins with these settings, and then with those that were used last. A change here counts from the next time that the panel opens. Parts are made in millimetres; sizes are shown in the units that are set under General &gt; Units.</source>
         <translation>Die Aufgabenleiste beginnt mit diesen Einstellungen, danach mit den zuletzt verwendeten. Eine Änderung hier gilt, wenn die Leiste das nächste Mal geöffnet wird. Bauteile entstehen in Millimetern; Größen werden in den Einheiten gezeigt, die unter Allgemein &gt; Einheiten eingestellt sind.</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_Check</name>
+    <message>
+        <source>Check Against Drawing…</source>
+        <translation>An Zeichnung prüfen…</translation>
+    </message>
+    <message>
+        <source>Tells whether a part, body or mesh agrees with its drawing, and shows where it does not</source>
+        <translation>Sagt, ob ein Bauteil, ein Körper oder ein Netz mit seiner Zeichnung übereinstimmt, und zeigt, wo nicht</translation>
     </message>
 </context>
 <context>
@@ -3186,17 +3377,6 @@
     </message>
 </context>
 <context>
-    <name>GaussianCAD_Solutions</name>
-    <message>
-        <source>Choose among Solutions…</source>
-        <translation>Unter Lösungen wählen…</translation>
-    </message>
-    <message>
-        <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
-        <translation>Blättert durch die Körper, die alle die Linien der Zeichnung haben, und behält einen</translation>
-    </message>
-</context>
-<context>
     <name>GaussianCAD_SheetNumbers</name>
     <message>
         <source>Sets all numbers of the body that the drawing tells back to the drawing&apos;s</source>
@@ -3205,6 +3385,17 @@
     <message>
         <source>Back to the Sheet&apos;s Numbers</source>
         <translation>Zurück zu den Maßen der Zeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_Solutions</name>
+    <message>
+        <source>Choose among Solutions…</source>
+        <translation>Unter Lösungen wählen…</translation>
+    </message>
+    <message>
+        <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
+        <translation>Blättert durch die Körper, die alle die Linien der Zeichnung haben, und behält einen</translation>
     </message>
 </context>
 <context>

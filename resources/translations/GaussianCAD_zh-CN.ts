@@ -1671,6 +1671,10 @@
         <translation>生成表面</translation>
     </message>
     <message>
+        <source>holding the model against the views</source>
+        <translation>将模型与视图对照</translation>
+    </message>
+    <message>
         <source>checking against the sheet</source>
         <translation>与图纸核对</translation>
     </message>
@@ -1949,6 +1953,30 @@
     <message>
         <source>Result</source>
         <translation>结果</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Change of the model</source>
+        <translation>模型的更改</translation>
+    </message>
+    <message>
+        <source>Single changes with which the model explains more of the drawing, and how many millimetres of its lines</source>
+        <translation>使模型能更多地解释图纸的单项更改，以及多解释的线条长度（毫米）</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>The model was changed since: check again.</source>
+        <translation>模型此后已更改：请重新检查。</translation>
     </message>
     <message>
         <source>Reference</source>
@@ -2343,12 +2371,40 @@
         <translation>在 {count} 个解中选择…</translation>
     </message>
     <message>
+        <source>Check Against Drawing</source>
+        <translation>对照图纸检查</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>There is nothing to check. Open a document with a part, a body or a mesh, or choose a file.</source>
+        <translation>没有可检查的内容。请打开包含零件、实体或网格的文档，或选择文件。</translation>
+    </message>
+    <message>
+        <source>Check Again</source>
+        <translation>重新检查</translation>
+    </message>
+    <message>
+        <source>The document was closed. Open it and check again.</source>
+        <translation>文档已关闭。请打开它并重新检查。</translation>
+    </message>
+    <message>
         <source>Choose a drawing first.</source>
         <translation>请先选择图纸。</translation>
     </message>
     <message>
         <source>There is no file {path}. Choose another drawing.</source>
         <translation>没有文件 {path}。请选择其他图纸。</translation>
+    </message>
+    <message>
+        <source>Model and drawing</source>
+        <translation>模型和图纸</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
     </message>
     <message>
         <source>All files</source>
@@ -2994,6 +3050,130 @@
         <source>No body was made: several solids fit the sheet. Choose one, then use To Body.</source>
         <translation>没有生成主体：有多个实体与图纸相符。请先选择一个，再使用“转换为主体”。</translation>
     </message>
+    <message>
+        <source>The model agrees with the drawing.</source>
+        <translation>模型与图纸一致。</translation>
+    </message>
+    <message>
+        <source>The model differs from the drawing.</source>
+        <translation>模型与图纸不一致。</translation>
+    </message>
+    <message>
+        <source>It cannot be told whether the model agrees with the drawing.</source>
+        <translation>无法判断模型与图纸是否一致。</translation>
+    </message>
+    <message>
+        <source>Missing, hidden</source>
+        <translation>缺失，隐藏</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>The drawing has a line here that the model does not show.</source>
+        <translation>图纸在此处有一条线，而模型没有显示。</translation>
+    </message>
+    <message>
+        <source>Extra, hidden</source>
+        <translation>多余，隐藏</translation>
+    </message>
+    <message>
+        <source>Extra</source>
+        <translation>多余</translation>
+    </message>
+    <message>
+        <source>The model has an edge here that the drawing does not show.</source>
+        <translation>模型在此处有一条边，而图纸没有显示。</translation>
+    </message>
+    <message>
+        <source>Linetype</source>
+        <translation>线型</translation>
+    </message>
+    <message>
+        <source>The line is visible in one of both and hidden in the other.</source>
+        <translation>该线在一方中可见，在另一方中隐藏。</translation>
+    </message>
+    <message>
+        <source>Hatching</source>
+        <translation>剖面线</translation>
+    </message>
+    <message>
+        <source>The hatched area is not where the model is cut.</source>
+        <translation>剖面线区域不在模型被剖切的位置。</translation>
+    </message>
+    <message>
+        <source>Different</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>Fill the hole of {diameter} mm at {start}</source>
+        <translation>填补 {start} 处直径 {diameter} mm 的孔</translation>
+    </message>
+    <message>
+        <source>Drill a hole of {diameter} mm at {end}</source>
+        <translation>在 {end} 处钻直径 {diameter} mm 的孔</translation>
+    </message>
+    <message>
+        <source>Move the hole of {diameter} mm from {start} to {end}</source>
+        <translation>将直径 {diameter} mm 的孔从 {start} 移到 {end}</translation>
+    </message>
+    <message>
+        <source>Move the flat face at {start} to {end}</source>
+        <translation>将 {start} 处的平面移到 {end}</translation>
+    </message>
+    <message>
+        <source>Take the mirror image of the model</source>
+        <translation>取模型的镜像</translation>
+    </message>
+    <message>
+        <source>Note “{text}”: the drawing says {stated}, the model has {found}.</source>
+        <translation>注释“{text}”：图纸标注 {stated} 个，模型有 {found} 个。</translation>
+    </message>
+    <message>
+        <source>The drawing does not say how large the part is: the size was not checked.</source>
+        <translation>图纸没有说明零件的大小：未检查尺寸。</translation>
+    </message>
+    <message>
+        <source>The model fits the views in no position: it is another part, or the views were read wrong. Check {canvas} how they were read.</source>
+        <translation>模型在任何位置都与视图不符：它是另一个零件，或视图读取有误。请{canvas}检查视图的读取情况。</translation>
+    </message>
+    <message>
+        <source>The views are {stated_mm} mm long along {axis} (x runs along the front view&apos;s width, z up its height), the model is {measured_mm} mm long.</source>
+        <translation>视图沿 {axis} 方向长 {stated_mm} mm（x 沿主视图的宽度，z 沿其高度向上），模型长 {measured_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The model has {factor} times the size that the drawing&apos;s numbers say.</source>
+        <translation>模型的尺寸是图纸数字所示尺寸的 {factor} 倍。</translation>
+    </message>
+    <message>
+        <source>The view “{view}” has a circle of {diameter_mm} mm that the model does not show.</source>
+        <translation>视图“{view}”中有一个直径 {diameter_mm} mm 的圆，而模型没有显示。</translation>
+    </message>
+    <message>
+        <source>The model shows an edge of {length_mm} mm in the view “{view}” that is not drawn there. Such edges are {total_mm} mm long in all.</source>
+        <translation>模型在视图“{view}”中显示一条 {length_mm} mm 的边，而图纸上没有画出。此类边总长 {total_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The section in the view “{view}” is hatched where the model is not cut, or the other way round.</source>
+        <translation>视图“{view}”中的剖面在模型未被剖切处画有剖面线，或者相反。</translation>
+    </message>
+    <message>
+        <source>The drawing shows shaded pictures in place of lines. They are not read surely enough to say that the model differs.</source>
+        <translation>图纸显示的是着色图片而非线条。其读取不够可靠，无法断定模型与之不一致。</translation>
+    </message>
+    <message>
+        <source>With a single change the model explains the drawing better: it is the first one among the changes.</source>
+        <translation>只需一项更改，模型就能更好地解释图纸：它是更改列表中的第一项。</translation>
+    </message>
+    <message>
+        <source>{percent} % of the lines that were read disagree with the model, and nothing tells whether the model or the reading is wrong. Check {canvas} how the lines were read.</source>
+        <translation>读取的线条中有 {percent} % 与模型不符，而无法得知是模型有误还是读取有误。请{canvas}检查线条的读取情况。</translation>
+    </message>
+    <message>
+        <source>The model is not closed, or damaged: what it is full of is not certain.</source>
+        <translation>模型未封闭或已损坏：无法确定其实心部分。</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -3084,6 +3264,17 @@
     <message>
         <source>The task panel begins with these settings, and then with those that were used last. A change here counts from the next time that the panel opens. Parts are made in millimetres; sizes are shown in the units that are set under General &gt; Units.</source>
         <translation>任务面板先使用这些设置，之后使用上次所用的设置。此处的更改在下次打开面板时生效。零件以毫米建立；尺寸按“常规 &gt; 单位”中设定的单位显示。</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_Check</name>
+    <message>
+        <source>Check Against Drawing…</source>
+        <translation>对照图纸检查…</translation>
+    </message>
+    <message>
+        <source>Tells whether a part, body or mesh agrees with its drawing, and shows where it does not</source>
+        <translation>判断零件、实体或网格是否与其图纸一致，并显示不一致之处</translation>
     </message>
 </context>
 <context>
@@ -3186,17 +3377,6 @@
     </message>
 </context>
 <context>
-    <name>GaussianCAD_Solutions</name>
-    <message>
-        <source>Choose among Solutions…</source>
-        <translation>在多个解中选择…</translation>
-    </message>
-    <message>
-        <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
-        <translation>逐一查看符合图纸线条的实体，并保留其中一个</translation>
-    </message>
-</context>
-<context>
     <name>GaussianCAD_SheetNumbers</name>
     <message>
         <source>Sets all numbers of the body that the drawing tells back to the drawing&apos;s</source>
@@ -3205,6 +3385,17 @@
     <message>
         <source>Back to the Sheet&apos;s Numbers</source>
         <translation>恢复图纸上的尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_Solutions</name>
+    <message>
+        <source>Choose among Solutions…</source>
+        <translation>在多个解中选择…</translation>
+    </message>
+    <message>
+        <source>Flips through the solids that all have the drawing&apos;s lines and keeps one</source>
+        <translation>逐一查看符合图纸线条的实体，并保留其中一个</translation>
     </message>
 </context>
 <context>

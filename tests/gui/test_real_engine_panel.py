@@ -4,8 +4,11 @@ import os
 import unittest
 
 import FreeCAD
-from test_real_engine import SAMPLE, engine
-from window import WindowCase, widget
+import FreeCADGui
+import MeshPart
+import Part
+from test_real_engine import SAMPLE, SAMPLE_SOLID, engine
+from window import WindowCase, spin, widget
 
 from freecad.gaussiancad.engine.job import ScaleKind
 from freecad.gaussiancad.qt import QtCore, QtWidgets
@@ -56,3 +59,43 @@ class RealRun(WindowCase):
         self.assertAlmostEqual(box.XLength, 80.0, delta=2.0)
         document.undo()
         self.assertEqual(document.Objects, [])
+
+    def test_a_mesh_is_checked_against_its_drawing_and_again_once_it_is_mended(self) -> None:
+        self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
+        document = FreeCAD.newDocument("Real")
+        solid = Part.read(str(SAMPLE_SOLID))
+        hole = Part.makeCylinder(4.0, 200.0, FreeCAD.Vector(30, 10, -50))
+        model = document.addObject("Mesh::Feature", "Scan")
+        model.Mesh = MeshPart.meshFromShape(solid.cut(hole), LinearDeflection=0.02)
+        view = FreeCADGui.getDocument("Real").ActiveView
+        view.viewIsometric()
+        view.fitAll()
+        self.open_panel("GaussianCAD_Check")
+        self.choose_sheet(SAMPLE)
+        button = self.start()
+        self.wait_for(button.isEnabled, 300.0)
+        self.assertEqual([box.text() for box in self.boxes()], [])
+        verdict = widget(QtWidgets.QLabel, "verdict")
+        self.assertEqual(verdict.text(), "The model differs from the drawing.")
+        # The sample has no numbers: lengths are those of the model, whatever was assumed.
+        reasons = widget(QtWidgets.QLabel, "reasons").text()
+        self.assertIn("the size was not checked", reasons)
+        self.assertEqual(widget(QtWidgets.QPlainTextEdit, "log").toPlainText(), "")
+        change = widget(QtWidgets.QTableWidget, "edits").item(0, 1).text()
+        self.assertRegex(change, r"^Fill the hole of (8|8\.0\d+|7\.9\d+) mm at \(30, 10, 6\)$")
+        self.picture("real-check")
+        widget(QtWidgets.QTableWidget, "differences").selectRow(0)
+        spin(1000)
+        self.picture("real-check-difference")
+        tabs = widget(QtWidgets.QTabWidget, "checkTabs")
+        tabs.setCurrentIndex(1)
+        self.picture("real-check-changes")
+        tabs.setCurrentIndex(2)
+        self.picture("real-check-drawing")
+        model.Mesh = MeshPart.meshFromShape(solid, LinearDeflection=0.02)
+        document.recompute()
+        self.wait_for(widget(QtWidgets.QLabel, "stale").isVisible)
+        self.start()
+        self.wait_for(button.isEnabled, 300.0)
+        self.assertEqual(verdict.text(), "The model agrees with the drawing.")
+        self.assertEqual(len(document.Objects), 1)

@@ -38,7 +38,9 @@ BEHAVIOURS = (
     "broken",  # not installed
     "liar",  # exit 0 without a file
     "half",  # exit 0 with a damaged surface
-    "differs",  # features that make another solid
+    "differs",  # features that make another solid; a check that finds differences
+    "cannot-tell",  # a check that can tell nothing
+    "takes-long",  # a check that takes two seconds
     "no-features",  # no features are found
     "features-wait",  # they are looked for until it is stopped
     "no-views",  # a sheet is read, and has no views
@@ -264,6 +266,36 @@ def features(arguments: list[str]) -> int:
     return 0
 
 
+def check(arguments: list[str]) -> int:
+    """What ``gaussiancad check`` does."""
+    behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
+    sheet, model = (Path(path) for path in arguments[-2:])
+    output = Path(arguments[arguments.index("--output") + 1])
+    watch_stdin(deaf=False)
+    send("hello", protocol=1, versions={"gaussiancad": "0.0"})
+    if not model.is_file():
+        return refuse("model-missing", f"there is no file {model}", 3)
+    for index, name in enumerate(("read", "views", "lines", "masks", "judge", "write"), start=1):
+        send("stage", name=name, index=index, of=6)
+        while behaviour == "slow" and name == "judge":
+            time.sleep(0.05)
+    if behaviour == "takes-long":
+        time.sleep(2.0)
+    if behaviour == "refuse":
+        return refuse("empty-drawing", f"{sheet.name} has no lines", 4)
+    values = data_of("check.json")
+    if behaviour != "differs":
+        values |= {"reasons": [], "differences": [], "tally": [], "edits": [], "verdict": "agrees"}
+    if behaviour == "cannot-tell":
+        reason = {"code": "extents-differ", "message": "the extents fit the views in no position"}
+        values |= {"verdict": behaviour, "reasons": [reason], "pose": None}
+    output.mkdir(parents=True, exist_ok=True)
+    (output / "check.json").write_text(json.dumps(values), encoding="utf-8")
+    (output / "check.png").write_bytes(fake_part.picture_bytes())
+    send("result", path=str(output / "check.json"), verdict=values["verdict"])
+    return {"agrees": 0, "differs": 4, "cannot-tell": 5}[values["verdict"]]
+
+
 def main() -> int:
     """Run the command that follows the interpreter's own arguments."""
     command, *arguments = sys.argv[sys.argv.index("gaussiancad_core") + 1 :]
@@ -276,6 +308,7 @@ def main() -> int:
         "batch": batch,
         "read": read,
         "features": features,
+        "check": check,
     }
     return commands[command](arguments)
 

@@ -13,6 +13,13 @@ import Part
 from support import HARD_NAME, FolderCase
 
 from freecad.gaussiancad.batch import main
+from freecad.gaussiancad.engine.check_file import (
+    CheckVerdict,
+    DifferenceKind,
+    SheetCheck,
+    read_check,
+)
+from freecad.gaussiancad.engine.check_job import CHECK_FILE, CHECK_PICTURE, CheckJob
 from freecad.gaussiancad.engine.job import CompareJob, ReconstructJob, Scale, ScaleKind
 from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
@@ -174,6 +181,56 @@ class Sample(unittest.TestCase):
         self.assertGreater(len(loaded.report.worst), 5)
         self.assertEqual(len(loaded.report.histogram.shares), 40)
         self.assertIn(b"<h1>surface.stl against", Path(group.Page).read_bytes())
+
+
+@unittest.skipIf(engine() is None, "the engine is not installed")
+class Check(FolderCase):
+    """The sample's solid against the sample sheet, turned and moved in its document."""
+
+    def check(self, shape: Part.Shape) -> tuple[RunResult, SheetCheck]:
+        document = FreeCAD.newDocument("Check")
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        part = document.addObject("Part::Feature", "Part")
+        part.Shape = shape
+        turn = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 90)
+        self.place = FreeCAD.Placement(FreeCAD.Vector(7, -3, 100), turn)
+        part.Placement = self.place
+        model = Source(part).file(self.folder)
+        output = self.folder / "check"
+        length = Scale(ScaleKind.LENGTH_X, 80.0)
+        result, _ = run(CheckJob(str(SAMPLE), str(model), str(output), scale=length).arguments())
+        self.assertTrue((output / CHECK_PICTURE).is_file())
+        return result, read_check(output / CHECK_FILE)
+
+    def test_the_part_of_a_sheet_agrees_with_it(self) -> None:
+        result, check = self.check(Part.read(str(SAMPLE_SOLID)))
+        self.assertEqual((result.state, check.verdict), (RunState.DONE, CheckVerdict.AGREES))
+
+    def test_a_hole_that_is_not_drawn_is_found_where_the_document_has_it(self) -> None:
+        centre = FreeCAD.Vector(30, 10, 0)
+        hole = Part.makeCylinder(4.0, 200.0, centre - FreeCAD.Vector(0, 0, 50))
+        result, check = self.check(Part.read(str(SAMPLE_SOLID)).cut(hole))
+        self.assertEqual((result.exit_code, result.code), (4, ""))
+        self.assertIs(check.verdict, CheckVerdict.DIFFERS)
+        rims = [
+            each
+            for each in check.differences
+            if each.view == "top" and each.kind is DifferenceKind.EXTRA and not each.is_hidden
+        ]
+        self.assertTrue(rims)
+        there = self.place.multVec(centre)
+        for x, y, z in (end for rim in rims for piece in rim.pieces for end in piece):
+            self.assertAlmostEqual(math.hypot(x - there.x, y - there.y), 4.0, delta=0.3)
+            # On top of all, though the hole is drilled in the foot.
+            self.assertAlmostEqual(z, 160.0, delta=0.3)
+        edit = check.edits[0]
+        self.assertEqual(edit.what, "fill")
+        self.assertAlmostEqual(edit.diameter, 8.0, delta=0.1)
+        self.assertAlmostEqual(edit.start[0], there.x, delta=0.3)
+        self.assertAlmostEqual(edit.start[1], there.y, delta=0.3)
+        # The drawing's x runs along the document's y.
+        for found, expected in zip(check.axes[0], (0.0, 1.0, 0.0), strict=True):
+            self.assertAlmostEqual(found, expected)
 
 
 @unittest.skipIf(engine() is None, "the engine is not installed")

@@ -24,6 +24,7 @@ WORDED = (
     "Assumptions",
     "Warnings",
     "Warnings of a comparison",
+    "Reasons of a check",
     "Errors: reading files",
     "Errors: no model follows from the sheet",
 )

@@ -72,12 +72,16 @@ def comparison_summary(comparison: Comparison) -> dict[str, Any]:
     return found
 
 
+_PIECES = ("pieces", "model")
+"""Names of the many pieces of a difference, whose ends and length say enough."""
+
+
 def check_summary(found: Check) -> dict[str, Any]:
     """Whether a model agrees with its drawing, and the worst of what does not."""
     values: dict[str, Any] = {"verdict": found.verdict, "share": found["share"]}
-    values["reasons"] = [dict(reason) for reason in found.reasons]
+    values["reasons"] = [_message(reason) for reason in found.reasons]
     differences = [
-        {name: value for name, value in each.items() if name != "pieces" and value is not None}
+        {name: value for name, value in each.items() if name not in _PIECES and value is not None}
         for each in found.differences
     ]
     for name, entries in (

@@ -63,6 +63,7 @@ class Edit:
         start, end: (3,) mm on the sheet's axes: where it is and where it goes; None where it has
             no place.
         mm: of line that the sheet explains better with it.
+        diameter: mm, of a hole; None of all else.
     """
 
     what: str
@@ -70,6 +71,7 @@ class Edit:
     start: tuple[float, float, float] | None
     end: tuple[float, float, float] | None
     mm: float
+    diameter: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,6 +83,7 @@ class _Trial:
     start: tuple[float, float, float] | None
     end: tuple[float, float, float] | None
     tools: tuple[tuple[FacetedSolid, Change], ...]
+    diameter: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +117,7 @@ def tried_edits(laid: Laid, judge: Judge, ink: SheetInk, mirrored: FacetedSolid)
     found, silent = [], []
     for trial in _trials(laid, judge, ink):
         mm = before - judge.cost_of(_tried(trial, base, judge, solid), smooth)
-        edit = Edit(trial.what, trial.feature, trial.start, trial.end, mm)
+        edit = Edit(trial.what, trial.feature, trial.start, trial.end, mm, trial.diameter)
         if mm > least:
             found.append(edit)
         elif abs(mm) <= _NOTHING * laid.misfit.drawn and trial.start is not None:
@@ -166,17 +169,19 @@ def _trials(laid: Laid, judge: Judge, ink: SheetInk) -> Iterator[_Trial]:
         plug = _cylinder(bore, bore.centre, bore.widest + planes.slack, planes, 0)
         name = f"hole of {2.0 * bore.radius:.4g} mm"
         place = _middle(bore)
-        yield _Trial("fill", name, place, None, ((plug, Change.ADD),))
+        wide = 2.0 * bore.radius
+        yield _Trial("fill", name, place, None, ((plug, Change.ADD),), wide)
         yield from _shortened(bore, judge, planes)
         for other in drawn:
             if _may_move(bore, other, sheet.longest):
                 moved = _cylinder(bore, other.centre, bore.radius, planes, 3)
                 tools = (plug, Change.ADD), (moved, Change.CUT)
-                yield _Trial("move", name, place, _middle(other), tools)
+                yield _Trial("move", name, place, _middle(other), tools, wide)
     for bore in drawn:
         tool = _cylinder(bore, bore.centre, bore.radius, planes, 0)
         name = f"hole of {2.0 * bore.radius:.4g} mm"
-        yield _Trial("drill", name, None, _middle(bore), ((tool, Change.CUT),))
+        cut = (tool, Change.CUT)
+        yield _Trial("drill", name, None, _middle(bore), (cut,), 2.0 * bore.radius)
     for face in faces[:_FACES]:
         if face.area >= _SMALLEST_FACE * sheet.longest**2:
             yield from _shifts(face, laid, judge, ink, planes)
@@ -191,7 +196,8 @@ def _shortened(bore: Bore, judge: Judge, planes: "_Planes") -> Iterator[_Trial]:
         for part in (replace(bore, high=float(at)), replace(bore, low=float(at))):
             plug = _cylinder(part, bore.centre, radius, planes, 0)
             name = f"hole of {2.0 * bore.radius:.4g} mm from {part.low:.4g} to {part.high:.4g} mm"
-            yield _Trial("fill", name, _middle(part), None, ((plug, Change.ADD),))
+            filled = (plug, Change.ADD)
+            yield _Trial("fill", name, _middle(part), None, (filled,), 2.0 * bore.radius)
 
 
 @dataclass(frozen=True, eq=False)

@@ -138,6 +138,7 @@ def _extents(laid: Laid, judge: Judge) -> Iterator[Reason]:
                 Message(
                     "the views are {stated_mm:.4g} mm along {axis}, the solid is "
                     "{measured_mm:.4g} mm",
+                    case="axis",
                     axis=axis.name.lower(),
                     stated_mm=stated,
                     measured_mm=stated * (1.0 + deviation),

@@ -8,9 +8,11 @@ import numpy as np
 
 from gaussiancad_core.judging.difference_kinds import Kind
 from gaussiancad_core.judging.difference_places import Difference
-from gaussiancad_core.judging.laying import Laid
-from gaussiancad_core.judging.model_edits import as_message
+from gaussiancad_core.judging.faceted_solids import Floats
+from gaussiancad_core.judging.laying import Laid, Pose
+from gaussiancad_core.judging.model_edits import Edit, as_message
 from gaussiancad_core.judging.sheet_judgement import SheetJudgement
+from gaussiancad_core.messages import event_fields
 
 SCHEMA = 1
 
@@ -50,8 +52,7 @@ def check_values(
         "schema": SCHEMA,
         "verdict": found.judgement.verdict.value,
         "reasons": [
-            {"code": reason.code, "message": str(reason.message)}
-            for reason in found.judgement.reasons
+            event_fields(reason.code, reason.message) for reason in found.judgement.reasons
         ],
         "share": None if found.laid is None else round(found.laid.misfit.share, 5),
         "projection": None if found.evidence is None else found.evidence.projection.value,
@@ -71,17 +72,7 @@ def check_values(
             }
             for each in found.tally
         ],
-        "edits": [
-            {
-                "what": each.what,
-                "feature": each.feature,
-                "from": each.start,
-                "to": each.end,
-                "mm": round(each.mm, 4),
-                "message": str(as_message(each)),
-            }
-            for each in found.edits
-        ],
+        "edits": [_edit(each, found.laid) for each in found.edits],
         "silent": [
             {"feature": each.feature, "at": each.start, "why": _SILENT[each.what]}
             for each in found.silent
@@ -120,7 +111,44 @@ def _difference(each: Difference, found: SheetJudgement, to_stored: ToStored) ->
         "off_mm": None,
         "on_ink": None if each.on_ink is None else round(each.on_ink, 3),
         "pieces": np.round(pieces.reshape(-1, 2, 2), 1).tolist(),
+        "model": [] if found.laid is None else _model_pieces(each, found.laid),
         "text": None,
         "stated": None,
         "measured": None,
     }
+
+
+def _edit(each: Edit, laid: Laid | None) -> dict[str, Any]:
+    start, end = (
+        None if laid is None or place is None else _model_points(np.array(place), laid.pose)
+        for place in (each.start, each.end)
+    )
+    return {
+        "what": each.what,
+        "feature": each.feature,
+        "diameter_mm": None if each.diameter is None else round(each.diameter, 4),
+        "from": each.start,
+        "to": each.end,
+        "model_from": start,
+        "model_to": end,
+        "mm": round(each.mm, 4),
+        "message": str(as_message(each)),
+    }
+
+
+def _model_pieces(each: Difference, laid: Laid) -> list[Any]:
+    """(n, 2, 3) mm in the model's own coordinates, ends of the pieces of line.
+
+    A view tells no depth: they lie on the side of the model's box that is nearest to the viewer.
+    """
+    frame = each.view.role.frame
+    right, up, look = (np.array(way, np.float64) for way in (frame.right, frame.up, frame.look))
+    nearest = float(np.minimum(*(laid.solid.box * look)).sum())
+    places = each.pieces @ np.stack([right, up]) + nearest * look
+    return _model_points(places, laid.pose)
+
+
+def _model_points(places: Floats, pose: Pose) -> list[Any]:
+    """(..., 3) mm on the sheet's axes -> the same in the model's own coordinates."""
+    points = (places - pose.offset) @ np.linalg.inv(pose.matrix).T
+    return (np.round(points, 4) + 0.0).tolist()

@@ -138,7 +138,8 @@ def checked_model(path: Path) -> CheckedModel:
 
 
 _OPEN = Reason(
-    Code.SOLID_UNSOUND, "the model is not closed, or damaged: what it is full of is not certain"
+    Code.SOLID_UNSOUND,
+    Message("the model is not closed, or damaged: what it is full of is not certain", case="model"),
 )
 
 

@@ -112,6 +112,17 @@ COMMANDS = (
         panels.compare,
     ),
     Command(
+        "GaussianCAD_Check",
+        QT_TRANSLATE_NOOP("GaussianCAD_Check", "Check Against Drawing…"),
+        QT_TRANSLATE_NOOP(
+            "GaussianCAD_Check",
+            "Tells whether a part, body or mesh agrees with its drawing, and shows where it does "
+            "not",
+        ),
+        when.document_has_no_panel,
+        panels.check,
+    ),
+    Command(
         "GaussianCAD_FailedSheets",
         QT_TRANSLATE_NOOP("GaussianCAD_FailedSheets", "Open Failed Sheets…"),
         QT_TRANSLATE_NOOP(

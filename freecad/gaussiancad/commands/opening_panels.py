@@ -58,6 +58,13 @@ def compare() -> None:
     FreeCADGui.Control.showDialog(ComparePanel(FreeCAD.ActiveDocument))
 
 
+def check() -> None:
+    """Open the panel on the active document."""
+    from freecad.gaussiancad.panels.check_drawing import CheckPanel
+
+    FreeCADGui.Control.showDialog(CheckPanel(FreeCAD.ActiveDocument))
+
+
 def failed_sheets() -> None:
     """Ask for the report of a batch, and list its sheets."""
     from freecad.gaussiancad.panels.failed_sheets import ask_report

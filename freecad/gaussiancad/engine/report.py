@@ -101,7 +101,7 @@ class Report:
     @property
     def agreement(self) -> float | None:
         """Share of all lines, both ways, on which the exact solid and the sheet agree."""
-        return _number(self.group("solid").get("agreement"))
+        return as_number(self.group("solid").get("agreement"))
 
     @property
     def sketched(self) -> bool:
@@ -148,11 +148,11 @@ def read_report(path: Path) -> Report:
     Raises:
         WorkbenchError: the file is missing, or is no report.
     """
-    text, values = _read_object(path)
+    text, values = read_object(path)
     try:
         return parse_report(text, values)
     except ValueError as error:
-        raise _unreadable(path, str(error)) from error
+        raise unreadable(path, str(error)) from error
 
 
 def parse_report(text: str, values: dict[str, Any]) -> Report:
@@ -170,10 +170,10 @@ def parse_report(text: str, values: dict[str, Any]) -> Report:
         text,
         values,
         status,
-        _remarks(values.get("reasons")),
-        _remarks(values.get("warnings")),
+        as_remarks(values.get("reasons")),
+        as_remarks(values.get("warnings")),
         _views(values.get("views")),
-        _number(values.get("scale_mm_per_pixel")),
+        as_number(values.get("scale_mm_per_pixel")),
         _numbers(values.get("seconds")),
         _alternatives(values.get("alternatives")),
     )
@@ -242,11 +242,11 @@ def read_comparison(path: Path) -> Comparison:
     Raises:
         WorkbenchError: the file is missing, or is no comparison.
     """
-    text, values = _read_object(path)
+    text, values = read_object(path)
     try:
         return parse_comparison(text, values)
     except ValueError as error:
-        raise _unreadable(path, str(error)) from error
+        raise unreadable(path, str(error)) from error
 
 
 def parse_comparison(text: str, values: dict[str, Any]) -> Comparison:
@@ -267,7 +267,7 @@ def parse_comparison(text: str, values: dict[str, Any]) -> Comparison:
         values,
         distances,
         _numbers(values.get("floor")),
-        _remarks(values.get("warnings")),
+        as_remarks(values.get("warnings")),
         _histogram(values.get("deviation")),
         _worst(values.get("deviation")),
         _engineering(values.get("protocols")),
@@ -278,7 +278,7 @@ def _histogram(deviation: object) -> Histogram | None:
     values = deviation.get("histogram") if isinstance(deviation, dict) else None
     if not isinstance(values, dict):
         return None
-    edges, shares = (_row(values.get(key)) for key in ("edges_mm", "shares"))
+    edges, shares = (as_numbers(values.get(key)) for key in ("edges_mm", "shares"))
     if not shares or len(edges) != len(shares) + 1:
         return None
     return Histogram(edges, shares)
@@ -288,8 +288,8 @@ def _worst(deviation: object) -> tuple[WorstPoint, ...]:
     values = deviation.get("worst") if isinstance(deviation, dict) else None
     found = []
     for value in values if isinstance(values, list) else ():
-        place = _row(value.get("point_mm")) if isinstance(value, dict) else ()
-        amount = _number(value.get("deviation_mm")) if len(place) == 3 else None
+        place = as_numbers(value.get("point_mm")) if isinstance(value, dict) else ()
+        amount = as_number(value.get("deviation_mm")) if len(place) == 3 else None
         if amount is not None:
             found.append(WorstPoint(value.get("of") == "result", place, amount))
     return tuple(found)
@@ -300,26 +300,32 @@ def _engineering(protocols: object) -> dict[str, Any]:
     return block if isinstance(block, dict) else {}
 
 
-def _row(values: object) -> tuple[float, ...]:
+def as_numbers(values: object) -> tuple[float, ...]:
     """A list of numbers; empty if it is none."""
     if not isinstance(values, list):
         return ()
-    numbers = [_number(value) for value in values]
+    numbers = [as_number(value) for value in values]
     return () if None in numbers else tuple(numbers)
 
 
-def _read_object(path: Path) -> tuple[str, dict[str, Any]]:
+def read_object(path: Path) -> tuple[str, dict[str, Any]]:
+    """A file of the engine as it is, and its JSON.
+
+    Raises:
+        WorkbenchError: the file is missing, or holds no JSON object.
+    """
     try:
         text = path.read_text(encoding="utf-8")
         values = json.loads(text)
     except (OSError, ValueError) as error:
-        raise _unreadable(path, str(error)) from error
+        raise unreadable(path, str(error)) from error
     if not isinstance(values, dict):
-        raise _unreadable(path, "not an object")
+        raise unreadable(path, "not an object")
     return text, values
 
 
-def _unreadable(path: Path, reason: str) -> WorkbenchError:
+def unreadable(path: Path, reason: str) -> WorkbenchError:
+    """The error of a file that is not what the engine writes."""
     message = translate(
         "GaussianCAD",
         "The engine's report {path} cannot be read ({reason}). Run it again; if that does not "
@@ -328,7 +334,8 @@ def _unreadable(path: Path, reason: str) -> WorkbenchError:
     return WorkbenchError(ErrorCode.RESULT_UNREADABLE, message.format(path=path, reason=reason))
 
 
-def _remarks(values: object) -> tuple[Remark, ...]:
+def as_remarks(values: object) -> tuple[Remark, ...]:
+    """Reasons or warnings; none where the value is no list."""
     if not isinstance(values, list):
         return ()
     return tuple(
@@ -346,7 +353,9 @@ def _alternatives(values: object) -> tuple[AlternativeReport, ...]:
     if not isinstance(values, list):
         return ()
     return tuple(
-        AlternativeReport(_number(value.get("agreement")) or 0.0, str(value.get("projection", "")))
+        AlternativeReport(
+            as_number(value.get("agreement")) or 0.0, str(value.get("projection", ""))
+        )
         for value in values
         if isinstance(value, dict)
     )
@@ -365,7 +374,7 @@ def _views(values: object) -> tuple[ViewReport, ...]:
 def _box(value: object) -> ViewBox | None:
     if not isinstance(value, list) or len(value) != 4:
         return None
-    numbers = [_number(entry) for entry in value]
+    numbers = [as_number(entry) for entry in value]
     x0, y0, x1, y1 = numbers
     if None in numbers or not (x0 < x1 and y0 < y1):
         return None
@@ -375,11 +384,12 @@ def _box(value: object) -> ViewBox | None:
 def _numbers(values: object) -> dict[str, float]:
     if not isinstance(values, dict):
         return {}
-    numbers = {str(key): _number(value) for key, value in values.items()}
+    numbers = {str(key): as_number(value) for key, value in values.items()}
     return {key: value for key, value in numbers.items() if value is not None}
 
 
-def _number(value: object) -> float | None:
+def as_number(value: object) -> float | None:
+    """A finite number; None where the value is none."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
     return float(value) if math.isfinite(value) else None

@@ -61,6 +61,7 @@ def stage_name(name: str) -> str:
         "hull": translate("GaussianCAD", "carving the outlines"),
         "gaussians": translate("GaussianCAD", "training the Gaussians"),
         "surface": translate("GaussianCAD", "making the surface"),
+        "judge": translate("GaussianCAD", "holding the model against the views"),
         "check": translate("GaussianCAD", "checking against the sheet"),
         "write": translate("GaussianCAD", "writing the files"),
     }.get(name, name.replace("-", " ").replace("_", " "))

@@ -44,6 +44,16 @@ class Source:
         overlays = [getattr(each, "Overlay", "") for each in self.feature.InList]
         return next((Path(each) for each in overlays if each and Path(each).is_file()), None)
 
+    def box(self) -> FreeCAD.BoundBox:
+        """The box around it in global coordinates; an empty one where it is a file."""
+        if self.feature is None:
+            return FreeCAD.BoundBox()
+        if self.feature.isDerivedFrom("Mesh::Feature"):
+            mesh = self.feature.Mesh.copy()
+            mesh.Placement = self.feature.getGlobalPlacement()
+            return mesh.BoundBox
+        return global_shape(self.feature).BoundBox
+
     def state(self) -> str:
         """A text that changes when the geometry does; empty where there is none any more."""
         if self.feature is None:

@@ -115,6 +115,10 @@ class EnginePanel(ABC):
         """
         return False
 
+    def has_outcome(self, result: RunResult) -> bool:
+        """Whether a run left something to take in: by default, one that succeeded."""
+        return result.state is RunState.DONE
+
     def way_out(self, result: RunResult) -> tuple[str, Callable[[], None]] | None:
         """What may help after a run that did not succeed: a button's text and what it does."""
         return None
@@ -247,7 +251,7 @@ class EnginePanel(ABC):
         """The success, or None and what to complain about; nothing if the user cancelled."""
         if result.state is RunState.CANCELLED:
             return None, ""
-        if result.state is not RunState.DONE:
+        if not self.has_outcome(result):
             return None, result.words
         self.run_view.say(translate("GaussianCAD", "Adding the result to the document"))
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.CursorShape.WaitCursor)

@@ -3,15 +3,11 @@
 import FreeCAD
 from pivy import coin
 
+from freecad.gaussiancad.panels.camera_flight import CameraFlight, Goal, Point
 from freecad.gaussiancad.panels.view_mark import ViewMark, unpickable
-from freecad.gaussiancad.qt import QtCore
 
-_STEPS = 12
-_STEP_MILLISECONDS = 25
 _CLOSE = 0.35
 """Of the part, the share that is seen around the point."""
-
-Point = tuple[float, float, float]
 
 
 class PointMark(ViewMark):
@@ -23,9 +19,7 @@ class PointMark(ViewMark):
 
     def __init__(self, document: FreeCAD.Document) -> None:
         super().__init__(document)
-        self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(self._step)
-        self._flight: list[tuple[coin.SbVec3f, float]] = []
+        self._flight = CameraFlight(self._is_open)
 
     def show(self, place: Point, text: str, size: float) -> None:
         """Mark a place, and bring it into the middle.
@@ -57,37 +51,9 @@ class PointMark(ViewMark):
         words.string.setValues(0, 2, ["", f"  {text}"])
         node.addChild(words)
         self._put_behind(node)
-        self._fly(place, size)
+        self._flight.start(self._view, Goal(place, _CLOSE * size, 2.0 * size))
 
     def clear(self) -> None:
         """Take the mark off; a view that was closed has none."""
-        self._timer.stop()
+        self._flight.stop()
         super().clear()
-
-    def _fly(self, place: Point, size: float) -> None:
-        camera = self._view.getCameraNode()
-        looks = coin.SbVec3f(0.0, 0.0, -1.0)
-        looks = camera.orientation.getValue().multVec(looks)
-        goal = coin.SbVec3f(*place) - looks * (2.0 * size)
-        start = coin.SbVec3f(camera.position.getValue())
-        tall = camera.height.getValue() if hasattr(camera, "height") else 0.0
-        self._flight = []
-        for number in range(1, _STEPS + 1):
-            time = number / _STEPS
-            share = time * time * (3.0 - 2.0 * time)
-            height = tall * ((_CLOSE * size) / tall) ** share if tall > 0.0 else 0.0
-            self._flight.append((start + (goal - start) * share, height))
-        camera.focalDistance = 2.0 * size
-        self._timer.start(_STEP_MILLISECONDS)
-
-    def _step(self) -> None:
-        if not self._flight or not self._is_open():
-            self._timer.stop()
-            return
-        position, height = self._flight.pop(0)
-        camera = self._view.getCameraNode()
-        camera.position.setValue(position)
-        if height > 0.0:
-            camera.height = height
-        camera.nearDistance, camera.farDistance = 0.001, 1e6
-        self._view.redraw()

@@ -6,7 +6,7 @@ values that the engine sends with a message; ``{canvas}`` is the place for the w
 is in the window, not the command line's options, and no pixels.
 """
 
-from freecad.gaussiancad.engine.sentences import comparing, doubts, refusals
+from freecad.gaussiancad.engine.sentences import checking, comparing, doubts, refusals
 
 SENTENCES = {
     **doubts.REASONS,
@@ -17,6 +17,7 @@ SENTENCES = {
     **refusals.LIMITS,
     **comparing.WARNINGS,
     **comparing.REFUSALS,
+    **checking.REASONS,
 }
 
 ALTERNATIVES = doubts.ALTERNATIVES
