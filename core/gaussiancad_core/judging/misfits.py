@@ -36,7 +36,7 @@ class ViewMisfit:
 
     Attributes:
         view: of the sheet.
-        kind: (d,) numbers of :data:`KINDS`.
+        kind: (d,) numbers of :data:`.KINDS`.
         at: (d, 2) mm in the view's plane (right, up).
         along: (d, 2) mm, half of the piece of line that each stands for, where that is known.
         mm: (d,) of line.
