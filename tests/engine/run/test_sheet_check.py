@@ -24,8 +24,11 @@ _PART = cut(
 def sheet(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("checked")
     _written(_PART, folder / "part.step")
-    assert main(["draw", str(folder / "part.step"), str(folder / "sheet.png")]) == 0
-    return folder / "sheet.png"
+    sheet = folder / "sheet.png"
+    assert main(["draw", str(folder / "part.step"), str(sheet)]) == 0
+    # Read once for all tests.
+    assert main(["read", str(sheet), "--output", str(folder / "read")]) == 0
+    return sheet
 
 
 def _written(shape: TopoDS_Shape, path: Path) -> Path:
@@ -34,7 +37,9 @@ def _written(shape: TopoDS_Shape, path: Path) -> Path:
 
 
 def _checked(sheet: Path, model: Path, output: Path, *options: str) -> tuple[int, dict]:
-    code = main(["check", str(sheet), str(model), "--output", str(output), *options])
+    read = sheet.parent / "read" / "reading.json"
+    given = [f"--reading={read}"] if read.is_file() else []
+    code = main(["check", str(sheet), str(model), f"--output={output}", *given, *options])
     return code, json.loads((output / "check.json").read_text("utf-8"))
 
 
@@ -51,12 +56,13 @@ def test_a_lacking_hole_is_told_with_its_place(sheet: Path, tmp_path: Path) -> N
         box((0.0, 0.0, 0.0), (60.0, 40.0, 30.0)), box((40.0, -1.0, 18.0), (61.0, 41.0, 31.0))
     )
     model = _written(filled, tmp_path / "filled.step")
-    code, values = _checked(sheet, model, tmp_path / "out", "--length", "x=60")
+    code, values = _checked(sheet, model, tmp_path / "out")
     assert (code, values["verdict"]) == (4, "differs")
     assert values["reasons"][0]["code"] == "circle-missing"
     worst = values["differences"][0]
     assert (worst["view"], worst["kind"]) == ("top", "missing")
-    assert worst["length_mm"] == pytest.approx(10.0 * np.pi, rel=0.02)
+    # The sheet tells no size: the part is 100 mm long.
+    assert worst["length_mm"] == pytest.approx(10.0 * np.pi * 100.0 / 60.0, rel=0.02)
     # Its two ends lie on the circle, a diameter apart at most.
     ink = cv2.imread(str(sheet), cv2.IMREAD_GRAYSCALE)
     for x, y in worst["ends"]:
@@ -98,9 +104,10 @@ def test_a_second_check_replaces_the_first_and_nothing_else(sheet: Path, tmp_pat
     out = tmp_path / "out"
     out.mkdir()
     (out / "check.png").write_bytes(b"mine")
-    part = str(sheet.parent / "part.step")
-    assert main(["check", str(sheet), part, "--output", str(out)]) == 2
+    part, read = sheet.parent / "part.step", sheet.parent / "read" / "reading.json"
+    command = ["check", str(sheet), str(part), f"--output={out}", f"--reading={read}"]
+    assert main(command) == 2
     assert (out / "check.png").read_bytes() == b"mine"
     (out / "check.png").unlink()
-    assert main(["check", str(sheet), part, "--output", str(out)]) == 0
-    assert main(["check", str(sheet), part, "--output", str(out)]) == 0
+    assert main(command) == 0
+    assert main(command) == 0
