@@ -1,7 +1,7 @@
 """A solid laid on the axes of a sheet: turned by quarters, at the sheet's scale or its own."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import permutations, product
 
 import numpy as np
@@ -51,12 +51,14 @@ class Pose:
         scale: the solid's mm for a mm of the sheet.
         deviation: (3,) share by which the solid's extent is longer than the sheet's, along the
             sheet's axes.
+        stretches: whether an extent is another one than the sheet's.
     """
 
     matrix: Floats
     offset: Floats
     scale: float
     deviation: Floats
+    stretches: bool = False
 
     def laid(self, solid: FacetedSolid) -> FacetedSolid:
         """The solid in mm of the sheet."""
@@ -80,6 +82,11 @@ class Laid:
     misfit: Misfit
     stretched: float | None = None
 
+    @property
+    def least(self) -> float:
+        """Share of the lines that the solid leaves unexplained, as it is or stretched."""
+        return min(self.misfit.share, np.inf if self.stretched is None else self.stretched)
+
 
 def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
     """The pose in which a solid explains a sheet best; None where its extents fit in none.
@@ -91,20 +98,28 @@ def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
     found = list(poses(solid, judge.sheet)) if len(solid.triangles) else []
     if not found:
         return None
-    rough = [judge.rough_cost(pose.laid(solid), _EVERY) for pose in found]
-    order = np.argsort(rough, kind="stable")[:_CLOSER]
-    tried = []
-    for number in order.tolist():
-        pose = found[number]
+    rough = []
+    for pose in found:
         laid = pose.laid(solid)
-        tried.append(Laid(pose, laid, judge.misfit(laid)))
-    best = min(tried, key=lambda each: each.misfit.cost)
-    box = best.solid.box
-    if np.allclose(box, [np.zeros(3), judge.sheet.size]):
-        return best
-    factor = judge.sheet.size / best.solid.extent
-    fitted = best.solid.mapped(np.diag(factor), -factor * box[0])
-    return replace(best, stretched=judge.misfit(fitted).share)
+        both = (laid, _stretched(laid, judge.sheet)) if pose.stretches else (laid,)
+        rough.append(min(judge.rough_cost(each, _EVERY) for each in both))
+    order = np.argsort(rough, kind="stable")[:_CLOSER]
+    tried = [_laid(solid, found[number], judge) for number in order.tolist()]
+    return min(tried, key=lambda each: each.least)
+
+
+def _laid(solid: FacetedSolid, pose: Pose, judge: Judge) -> Laid:
+    laid = pose.laid(solid)
+    stretched = None
+    if pose.stretches:
+        stretched = judge.misfit(_stretched(laid, judge.sheet)).share
+    return Laid(pose, laid, judge.misfit(laid), stretched)
+
+
+def _stretched(laid: FacetedSolid, sheet: DrawnSheet) -> FacetedSolid:
+    """A solid stretched to the extents of a sheet."""
+    factor = sheet.size / laid.extent
+    return laid.mapped(np.diag(factor), -factor * laid.box[0])
 
 
 def poses(solid: FacetedSolid, sheet: DrawnSheet) -> Iterator[Pose]:
@@ -147,4 +162,5 @@ def _at_scale(
         rest = np.where(snaps, 0.0, sheet.size - turned / scale)
         # An extent that is another one starts at either end, or in the middle.
         for share in (0.0,) if snaps.all() else (0.0, 0.5, 1.0):
-            yield Pose(matrix, share * rest - start - matrix @ low, scale, deviation)
+            offset = share * rest - start - matrix @ low
+            yield Pose(matrix, offset, scale, deviation, not snaps.all())

@@ -13,7 +13,7 @@ import numpy as np
 from gaussiancad_core.judging.drawn_bores import drawn_bores
 from gaussiancad_core.judging.edited_sights import Change, changed, cylinder, extruded
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats
-from gaussiancad_core.judging.laying import Laid, lay
+from gaussiancad_core.judging.laying import Laid
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.judging.model_features import Bore, FlatFace, bores_of, flat_faces
 from gaussiancad_core.judging.sheet_ink import SheetInk
@@ -99,14 +99,15 @@ class TriedEdits:
     silent: tuple[Edit, ...]
 
 
-def tried_edits(laid: Laid, judge: Judge, ink: SheetInk, mirrored: FacetedSolid) -> TriedEdits:
+def tried_edits(laid: Laid, judge: Judge, ink: SheetInk, mirrored: float) -> TriedEdits:
     """The single changes of a model, as far as they tell something.
 
     Args:
         laid: the model on the sheet.
         judge: of the sheet.
         ink: of it.
-        mirrored: the mirror image of the model, in any position.
+        mirrored: mm of line that the mirror image of the model leaves unexplained, without its
+            own edges; infinite where it fits in no pose.
     """
     solid = laid.solid
     base = judge.sighted(solid)
@@ -122,11 +123,8 @@ def tried_edits(laid: Laid, judge: Judge, ink: SheetInk, mirrored: FacetedSolid)
             found.append(edit)
         elif abs(mm) <= _NOTHING * laid.misfit.drawn and trial.start is not None:
             silent.append(edit)
-    other = lay(mirrored, judge)
-    if other is not None:
-        mm = before - judge.cost_of(judge.sighted(other.solid), other.solid.smooth)
-        if mm > least:
-            found.append(Edit("mirror", "the whole part", None, None, mm))
+    if before - mirrored > least:
+        found.append(Edit("mirror", "the whole part", None, None, before - mirrored))
     return TriedEdits(tuple(sorted(found, key=lambda edit: -edit.mm)), tuple(_once(silent)))
 
 

@@ -66,17 +66,27 @@ def judge_solid(solid: FacetedSolid, readings: Sequence[SheetEvidence]) -> Sheet
         solid: mm, in any position.
         readings: of the sheet, one or two, the likelier first.
     """
-    tried = []
-    for evidence in readings:
-        judge = Judge(drawn_sheet(evidence.views))
-        laid = lay(solid, judge)
-        if laid is not None:
-            tried.append((laid, judge, evidence))
+    judges = [Judge(drawn_sheet(evidence.views)) for evidence in readings]
+    tried = [
+        (laid, judge, evidence)
+        for judge, evidence in zip(judges, readings, strict=True)
+        if (laid := lay(solid, judge)) is not None
+    ]
     if not tried:
         return SheetJudgement(NOT_LAID)
-    laid, judge, evidence = min(tried, key=lambda each: each[0].misfit.cost)
+    laid, judge, evidence = min(tried, key=lambda each: each[0].least)
     differing = differences(laid.misfit, evidence.ink)
-    edits = tried_edits(laid, judge, evidence.ink, solid.mapped(_MIRROR, np.zeros(3)))
+    # Under the other projection a part looks much like its mirror image under this one.
+    mirrored = min(_mirrored_cost(solid, each) for each in judges)
+    edits = tried_edits(laid, judge, evidence.ink, mirrored)
     kept = tally(laid.solid, evidence.views.holes)
     judgement = judged(laid, judge, differing, edits.better)
     return SheetJudgement(judgement, evidence, laid, differing, edits.better, edits.silent, kept)
+
+
+def _mirrored_cost(solid: FacetedSolid, judge: Judge) -> float:
+    """mm of line that the mirror image of a solid leaves unexplained, without its own edges."""
+    laid = lay(solid.mapped(_MIRROR, np.zeros(3)), judge)
+    if laid is None:
+        return np.inf
+    return judge.cost_of(judge.sighted(laid.solid), laid.solid.smooth)

@@ -125,7 +125,7 @@ NOT_LAID = Judgement(
 
 def _extents(laid: Laid, judge: Judge) -> Iterator[Reason]:
     sheet = judge.sheet
-    if laid.stretched is not None and min(laid.stretched, laid.misfit.share) >= _POOR:
+    if laid.least >= _POOR:
         # Neither the solid nor a stretched one is what was read.
         return
     least = np.maximum(_EXTENT, _EXTENT_TOLERANCES * sheet.tolerance / sheet.size)
