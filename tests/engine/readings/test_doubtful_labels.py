@@ -3,7 +3,7 @@
 import hashlib
 import json
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,8 @@ import pytest
 
 from gaussiancad_core.cli import main
 from gaussiancad_core.recognition import picture_views
+from gaussiancad_core.sheet.labels import labelled_ink
+from gaussiancad_core.sheet.labels.class_shares import ClassShares
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
 from gaussiancad_core.sheet.labels.labels_network import InkLabels, ink_labels
 
@@ -65,6 +67,15 @@ def edge_of(reading: dict[str, Any]) -> dict[str, Any]:
 
 def codes(report: dict[str, Any]) -> list[str]:
     return [item["code"] for item in report["reasons"]]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _shares_of_classes_tell_nothing() -> Iterator[None]:
+    """Else a sheet without dimensions would settle whether an edge is one."""
+    plain = ClassShares(np.zeros(len(InkClass)))
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(labelled_ink, "learnt_shares", lambda labelled, width: plain)
+        yield
 
 
 @pytest.fixture(scope="module")
