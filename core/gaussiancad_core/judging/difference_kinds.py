@@ -5,7 +5,7 @@ from enum import Enum
 import numpy as np
 
 from gaussiancad_core.judging.faceted_solids import Numbers
-from gaussiancad_core.judging.sight_lines import Seen
+from gaussiancad_core.judging.lines_of_sight import Seen
 from gaussiancad_core.judging.sight_pairs import Drawn
 
 

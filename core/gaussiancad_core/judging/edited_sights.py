@@ -5,8 +5,8 @@ from enum import IntEnum
 import numpy as np
 
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers
+from gaussiancad_core.judging.lines_of_sight import Met
 from gaussiancad_core.judging.sight_kernels import merge
-from gaussiancad_core.judging.sight_lines import Met
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 

@@ -1,7 +1,7 @@
 """How well a solid explains a sheet: mm of line in which both differ, with kind and place of each.
 
 Along every stroke, over the blank of every view and along the solid's own edges, pairs of lines of
-sight tell what the solid would draw (:mod:`.sight_lines`); what the sheet draws there is compared
+sight tell what the solid would draw (:mod:`.lines_of_sight`); what the sheet draws there is compared
 with it (:mod:`.sight_pairs`).  Nothing is redrawn: no hidden-line algorithm has a word.
 """
 
@@ -23,8 +23,8 @@ from gaussiancad_core.judging.difference_kinds import (
 )
 from gaussiancad_core.judging.drawn_lines import DrawnSheet, DrawnView, drawn_sheet
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers, faceted_shape
+from gaussiancad_core.judging.lines_of_sight import Met, Seen, crossings, seen
 from gaussiancad_core.judging.opened_views import met_in, opened, with_cut
-from gaussiancad_core.judging.sight_lines import Met, Seen, crossings, seen
 from gaussiancad_core.judging.sight_pairs import NO_LINE, Drawn, SightPairs, sight_pairs
 from gaussiancad_core.judging.undrawn_edges import Rows, undrawn_edges
 from gaussiancad_core.model.section_planes import Cut

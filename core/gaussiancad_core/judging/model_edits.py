@@ -14,10 +14,10 @@ from gaussiancad_core.judging.drawn_bores import drawn_bores
 from gaussiancad_core.judging.edited_sights import Change, changed, cylinder, extruded
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats
 from gaussiancad_core.judging.laying import Laid
+from gaussiancad_core.judging.lines_of_sight import Met, crossings
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.judging.model_features import Bore, FlatFace, bores_of, flat_faces
 from gaussiancad_core.judging.sheet_ink import SheetInk
-from gaussiancad_core.judging.sight_lines import Met, crossings
 from gaussiancad_core.judging.sight_pairs import levels_along
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Axis, Role

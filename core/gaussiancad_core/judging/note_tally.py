@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats
+from gaussiancad_core.judging.lines_of_sight import crossings
 from gaussiancad_core.judging.model_features import Bore, bores_of
-from gaussiancad_core.judging.sight_lines import crossings
 from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 
 _COUNT = re.compile(r"^\s*(\d{1,3})\s*[x×X]\s*(?=[^\d\s]|\d)")

@@ -5,7 +5,7 @@ import shapely
 
 from gaussiancad_core.judging.drawn_lines import DrawnView
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers
-from gaussiancad_core.judging.sight_lines import Met, crossings, cut_open
+from gaussiancad_core.judging.lines_of_sight import Met, crossings, cut_open
 
 
 def with_cut(solid: FacetedSolid) -> Numbers:

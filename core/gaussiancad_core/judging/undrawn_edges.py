@@ -7,8 +7,8 @@ import shapely
 from gaussiancad_core.judging.difference_kinds import NO_KIND, kinds_between
 from gaussiancad_core.judging.drawn_lines import DrawnSheet, DrawnView
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats, Numbers
+from gaussiancad_core.judging.lines_of_sight import seen
 from gaussiancad_core.judging.opened_views import met_in, with_cut
-from gaussiancad_core.judging.sight_lines import seen
 from gaussiancad_core.judging.sight_pairs import NO_LINE, Drawn
 
 _FAR, _FAR_SHARE = 2.0, 0.006
