@@ -1,8 +1,8 @@
 """How well a solid explains a sheet: mm of line in which both differ, with kind and place of each.
 
 Along every stroke, over the blank of every view and along the solid's own edges, pairs of lines of
-sight tell what the solid would draw (:mod:`.lines_of_sight`); what the sheet draws there is compared
-with it (:mod:`.sight_pairs`).  Nothing is redrawn: no hidden-line algorithm has a word.
+sight tell what the solid would draw (:mod:`.lines_of_sight`); what the sheet draws there is
+compared with it (:mod:`.sight_pairs`).  Nothing is redrawn: no hidden-line algorithm has a word.
 """
 
 from collections.abc import Iterable, Sequence
