@@ -45,5 +45,7 @@ def test_a_pictorial_alone_is_told_as_that() -> None:
 
 def test_a_single_view_is_no_pictorial() -> None:
     grey = np.full((1100, 1500), 255, np.uint8)
-    cv2.rectangle(grey, (300, 300), (300, 900), 0, 3)
-    assert _refusal(grey).code != "pictorial-alone"
+    cv2.rectangle(grey, (300, 300), (700, 900), 0, 3)
+    cv2.line(grey, (500, 300), (500, 900), 0, 3)
+    layout = sheet_views(OpenedSheet(SheetImage(Path("sheet.png"), grey, ""))).layout
+    assert tuple(layout.boxes) == (Role.FRONT,)
