@@ -29,6 +29,7 @@ class Code(str, Enum):
     EDGE_NOT_DRAWN = "edge-not-drawn"
     SECTION_DIFFERS = "section-differs"
     SHADED_VIEWS = "shaded-views"
+    NOTE_NOT_KEPT = "note-not-kept"
     EXPLAINED_BETTER = "explained-better"
     SOLID_WAY_LEFT_OUT = "solid-way-left-out"
     PHOTOGRAPHED_AT_A_SLANT = "photographed-at-a-slant"

@@ -318,6 +318,10 @@ CHECK = (
     ),
     row("what a section hatches is not what the solid has cut there", Code.SECTION_DIFFERS),
     row(
+        "holes are not as their note says: another depth, another width, or fewer than it counts",
+        Code.NOTE_NOT_KEPT,
+    ),
+    row(
         "views are shaded pictures in place of lines, which are read too poorly to say that the "
         "model differs",
         Code.SHADED_VIEWS,

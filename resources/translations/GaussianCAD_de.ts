@@ -3174,6 +3174,18 @@
         <source>The model is not closed, or damaged: what it is full of is not certain.</source>
         <translation>Das Modell ist nicht geschlossen oder beschädigt: Wo es voll ist, ist nicht sicher.</translation>
     </message>
+    <message>
+        <source>The drawing states {stated} mm, the model has {found} mm.</source>
+        <translation>Die Zeichnung gibt {stated} mm an, das Modell hat {found} mm.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

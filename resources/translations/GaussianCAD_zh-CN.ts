@@ -3174,6 +3174,18 @@
         <source>The model is not closed, or damaged: what it is full of is not certain.</source>
         <translation>模型未封闭或已损坏：无法确定其实心部分。</translation>
     </message>
+    <message>
+        <source>The drawing states {stated} mm, the model has {found} mm.</source>
+        <translation>图纸标注 {stated} mm，模型为 {found} mm。</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>注释</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

@@ -66,8 +66,9 @@ class Panel(WindowCase):
         self.assertIn("has a circle of 9.999 mm that the model does not show", reasons[0])
         self.assertIn("2x Ø4”: the drawing says 2, the model has 0.", reasons[2])
         rows = self.rows("differences")
-        self.assertEqual(len(rows), 6)
-        self.assertEqual(rows[0], ["top", "31.4", "Missing"])
+        self.assertEqual(len(rows), 7)
+        self.assertEqual(rows[0], ["top", "0", "Note"])
+        self.assertEqual(rows[1], ["top", "31.4", "Missing"])
         self.assertEqual(rows[-1], ["front", "4", "Extra"])
         self.assertEqual(
             [row[1] for row in self.rows("edits")],

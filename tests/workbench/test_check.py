@@ -12,7 +12,6 @@ from support import FolderCase, draw_sheet, run_fake
 from freecad.gaussiancad.engine.check_file import (
     CheckDifference,
     CheckEdit,
-    CheckNote,
     CheckVerdict,
     DifferenceKind,
     parse_check,
@@ -22,7 +21,6 @@ from freecad.gaussiancad.engine.check_job import CHECK_FILE, CHECK_PICTURE, Chec
 from freecad.gaussiancad.engine.check_words import (
     difference_words,
     edit_words,
-    note_words,
     verdict_words,
     view_words,
 )
@@ -89,7 +87,7 @@ class Run(FolderCase):
         self.assertEqual(self.stages[-2:], ["judge", "write"])
         check = read_check(self.output / CHECK_FILE)
         self.assertIs(check.verdict, CheckVerdict.AGREES)
-        self.assertEqual((check.reasons, check.differences, check.edits, check.notes), ((),) * 4)
+        self.assertEqual((check.reasons, check.differences, check.edits), ((),) * 3)
         self.assertTrue((self.output / CHECK_PICTURE).is_file())
 
     def test_a_model_that_differs_is_no_error_and_tells_no_code(self) -> None:
@@ -98,10 +96,11 @@ class Run(FolderCase):
         self.assertEqual((result.exit_code, result.code), (4, ""))
         check = read_check(self.output / CHECK_FILE)
         self.assertIs(check.verdict, CheckVerdict.DIFFERS)
-        lengths = [difference.length for difference in check.differences]
+        note, worst, *_ = check.differences
+        self.assertEqual((note.kind, note.text), (DifferenceKind.NOTE, "2x Ø4"))
+        lengths = [difference.length for difference in check.differences[1:]]
         self.assertEqual(len(lengths), 6)
         self.assertEqual(lengths, sorted(lengths, reverse=True))
-        worst = check.differences[0]
         self.assertEqual((worst.view, worst.kind), ("top", DifferenceKind.MISSING))
         places = [end for piece in worst.pieces for end in piece]
         # A circle of 10 mm on top of the bracket's box.
@@ -109,7 +108,6 @@ class Run(FolderCase):
             self.assertAlmostEqual(math.hypot(x - 40.0, y - 15.0), 5.0, delta=0.1)
             self.assertAlmostEqual(z, 30.0, delta=0.01)
         self.assertEqual([edit.what for edit in check.edits], ["drill", "shift"])
-        self.assertEqual(check.notes, (CheckNote("2x Ø4", "top", 2, 0),))
         self.assertEqual(check.axes, ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
 
     def test_a_model_of_which_nothing_can_be_told(self) -> None:
@@ -133,7 +131,7 @@ class File(FolderCase):
         check = parse_check({"verdict": "differs", "differences": [{}], "edits": [{}, 3]})
         self.assertEqual(check.differences, (CheckDifference("", None, False, 0.0, ()),))
         self.assertEqual(check.edits, (CheckEdit("", "", 0.0, None, None, None),))
-        self.assertEqual((check.reasons, check.notes, check.axes), ((), (), None))
+        self.assertEqual((check.reasons, check.axes), ((), None))
 
     def test_damaged_places_are_left_out(self) -> None:
         good = [[0, 0, 0], [1, 0, 0]]
@@ -230,10 +228,19 @@ class Words(FolderCase):
         ):
             self.assertEqual(edit_words(edit), expected)
 
-    def test_a_note_is_told_as_it_stands_on_the_drawing(self) -> None:
+    def test_notes_and_numbers_are_told_with_what_the_model_has(self) -> None:
+        note = {"view": "top", "kind": "note", "text": "4x {Ø5}", "stated": 4, "measured": 3}
+        number = {"view": "front", "kind": "number", "stated": 13.0, "measured": 13.355}
+        pose = {"scale": 2.0, "scale_source": "default"}
+        values = {"verdict": "differs", "differences": [note, number], "pose": pose}
+        words = [difference_words(each) for each in parse_check(values).differences]
+        # Where the size is not known lengths are those of the model; counts are what they are.
         self.assertEqual(
-            note_words(CheckNote("4x {Ø5}", "top", 4, 3)),
-            "Note “4x {Ø5}”: the drawing says 4, the model has 3.",
+            words,
+            [
+                ("Note", "Note “4x {Ø5}”: the drawing says 4, the model has 3."),
+                ("Number", "The drawing states 26 mm, the model has 26.71 mm."),
+            ],
         )
 
 

@@ -85,18 +85,14 @@ def _sentences(values: dict[str, Any], path: str) -> list[str]:
     verdict = values["verdict"].replace("-", " ")
     rows = [f"{verdict}: {on_one_line(path)}"]
     rows += [f"  {on_one_line(each['message'])} [{each['code']}]" for each in values["reasons"]]
-    rows += [
-        f"  note {on_one_line(each['text'])}: {each['count_found']} of {each['count_stated']}"
-        for each in values["tally"]
-        if not each["agrees"]
-    ]
     differences = values["differences"]
     for each in differences[:_MOST_ROWS]:
         (x0, y0), (x1, y1) = each["ends"]
-        rows.append(
-            f"  {each['kind']} {each['of']}, {each['length_mm']:.3g} mm, {each['view']} view, "
-            f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f}) px"
-        )
+        what = f"{each['kind']} {each['of']}, {each['length_mm']:.3g} mm"
+        if each["stated"] is not None:
+            text = on_one_line(each["text"])
+            what = f"{each['kind']} {text}: {each['measured']} instead of {each['stated']}"
+        rows.append(f"  {what}, {each['view']} view, ({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f}) px")
     if len(differences) > _MOST_ROWS:
         rows.append(f"  and {len(differences) - _MOST_ROWS} more: see check.json and check.png")
     return rows

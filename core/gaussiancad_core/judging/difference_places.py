@@ -18,6 +18,9 @@ from gaussiancad_core.judging.sheet_ink import SheetInk
 _ONE_SPOT = 0.05
 """Share of the longest extent within which what differs is one spot."""
 
+_STRAIGHT = 0.01
+"""Share of its length by which a straight difference spreads across it at most."""
+
 Point = tuple[float, float]
 
 
@@ -53,11 +56,30 @@ class Difference:
     def ends(self) -> tuple[Point, Point]:
         """mm, its two outermost places."""
         places = self.pieces.reshape(-1, 2)
-        centre = places - places.mean(axis=0)
-        way = np.linalg.svd(centre, full_matrices=False)[2][0]
-        along = centre @ way
+        along, _ = self._spread
         first, last = places[along.argmin()], places[along.argmax()]
         return (float(first[0]), float(first[1])), (float(last[0]), float(last[1]))
+
+    @property
+    def is_straight(self) -> bool:
+        """Whether its places lie on one straight line."""
+        along, across = self._spread
+        return bool(np.ptp(across) <= _STRAIGHT * np.ptp(along))
+
+    @property
+    def is_hidden(self) -> bool:
+        """Whether it is about a hidden line; where linetypes differ, about one of the sheet's."""
+        if self.kind is Kind.LINETYPE and self.line >= 0:
+            return not self.view.lines[self.line].is_visible
+        return self.kind in (Kind.MISSING_HIDDEN, Kind.EXTRA_HIDDEN)
+
+    @property
+    def _spread(self) -> tuple[Floats, Floats]:
+        """(2 n,) mm of its places along the way in which they spread most, and across it."""
+        places = self.pieces.reshape(-1, 2)
+        centre = places - places.mean(axis=0)
+        along, across = np.linalg.svd(centre, full_matrices=True)[2]
+        return centre @ along, centre @ across
 
 
 def differences(misfit: Misfit, ink: SheetInk | None = None) -> tuple[Difference, ...]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from itertools import permutations, product
 
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.judging.drawn_lines import DrawnSheet
 from gaussiancad_core.judging.faceted_solids import FacetedSolid, Floats
@@ -108,6 +109,14 @@ def lay(solid: FacetedSolid, judge: Judge) -> Laid | None:
     return min(tried, key=lambda each: each.least)
 
 
+def as_it_lies(solid: FacetedSolid, judge: Judge) -> Laid:
+    """A solid that was made in mm of the sheet, on its axes."""
+    deviation = solid.extent / judge.sheet.size - 1.0
+    stretches = not _snaps(deviation, judge.sheet).all()
+    pose = Pose(np.eye(3), np.zeros(3), 1.0, deviation, stretches)
+    return Laid(pose, solid, judge.misfit(solid))
+
+
 def _laid(solid: FacetedSolid, pose: Pose, judge: Judge) -> Laid:
     laid = pose.laid(solid)
     stretched = None
@@ -133,6 +142,11 @@ def poses(solid: FacetedSolid, sheet: DrawnSheet) -> Iterator[Pose]:
     return iter(())
 
 
+def _snaps(deviation: Floats, sheet: DrawnSheet) -> npt.NDArray[np.bool_]:
+    """(3,) whether an extent is the sheet's."""
+    return np.abs(deviation) <= np.maximum(_SNAP, _SNAP_TOLERANCES * sheet.tolerance / sheet.size)
+
+
 def _fits(deviation: Floats) -> bool:
     return bool(np.abs(deviation).max() <= _FITS)
 
@@ -153,9 +167,7 @@ def _at_scale(
         deviation = turned / size - 1.0
         if not fits(deviation):
             continue
-        snaps = np.abs(deviation) <= np.maximum(
-            _SNAP, _SNAP_TOLERANCES * sheet.tolerance / sheet.size
-        )
+        snaps = _snaps(deviation, sheet)
         factor = np.where(snaps, sheet.size / turned, 1.0 / scale)
         matrix = turn * factor[:, None]
         start = np.minimum(matrix @ extent, 0.0)

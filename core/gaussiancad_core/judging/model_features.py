@@ -1,4 +1,4 @@
-"""Bores and flat faces along the axes of a solid, as its triangles tell them.
+"""Bores, round and flat faces along the axes of a solid, as its triangles tell them.
 
 They are what single changes of a model are made of, whatever file it came from.
 """
@@ -23,6 +23,28 @@ _WHOLE = 5.5
 
 _TOUCH = 1e-4
 """Share of the longest extent within which two places are one."""
+
+
+@dataclass(frozen=True)
+class RoundFace:
+    """A cylinder along an axis, whole or a part of one.
+
+    Attributes:
+        axis: that it runs along.
+        centre: (2,) mm in the plane across.
+        radius: mm.
+        low, high: mm along the axis.
+        turn: radians of its circle that it goes round.
+        is_hole: whether the material is around it.
+    """
+
+    axis: Axis
+    centre: tuple[float, float]
+    radius: float
+    low: float
+    high: float
+    turn: float
+    is_hole: bool
 
 
 @dataclass(frozen=True)
@@ -66,20 +88,16 @@ class FlatFace:
 
 def bores_of(solid: FacetedSolid) -> tuple[Bore, ...]:
     """The round holes of a solid along the axes, the widest first."""
-    long = float(solid.extent.max())
-    steps: dict[Axis, list[tuple[Floats, float, float, float, float]]] = {}
+    touch = _TOUCH * float(solid.extent.max())
+    steps: dict[Axis, list[RoundFace]] = {}
+    for face in round_faces(solid):
+        if face.is_hole:
+            steps.setdefault(face.axis, []).append(face)
     normals, areas = _normals(solid)
-    for surface in range(len(solid.smooth)):
-        chosen = np.flatnonzero((solid.surfaces == surface) & (areas > 0.0))
-        if len(chosen) < 2:
-            continue
-        for axis in Axis:
-            if np.abs(normals[chosen, axis.value]).max() < _ALONG:
-                steps.setdefault(axis, []).extend(_round_step(solid, normals, chosen, axis))
     found = [
-        _with_cones(bore, solid, normals, areas, _TOUCH * long)
-        for axis, of_axis in steps.items()
-        for bore in _bores(axis, of_axis, _TOUCH * long)
+        _with_cones(bore, solid, normals, areas, touch)
+        for of_axis in steps.values()
+        for bore in _bores(of_axis, touch)
     ]
     return tuple(sorted(found, key=lambda bore: -bore.widest))
 
@@ -144,10 +162,22 @@ def _normals(solid: FacetedSolid) -> tuple[Floats, Floats]:
     return across / np.maximum(length, 1e-300)[:, None], length / 2.0
 
 
-def _round_step(
+def round_faces(solid: FacetedSolid) -> Iterator[RoundFace]:
+    """The cylinders of a solid along the axes, whole or parts of one."""
+    normals, areas = _normals(solid)
+    for surface in range(len(solid.smooth)):
+        chosen = np.flatnonzero((solid.surfaces == surface) & (areas > 0.0))
+        if len(chosen) < 2:
+            continue
+        for axis in Axis:
+            if np.abs(normals[chosen, axis.value]).max() < _ALONG:
+                yield from _round_face(solid, normals, chosen, axis)
+
+
+def _round_face(
     solid: FacetedSolid, normals: Floats, chosen: Numbers, axis: Axis
-) -> Iterator[tuple[Floats, float, float, float, float]]:
-    """Centre, radius, low, high, and radians of a surface that is a cylinder around a hole."""
+) -> Iterator[RoundFace]:
+    """A surface that runs along an axis, where it is a cylinder."""
     plane = list(IN_PLANE[axis])
     points = solid.vertices[solid.triangles[chosen]].reshape(-1, 3)
     flat = points[:, plane]
@@ -157,42 +187,40 @@ def _round_step(
         return
     centre = values[:2]
     radius = float(np.sqrt(max(values[2] + centre @ centre, 0.0)))
-    away = np.hypot(*(flat - centre).T)
-    if radius <= 0.0 or np.abs(away - radius).max() > _ROUND * radius:
+    if radius <= 0.0 or np.abs(np.hypot(*(flat - centre).T) - radius).max() > _ROUND * radius:
         return
     middles = flat.reshape(-1, 3, 2).mean(axis=1) - centre
-    if (middles * normals[chosen][:, plane]).sum(axis=1).max() >= 0.0:
-        # Its normals point away from the axis: the material is within.
-        return
+    # Where normals point away from the axis the material is within.
+    outward = (middles * normals[chosen][:, plane]).sum(axis=1)
     angles = np.sort(np.arctan2(*(flat - centre).T[::-1]))
     gaps = np.diff(np.append(angles, angles[0] + 2.0 * np.pi))
     along = points[:, axis.value]
     # Of a whole circle the largest gap is that between two corners of it.
     turn = 2.0 * np.pi - (float(gaps.max()) if gaps.max() > 0.3 else 0.0)
-    yield centre, radius, float(along.min()), float(along.max()), turn
+    low, high = float(along.min()), float(along.max())
+    at = float(centre[0]), float(centre[1])
+    yield RoundFace(axis, at, radius, low, high, turn, bool(outward.max() < 0.0))
 
 
-def _bores(
-    axis: Axis, steps: list[tuple[Floats, float, float, float, float]], touch: float
-) -> Iterator[Bore]:
-    """The steps about one line that touch each other, as bores."""
-    left = sorted(steps, key=lambda step: step[2])
+def _bores(faces: list[RoundFace], touch: float) -> Iterator[Bore]:
+    """The faces about one line that touch each other, as bores."""
+    left = sorted(faces, key=lambda face: face.low)
     while left:
         run = [left.pop(0)]
         rest = []
-        for step in left:
-            near = np.hypot(*(step[0] - run[0][0])) <= touch
-            if near and step[2] <= max(each[3] for each in run) + touch:
-                run.append(step)
+        for face in left:
+            near = np.hypot(*np.subtract(face.centre, run[0].centre)) <= touch
+            if near and face.low <= max(each.high for each in run) + touch:
+                run.append(face)
             else:
-                rest.append(step)
+                rest.append(face)
         left = rest
         turns: dict[int, float] = {}
-        for step in run:
-            turns[round(step[1] / touch)] = turns.get(round(step[1] / touch), 0.0) + step[4]
-        whole = [step[1] for step in run if turns[round(step[1] / touch)] >= _WHOLE]
+        for face in run:
+            step = round(face.radius / touch)
+            turns[step] = turns.get(step, 0.0) + face.turn
+        whole = [face.radius for face in run if turns[round(face.radius / touch)] >= _WHOLE]
         if whole:
-            centre = float(run[0][0][0]), float(run[0][0][1])
-            widest = max(step[1] for step in run)
-            low, high = min(step[2] for step in run), max(step[3] for step in run)
-            yield Bore(axis, centre, min(whole), widest, low, high)
+            widest = max(face.radius for face in run)
+            low, high = min(face.low for face in run), max(face.high for face in run)
+            yield Bore(run[0].axis, run[0].centre, min(whole), widest, low, high)

@@ -9,10 +9,11 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.difference_places import Difference, differences
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import FacetedSolid
-from gaussiancad_core.judging.laying import Laid, lay
+from gaussiancad_core.judging.laying import Laid, as_it_lies, lay
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.judging.model_edits import Edit, tried_edits
 from gaussiancad_core.judging.note_tally import Tally, tally
+from gaussiancad_core.judging.number_tally import NumberDifference, differing_numbers
 from gaussiancad_core.judging.sheet_ink import SheetInk
 from gaussiancad_core.judging.verdicts import NOT_LAID, Judgement, judged
 from gaussiancad_core.model.axes import Projection
@@ -48,6 +49,7 @@ class SheetJudgement:
         edits: single changes of the solid that explain the sheet better, the best first.
         silent: features of the solid that may be left out, or moved, and no line tells.
         tally: notes against the solid.
+        numbers: that the solid does not keep.
     """
 
     judgement: Judgement
@@ -57,6 +59,7 @@ class SheetJudgement:
     edits: tuple[Edit, ...] = ()
     silent: tuple[Edit, ...] = ()
     tally: tuple[Tally, ...] = ()
+    numbers: tuple[NumberDifference, ...] = ()
 
 
 def judge_solid(solid: FacetedSolid, readings: Sequence[SheetEvidence]) -> SheetJudgement:
@@ -75,13 +78,37 @@ def judge_solid(solid: FacetedSolid, readings: Sequence[SheetEvidence]) -> Sheet
     if not tried:
         return SheetJudgement(NOT_LAID)
     laid, judge, evidence = min(tried, key=lambda each: each[0].least)
-    differing = differences(laid.misfit, evidence.ink)
     # Under the other projection a part looks much like its mirror image under this one.
     mirrored = min(_mirrored_cost(solid, each) for each in judges)
+    return _judged(laid, judge, evidence, mirrored)
+
+
+def judge_in_place(solid: FacetedSolid, evidence: SheetEvidence) -> SheetJudgement:
+    """A solid against the sheet that it was made from.
+
+    Args:
+        solid: in mm of the sheet, on its axes.
+        evidence: of the sheet, under the projection under which the solid was made.
+    """
+    judge = Judge(drawn_sheet(evidence.views))
+    return _judged(as_it_lies(solid, judge), judge, evidence, np.inf)
+
+
+def _judged(laid: Laid, judge: Judge, evidence: SheetEvidence, mirrored: float) -> SheetJudgement:
+    differing = differences(laid.misfit, evidence.ink)
     edits = tried_edits(laid, judge, evidence.ink, mirrored)
     kept = tally(laid.solid, evidence.views.holes)
-    judgement = judged(laid, judge, differing, edits.better)
-    return SheetJudgement(judgement, evidence, laid, differing, edits.better, edits.silent, kept)
+    numbers = differing_numbers(laid.solid, evidence.views.dimensions, evidence.views.roles)
+    return SheetJudgement(
+        judged(laid, judge, differing, edits.better, kept),
+        evidence,
+        laid,
+        differing,
+        edits.better,
+        edits.silent,
+        kept,
+        numbers,
+    )
 
 
 def _mirrored_cost(solid: FacetedSolid, judge: Judge) -> float:

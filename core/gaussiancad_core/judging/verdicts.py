@@ -3,22 +3,24 @@
 A wrong hole costs a hundredth of a sheet's lines, and so does what an ordinary reading loses.  So
 no limit on a share tells them apart.  A reason does: an extent that is another one; a whole drawn
 circle that the solid has not; a visible edge of the solid where the sheet has neither line nor
-ink; a hatched area that is no cut; a single change of the solid with which it explains the sheet
-better.  Without a reason a sheet that is mostly explained agrees, and of one
-that is not nobody can tell.
+ink; a hatched area that is no cut; a hole that is not as its note says; a single change of the
+solid with which it explains the sheet better.  Without a reason a sheet that is mostly explained
+agrees, and of one that is not nobody can tell.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 
+from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.judging.difference_kinds import Kind
 from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.judging.laying import Laid
 from gaussiancad_core.judging.misfits import Judge, lost_lines
 from gaussiancad_core.judging.model_edits import Edit, as_message
+from gaussiancad_core.judging.note_tally import Tally
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_protocol.codes import Code
@@ -89,7 +91,11 @@ class Judgement:
 
 
 def judged(
-    laid: Laid, judge: Judge, differing: Sequence[Difference], edits: Sequence[Edit]
+    laid: Laid,
+    judge: Judge,
+    differing: Sequence[Difference],
+    edits: Sequence[Edit],
+    notes: Sequence[Tally],
 ) -> Judgement:
     """Whether a solid agrees with a drawing.
 
@@ -98,16 +104,20 @@ def judged(
         judge: of the sheet.
         differing: the places at which they differ, with what ink is there.
         edits: single changes of the solid that explain the sheet better.
+        notes: of the sheet, against the solid.
     """
     reasons = [*_extents(laid, judge)]
     if laid.misfit.share < _POOR:
         reasons += (*_circles(laid, judge), *_bare_edges(laid, differing), *_hatching(laid))
     reasons += _better(laid, edits)
-    if reasons:
-        return Judgement(Verdict.DIFFERS, tuple(reasons))
+    notes_broken = [broken(note) for note in notes if not note.agrees]
+    # A count alone may speak of holes of which no circle was read.
+    otherwise = laid.misfit.share < _POOR and any(note.count_otherwise for note in notes)
+    if reasons or otherwise:
+        return Judgement(Verdict.DIFFERS, (*reasons, *notes_broken))
     if laid.misfit.share >= _QUIET:
-        return Judgement(Verdict.CANNOT_TELL, (_unexplained(laid),))
-    return Judgement(Verdict.AGREES)
+        notes_broken.insert(0, _unexplained(laid))
+    return Judgement(Verdict.CANNOT_TELL if notes_broken else Verdict.AGREES, tuple(notes_broken))
 
 
 NOT_LAID = Judgement(
@@ -205,6 +215,25 @@ def _hatching(laid: Laid) -> Iterator[Reason]:
                     view=view.view.role,
                 ),
             )
+
+
+def broken(note: Tally, boxes: Iterable[Box] = ()) -> Reason:
+    """That a solid does not keep a note.
+
+    Args:
+        note: against the solid.
+        boxes: where it is on the sheet, px.
+    """
+    return Reason(
+        Code.NOTE_NOT_KEPT,
+        Message(
+            'the note "{text}" speaks of {stated} hole(s), the solid has {found} like that',
+            boxes=boxes,
+            text=note.text,
+            stated=note.count_stated,
+            found=note.count_found,
+        ),
+    )
 
 
 def _better(laid: Laid, edits: Sequence[Edit]) -> Iterator[Reason]:

@@ -22,6 +22,7 @@ _WORDS = {
     "extra": "in the model only",
     "linetype": "other linetype",
     "place": "hatched otherwise",
+    "number": "number or note not kept",
 }
 
 _VERDICTS = {"agrees": (0, 120, 60), "differs": (190, 40, 0), "cannot-tell": (120, 120, 120)}

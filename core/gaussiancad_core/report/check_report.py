@@ -1,6 +1,7 @@
 """``check.json``: whether a solid agrees with a drawing, as data."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import msgspec
@@ -11,8 +12,11 @@ from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.judging.faceted_solids import Floats
 from gaussiancad_core.judging.laying import Laid, Pose
 from gaussiancad_core.judging.model_edits import Edit, as_message
+from gaussiancad_core.judging.note_tally import Tally
+from gaussiancad_core.judging.number_tally import Ends, NumberDifference
 from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 from gaussiancad_core.messages import event_fields
+from gaussiancad_core.model.axes import Role
 
 SCHEMA = 1
 
@@ -48,6 +52,7 @@ def check_values(
         scale_source: how the sheet's scale is known.
         unused: what on the sheet was not used, as in ``report.json``.
     """
+    places = _Places(found, to_stored)
     return {
         "schema": SCHEMA,
         "verdict": found.judgement.verdict.value,
@@ -58,7 +63,9 @@ def check_values(
         "projection": None if found.evidence is None else found.evidence.projection.value,
         "pose": None if found.laid is None else _pose(found.laid, scale_source),
         "differences": [
-            _difference(each, found, to_stored) for each in found.differences if each.kind in _KINDS
+            *(_note(each, places) for each in found.tally if not each.agrees),
+            *(_difference(each, places) for each in found.differences if each.kind in _KINDS),
+            *(_number(each, places) for each in found.numbers),
         ],
         "tally": [
             {
@@ -96,25 +103,91 @@ def _pose(laid: Laid, scale_source: str) -> dict[str, Any]:
     }
 
 
-def _difference(each: Difference, found: SheetJudgement, to_stored: ToStored) -> dict[str, Any]:
-    kind, what = _KINDS[each.kind]
-    ends, pieces = np.array(each.ends), each.pieces.reshape(-1, 2)
-    if found.evidence is not None:
-        place = found.evidence.ink.placements[each.view.role]
-        ends, pieces = (to_stored(place.to_sheet(points)) for points in (ends, pieces))
+@dataclass(frozen=True, eq=False)
+class _Places:
+    """Where places of views lie.
+
+    Attributes:
+        found: the solid against the sheet.
+        to_stored: places of the upright sheet to the sheet as stored.
+    """
+
+    found: SheetJudgement
+    to_stored: ToStored
+
+    def on_sheet(self, role: Role, points: Floats) -> Floats:
+        """(n, 2) px of the sheet as stored."""
+        if self.found.evidence is None:
+            return points
+        return self.to_stored(self.found.evidence.ink.placements[role].to_sheet(points))
+
+    def on_model(self, role: Role, pieces: Floats) -> list[Any]:
+        """(n, 2, 3) mm in the model's own coordinates, ends of the pieces of line.
+
+        A view tells no depth: they lie on the side of the model's box that is nearest to the
+        viewer.
+        """
+        if self.found.laid is None:
+            return []
+        frame, laid = role.frame, self.found.laid
+        right, up, look = (np.array(way, np.float64) for way in (frame.right, frame.up, frame.look))
+        nearest = float(np.minimum(*(laid.solid.box * look)).sum())
+        places = pieces @ np.stack([right, up]) + nearest * look
+        return _model_points(places, laid.pose)
+
+
+def _placed(role: Role, pieces: Floats, ends: Ends, places: _Places) -> dict[str, Any]:
+    """Where a difference is, and nothing of what it is about."""
+    on_sheet = places.on_sheet(role, pieces.reshape(-1, 2))
     return {
-        "view": each.view.role.value,
-        "kind": kind,
-        "of": what,
-        "ends": [[round(value, 2) for value in end] for end in ends.tolist()],
-        "length_mm": round(each.mm, 4),
+        "view": role.value,
+        "ends": np.round(places.on_sheet(role, np.array(ends)), 2).tolist(),
         "off_mm": None,
-        "on_ink": None if each.on_ink is None else round(each.on_ink, 3),
-        "pieces": np.round(pieces.reshape(-1, 2, 2), 1).tolist(),
-        "model": [] if found.laid is None else _model_pieces(each, found.laid),
+        "on_ink": None,
+        "pieces": np.round(on_sheet.reshape(-1, 2, 2), 1).tolist(),
+        "model": places.on_model(role, pieces),
         "text": None,
         "stated": None,
         "measured": None,
+    }
+
+
+def _difference(each: Difference, places: _Places) -> dict[str, Any]:
+    kind, what = _KINDS[each.kind]
+    return {
+        **_placed(each.view.role, each.pieces, each.ends, places),
+        "kind": kind,
+        "of": what,
+        "length_mm": round(each.mm, 4),
+        "on_ink": None if each.on_ink is None else round(each.on_ink, 3),
+    }
+
+
+def _number(each: NumberDifference, places: _Places) -> dict[str, Any]:
+    factor, what = (2.0, "diameter") if each.is_radius else (1.0, "length")
+    stated, measured = factor * each.stated, factor * each.measured
+    return {
+        **_placed(each.role, np.array([each.ends]), each.ends, places),
+        "kind": "number",
+        "of": what,
+        "length_mm": round(stated, 4),
+        "off_mm": round(measured - stated, 4),
+        "text": f"{stated:.6g}",
+        "stated": round(stated, 4),
+        "measured": round(measured, 4),
+    }
+
+
+def _note(each: Tally, places: _Places) -> dict[str, Any]:
+    ends = each.at, each.at
+    return {
+        **_placed(Role(each.role), np.array([ends]), ends, places),
+        "kind": "note",
+        "of": each.kind,
+        "length_mm": 0.0,
+        "text": each.text,
+        "stated": each.count_stated,
+        "measured": each.count_found,
     }
 
 
@@ -134,18 +207,6 @@ def _edit(each: Edit, laid: Laid | None) -> dict[str, Any]:
         "mm": round(each.mm, 4),
         "message": str(as_message(each)),
     }
-
-
-def _model_pieces(each: Difference, laid: Laid) -> list[Any]:
-    """(n, 2, 3) mm in the model's own coordinates, ends of the pieces of line.
-
-    A view tells no depth: they lie on the side of the model's box that is nearest to the viewer.
-    """
-    frame = each.view.role.frame
-    right, up, look = (np.array(way, np.float64) for way in (frame.right, frame.up, frame.look))
-    nearest = float(np.minimum(*(laid.solid.box * look)).sum())
-    places = each.pieces @ np.stack([right, up]) + nearest * look
-    return _model_points(places, laid.pose)
 
 
 def _model_points(places: Floats, pose: Pose) -> list[Any]:

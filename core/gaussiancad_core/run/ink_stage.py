@@ -2,7 +2,6 @@
 
 from gaussiancad_core.evidence.ink_offsets import ink_offsets
 from gaussiancad_core.evidence.projected_reading import APART_PX
-from gaussiancad_core.run.dropped_lines import with_dropped_lines
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
@@ -14,8 +13,7 @@ from gaussiancad_protocol.modes import Status
 def compared_with_ink(
     result: ExactResult, registered: RegisteredSheet, sheet: OpenedSheet
 ) -> ExactResult:
-    """The same, in doubt if the ink runs off a line of the solid; lines for which there is ink,
-    though it was taken for annotation, are no longer such as the sheet lacks.
+    """The same, in doubt if the ink runs off a line of the solid.
 
     Views whose lines are those of a file are not asked: their ink was drawn from them.
 
@@ -25,7 +23,7 @@ def compared_with_ink(
         sheet: as stored and upright.
     """
     if result.status is not Status.VERIFIED:
-        return with_dropped_lines(result, registered, sheet.turn)
+        return result
     found = [
         offset
         for view in registered.drawn

@@ -5,18 +5,21 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.geometry.points import Point
+from gaussiancad_core.judging.difference_places import Difference
+from gaussiancad_core.judging.faceted_solids import FacetedSolid
+from gaussiancad_core.judging.note_tally import kept_notes
+from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.conflict_lines import Conflict
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.section_planes import SectionRole
+from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.pictures.overlay import view_to_sheet
 from gaussiancad_core.report.assumed_holes import assumed_holes
-from gaussiancad_core.report.noted_results import keeps_thickness, kept_notes
 from gaussiancad_core.report.report_entries import (
     AlternativeReport,
     Assumption,
@@ -29,22 +32,34 @@ from gaussiancad_core.report.run_report import Report
 from gaussiancad_core.report.section_report import assumed_planes, with_agreement
 from gaussiancad_core.run.exact_stage import ExactModel
 from gaussiancad_core.run.run_models import alternative_file
+from gaussiancad_core.run.solid_judgement import ADDED, counted_differences
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.solid.contradiction import conflict_reason
 from gaussiancad_core.solid.measure_bounds import Measures
 from gaussiancad_core.solid.reasons import ASSUMED
 from gaussiancad_core.solid.search_trace import Attempt
-from gaussiancad_core.solid.verify import Flaw
 from gaussiancad_core.writing.callouts import NoteKind
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import Status
+
+_FINE = 1e-4
+"""Share of the longest extent within which two extents are one."""
 
 _INSIDE = "bores, pockets or cavities that would show in hidden lines only"
 """What else there may be where a solid rests on hidden lines that no view has."""
 
 
-def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
-    """The report with what was tried for a model, how well it is known, and what else there is."""
+def with_solid_facts(
+    report: Report, model: ExactModel, judged: SheetJudgement | None, turn: Turn
+) -> Report:
+    """The report with what was tried for a model, how well it is known, and what else there is.
+
+    Args:
+        report: so far.
+        model: that was made.
+        judged: its solid against the sheet; None without a solid.
+        turn: of the sheet.
+    """
     result, sheet = model.result, _Sheet(model.reading, turn)
     verification = result.verification
     report = replace(
@@ -67,13 +82,13 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
             else report.sections
         ),
         disagreements=tuple(
-            _disagreement(flaw, sheet)
-            for flaw in (verification.flaws if verification is not None else ())
+            _disagreement(each, sheet)
+            for each in (counted_differences(judged) if judged is not None else ())
         ),
         trace=tuple(_attempt(attempt, sheet) for attempt in result.trace),
     )
-    if result.shape is not None:
-        report = replace(report, notes=_compared_notes(report, model, result.shape, turn))
+    if judged is not None and judged.laid is not None:
+        report = replace(report, notes=_compared_notes(report, model, judged.laid.solid, turn))
     conflict = result.conflict
     if conflict is None:
         return report
@@ -82,20 +97,28 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
 
 
 def _compared_notes(
-    report: Report, model: ExactModel, shape: TopoDS_Shape, turn: Turn
+    report: Report, model: ExactModel, solid: FacetedSolid, turn: Turn
 ) -> tuple[NoteReport, ...]:
     """The notes, those as used that speak of what the solid has as they say."""
-    kept = {turn.box_to_stored(box) for box in kept_notes(model.reading.holes, shape)}
+    kept = {turn.box_to_stored(box) for box in kept_notes(solid, model.reading.holes)}
     unseen = model.reading.registered.unseen
     return tuple(
         replace(
             note,
             used=note.at in kept
             if note.kind != NoteKind.THICKNESS.value
-            else note.value_mm is not None and keeps_thickness(note.value_mm, unseen, shape),
+            else note.value_mm is not None and _is_as_thick(note.value_mm, unseen, solid),
         )
         for note in report.notes
     )
+
+
+def _is_as_thick(value: float, unseen: Unseen | None, solid: FacetedSolid) -> bool:
+    """Whether a solid is as thick along the axis that no view shows as a note says, mm."""
+    if unseen is None or unseen.thickness is None:
+        return False
+    extent = solid.extent
+    return bool(abs(extent[unseen.axis.value] - value) <= _FINE * extent.max())
 
 
 class _Sheet:
@@ -125,13 +148,14 @@ class _Sheet:
         return round(x, 1), round(y, 1)
 
 
-def _disagreement(flaw: Flaw, sheet: _Sheet) -> Disagreement:
-    line = None
-    if flaw.ends:
-        first, last = flaw.ends
-        line = sheet.place(flaw.role, first), sheet.place(flaw.role, last)
-    at, kind = sheet.place(flaw.role, flaw.place), flaw.linetype.value
-    return Disagreement(flaw.role.value, at, flaw.length, flaw.missing, kind, line)
+def _disagreement(each: Difference, sheet: _Sheet) -> Disagreement:
+    role = each.view.role
+    first, last = each.ends
+    line = (sheet.place(role, first), sheet.place(role, last)) if each.is_straight else None
+    middle = each.pieces.mean(axis=1)[len(each.pieces) // 2]
+    at = sheet.place(role, (float(middle[0]), float(middle[1])))
+    kind = Linetype.HIDDEN if each.is_hidden else Linetype.VISIBLE
+    return Disagreement(role.value, at, each.mm, each.kind not in ADDED, kind.value, line)
 
 
 def _of_sheet(report: Report, model: ExactModel, turn: Turn) -> Iterator[Assumption]:

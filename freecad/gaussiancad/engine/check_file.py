@@ -43,6 +43,8 @@ class DifferenceKind(Enum):
     EXTRA = "extra"
     LINETYPE = "linetype"
     PLACE = "place"
+    NUMBER = "number"
+    NOTE = "note"
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,9 @@ class CheckDifference:
         is_hidden: whether it is about a hidden line.
         length: mm of line.
         pieces: where it is, on the side of the model that the view shows.
+        text: of a note; empty for all else.
+        stated, measured: mm that a number says and the model has, or holes that a note speaks of
+            and the model has; None for lines.
     """
 
     view: str
@@ -62,6 +67,9 @@ class CheckDifference:
     is_hidden: bool
     length: float
     pieces: tuple[Piece, ...]
+    text: str = ""
+    stated: float | None = None
+    measured: float | None = None
 
 
 @dataclass(frozen=True)
@@ -85,22 +93,6 @@ class CheckEdit:
 
 
 @dataclass(frozen=True)
-class CheckNote:
-    """A note of the drawing that the model does not keep.
-
-    Attributes:
-        text: as it stands on the drawing.
-        view: of which it speaks.
-        stated, found: how many the drawing speaks of, and how many of them the model has.
-    """
-
-    text: str
-    view: str
-    stated: int
-    found: int
-
-
-@dataclass(frozen=True)
 class SheetCheck:
     """A model against its drawing.
 
@@ -109,7 +101,6 @@ class SheetCheck:
         reasons: why, or why nobody can tell; the strongest first.
         differences: the worst first.
         edits: the best first.
-        notes: those that the model does not keep.
         is_size_checked: False where the drawing does not say how large the part is; all mm are
             those of the model then.
         axes: the drawing's x, y and z as directions of length 1 in the model's own coordinates;
@@ -120,7 +111,6 @@ class SheetCheck:
     reasons: tuple[Remark, ...]
     differences: tuple[CheckDifference, ...]
     edits: tuple[CheckEdit, ...]
-    notes: tuple[CheckNote, ...]
     is_size_checked: bool = True
     axes: tuple[Place, Place, Place] | None = None
 
@@ -144,7 +134,6 @@ def parse_check(values: dict[str, Any]) -> SheetCheck:
     Raises:
         ValueError: it has no verdict.
     """
-    notes = (_note(each) for each in _objects(values.get("tally")) if not each.get("agrees"))
     pose = values.get("pose")
     pose = pose if isinstance(pose, dict) else {}
     is_size_checked = not pose or pose.get("scale_source") in _SIZED
@@ -154,7 +143,6 @@ def parse_check(values: dict[str, Any]) -> SheetCheck:
         tuple(_in_model_mm(each, scale) for each in as_remarks(values.get("reasons"))),
         tuple(_difference(each, scale) for each in _objects(values.get("differences"))),
         tuple(_edit(each, scale) for each in _objects(values.get("edits"))),
-        tuple(notes),
         is_size_checked,
         _axes(pose.get("matrix")),
     )
@@ -174,12 +162,17 @@ def _difference(values: dict[str, Any], scale: float) -> CheckDifference:
     known = {each.value for each in DifferenceKind}
     pieces = values.get("model")
     found = [_piece(each) for each in pieces] if isinstance(pieces, list) else []
+    factor = 1.0 if kind == DifferenceKind.NOTE.value else scale
+    stated, measured = (as_number(values.get(name)) for name in ("stated", "measured"))
     return CheckDifference(
         str(values.get("view", "")),
         DifferenceKind(kind) if kind in known else None,
         values.get("of") == "hidden line",
         scale * (as_number(values.get("length_mm")) or 0.0),
         tuple(each for each in found if each is not None),
+        str(values.get("text") or ""),
+        None if stated is None else factor * stated,
+        None if measured is None else factor * measured,
     )
 
 
@@ -193,12 +186,6 @@ def _edit(values: dict[str, Any], scale: float) -> CheckEdit:
         _place(values.get("model_to")),
         None if diameter is None else scale * diameter,
     )
-
-
-def _note(values: dict[str, Any]) -> CheckNote:
-    stated, found = (as_number(values.get(name)) or 0.0 for name in ("count_stated", "count_found"))
-    text, view = (str(values.get(name, "")) for name in ("text", "view"))
-    return CheckNote(text, view, int(stated), int(found))
 
 
 def _axes(rows: object) -> tuple[Place, Place, Place] | None:

@@ -3,7 +3,6 @@
 from freecad.gaussiancad.engine.check_file import (
     CheckDifference,
     CheckEdit,
-    CheckNote,
     CheckVerdict,
     DifferenceKind,
     Place,
@@ -50,8 +49,23 @@ def difference_words(difference: CheckDifference) -> tuple[str, str]:
             translate("GaussianCAD", "Hatching"),
             translate("GaussianCAD", "The hatched area is not where the model is cut."),
         )
+    if kind in (DifferenceKind.NUMBER, DifferenceKind.NOTE):
+        return _stated_words(difference)
     other = translate("GaussianCAD", "Different")
     return other, other
+
+
+def _stated_words(difference: CheckDifference) -> tuple[str, str]:
+    """What the drawing states and what the model has, of a number or a note."""
+    stated, found = (f"{value or 0.0:.6g}" for value in (difference.stated, difference.measured))
+    if difference.kind is DifferenceKind.NUMBER:
+        text = translate("GaussianCAD", "The drawing states {stated} mm, the model has {found} mm.")
+        return translate("GaussianCAD", "Number"), text.format(stated=stated, found=found)
+    text = translate(
+        "GaussianCAD", "Note “{text}”: the drawing says {stated}, the model has {found}."
+    )
+    sentence = text.format(text=difference.text, stated=stated, found=found)
+    return translate("GaussianCAD", "Note"), sentence
 
 
 def view_words(difference: CheckDifference) -> str:
@@ -79,14 +93,6 @@ def edit_words(edit: CheckEdit) -> str:
         return sentence.format_map(known) or edit.message
     except KeyError:
         return edit.message
-
-
-def note_words(note: CheckNote) -> str:
-    """Which note is not kept, and by how many."""
-    text = translate(
-        "GaussianCAD", "Note “{text}”: the drawing says {stated}, the model has {found}."
-    )
-    return text.format(text=note.text, stated=note.stated, found=note.found)
 
 
 def size_words() -> str:

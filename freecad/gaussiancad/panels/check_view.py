@@ -18,7 +18,6 @@ from freecad.gaussiancad.engine.check_file import (
 from freecad.gaussiancad.engine.check_words import (
     difference_words,
     edit_words,
-    note_words,
     size_words,
     verdict_words,
     view_words,
@@ -36,6 +35,8 @@ COLOURS: dict[DifferenceKind | None, Colour] = {
     DifferenceKind.EXTRA: (0.80, 0.20, 0.60),
     DifferenceKind.LINETYPE: (0.0, 0.45, 0.70),
     DifferenceKind.PLACE: (0.90, 0.62, 0.0),
+    DifferenceKind.NUMBER: (0.0, 0.62, 0.45),
+    DifferenceKind.NOTE: (0.0, 0.62, 0.45),
     None: (0.5, 0.5, 0.5),
 }
 """Those of the engine's picture (Okabe and Ito)."""
@@ -110,7 +111,6 @@ class CheckView(QtWidgets.QWidget):
         self.setEnabled(True)
         self.verdict.setText(verdict_words(check.verdict))
         sentences = [reason.words for reason in check.reasons]
-        sentences += [note_words(note) for note in check.notes]
         if not check.is_size_checked:
             sentences.append(size_words())
         self.reasons.setText("\n".join(f"• {sentence}" for sentence in sentences))

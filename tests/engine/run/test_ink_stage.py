@@ -11,20 +11,16 @@ from gaussiancad_core.drawing.drawn_sheet import draw_sheet
 from gaussiancad_core.drawing.sheet_style import parse_style
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.model.axes import Axis, Projection, Role
-from gaussiancad_core.model.views import Arc, Segment
+from gaussiancad_core.model.views import Arc
 from gaussiancad_core.recognition.sheet_views import sheet_views
 from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.run.ink_stage import compared_with_ink
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
-from gaussiancad_core.sheet.labels.ink_classes import Evidence, InkClass
-from gaussiancad_core.sheet.labels.label_evidence import LabelledLine, SheetLabels
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, read_views, register_views
 from gaussiancad_core.solid.exact import ExactResult
-from gaussiancad_core.solid.verify import Flaw
-from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import Status
 
 Read = tuple[ExactResult, RegisteredSheet, OpenedSheet]
@@ -88,57 +84,3 @@ def test_lines_of_a_file_are_not_asked(read: Read) -> None:
     drawn = tuple(replace(view, source=StrokesSource.VECTOR) for view in registered.drawn)
     moved = _with_radii(result, 0.6 * registered.mm_per_pixel)
     assert compared_with_ink(moved, replace(registered, drawn=drawn), opened) is moved
-
-
-def _labelled(registered: RegisteredSheet, ink: InkClass) -> tuple[RegisteredSheet, Flaw]:
-    """The sheet with a line of its front view taken for something, and that line."""
-    front = next(view for view in registered.drawn if view.role is Role.FRONT)
-    edge = max(
-        (item for item in front.strokes if isinstance(item, Segment)), key=lambda item: item.length
-    )
-    points = edge.sample(1.0)
-    line = LabelledLine(points, edge.length, ink, InkClass.VISIBLE, 2.0, 0.8, Evidence.NETWORK)
-    labels = SheetLabels((line,), 3.0)
-    drawn = tuple(replace(v, labels=labels) if v is front else v for v in registered.drawn)
-    start, end = registered.placements[Role.FRONT].to_plane(points[[0, -1]]).tolist()
-    ends = (start[0], start[1]), (end[0], end[1])
-    length = edge.length * registered.mm_per_pixel
-    return replace(registered, drawn=drawn), Flaw(Role.FRONT, ends[0], length, False, ends=ends)
-
-
-def _lacking(result: ExactResult, *flaws: Flaw) -> ExactResult:
-    """The same with lines that the sheet is said to lack."""
-    return replace(
-        result,
-        status=Status.APPROXIMATE,
-        verification=replace(result.checked, flaws=flaws),
-        reasons=((Code.LINES_UNEXPLAINED, "the solid shows a line that the view has not"),),
-    )
-
-
-def test_a_line_that_was_taken_for_annotation_is_none_that_the_sheet_lacks(read: Read) -> None:
-    result, registered, opened = read
-    sheet, flaw = _labelled(registered, InkClass.DIMENSION)
-    found = compared_with_ink(_lacking(result, flaw), sheet, opened)
-    assert found.explains
-    assert found.status is Status.APPROXIMATE
-    assert [code for code, _ in found.reasons] == [Code.LABELS_DOUBTFUL]
-
-
-def test_what_no_dropped_line_shows_stays_unexplained(read: Read) -> None:
-    result, registered, opened = read
-    as_edge, flaw = _labelled(registered, InkClass.VISIBLE)
-    dropped, _ = _labelled(registered, InkClass.DIMENSION)
-    (x, y), (u, v) = flaw.ends
-    aside = replace(flaw, ends=((x, y + 5.0), (u, v + 5.0)))
-    for sheet, wrong in (
-        (as_edge, flaw),
-        (dropped, replace(flaw, missing=True)),
-        (dropped, replace(flaw, ends=None)),
-        (dropped, aside),
-    ):
-        lacking = _lacking(result, wrong)
-        assert compared_with_ink(lacking, sheet, opened) is lacking
-    both = compared_with_ink(_lacking(result, flaw, aside), dropped, opened)
-    assert both.checked.flaws == (aside,)
-    assert [code for code, _ in both.reasons] == [Code.LINES_UNEXPLAINED, Code.LABELS_DOUBTFUL]

@@ -35,6 +35,9 @@ REASONS = {
         "The drawing shows shaded pictures in place of lines. They are not read surely enough to "
         "say that the model differs.",
     ),
+    "note-not-kept": QT_TRANSLATE_NOOP(
+        "GaussianCAD", "Note “{text}”: the drawing says {stated}, the model has {found}."
+    ),
     "explained-better": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "With a single change the model explains the drawing better: it is the first one among "
