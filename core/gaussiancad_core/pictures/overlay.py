@@ -19,6 +19,7 @@ from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 
 Image = npt.NDArray[np.uint8]
+Points = npt.NDArray[np.float64]
 Colour = tuple[int, int, int]
 
 _VISIBLE = (0, 114, 178)
@@ -38,6 +39,9 @@ _LEGEND = (
     (_MISSING, "on the sheet only"),
     (_EXTRA, "in the result only"),
 )
+
+_LAYERS = (("hidden", _HIDDEN), ("visible", _VISIBLE), ("extra", _EXTRA), ("missing", _MISSING))
+"""Lines in the order in which they are drawn, and their colours."""
 
 _MARKS = {
     "frame, title block": (
@@ -65,19 +69,35 @@ _INK = 0.32
 
 
 @dataclass(frozen=True, eq=False)
+class OverlaidLines:
+    """Points along the lines of a view and of a result, (n, 2) mm in the view's plane.
+
+    Attributes:
+        visible, hidden: of the result's lines, where they agree with the sheet.
+        missing: of what the sheet has and the result has not, or has otherwise.
+        extra: of what the result has and the sheet has not.
+    """
+
+    visible: Points
+    hidden: Points
+    missing: Points
+    extra: Points
+
+
+@dataclass(frozen=True, eq=False)
 class ViewOverlay:
     """One view of the sheet and what was drawn over it.
 
     Attributes:
         view: with its box on the sheet.
         size: (3,) extent of the part in mm.
-        matched: the lines of the sheet and of the result in the view's plane.
+        lines: of the sheet and of the result.
         conflict: those that contradict other lines of the sheet.
     """
 
     view: View
     size: tuple[float, float, float]
-    matched: MatchedLines
+    lines: OverlaidLines
     conflict: tuple[ConflictLine, ...] = ()
 
     def to_sheet(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -144,11 +164,11 @@ def draw_overlay(
     _draw_special(picture, special, scale, letters)
     legend += [(_SPECIAL, "other drawings")] if special else []
     legend += _draw_conflict(picture, views, scale, width)
-    layers = [_layers(view) for view in views]
-    for number, colour in ((1, _HIDDEN), (0, _VISIBLE), (3, _EXTRA), (2, _MISSING)):
+    for name, colour in _LAYERS:
         strong = width + (1 if colour in (_MISSING, _EXTRA) else 0)
-        for view, parts in zip(views, layers, strict=True):
-            _paint(picture, view.to_sheet(parts[number]) * scale, colour, strong)
+        for view in views:
+            points = getattr(view.lines, name)
+            _paint(picture, view.to_sheet(points) * scale, colour, strong)
     for view in views:
         _frame(picture, view.view, scale, letters)
     return _with_legend(picture, legend, letters)
@@ -178,26 +198,23 @@ def _range(axis: tuple[Axis, int], size: tuple[float, float, float]) -> tuple[fl
     return (0.0, extent) if axis[1] > 0 else (-extent, 0.0)
 
 
-def _layers(view: ViewOverlay) -> list[npt.NDArray[np.float64]]:
-    """Points that agree (visible, hidden), are missing in the result, are only in it."""
-    matched = view.matched
+def matched_overlay(matched: MatchedLines) -> OverlaidLines:
+    """Lines that were matched with each other point by point."""
     sheet, result = matched.sheet, matched.result
-    return [
+    missing = (
+        sheet.visible.points[~matched.visible_found],
+        sheet.hidden.points[~matched.hidden_found],
+    )
+    extra = (
+        result.visible.points[~matched.visible_explained],
+        result.hidden.points[~matched.hidden_explained],
+    )
+    return OverlaidLines(
         result.visible.points[matched.visible_explained],
         result.hidden.points[matched.hidden_explained],
-        np.concatenate(
-            [
-                sheet.visible.points[~matched.visible_found],
-                sheet.hidden.points[~matched.hidden_found],
-            ]
-        ),
-        np.concatenate(
-            [
-                result.visible.points[~matched.visible_explained],
-                result.hidden.points[~matched.hidden_explained],
-            ]
-        ),
-    ]
+        np.concatenate(missing),
+        np.concatenate(extra),
+    )
 
 
 def _paint(picture: Image, pixels: npt.NDArray[np.float64], colour: Colour, width: int) -> None:

@@ -1,23 +1,32 @@
 """How a model's own lines agree with the sheet's, and the pictures of it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
 
 from gaussiancad_core.evidence.projected_reading import drawn_views
+from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.kernel.brep import bounding_box, soundness, tessellate
 from gaussiancad_core.labelling.conflict_lines import Conflict
-from gaussiancad_core.lines.line_agreement import MatchedLines, match_lines
+from gaussiancad_core.lines.line_agreement import STEPS_PER_TOLERANCE, MatchedLines, match_lines
 from gaussiancad_core.lines.mesh_lines import redraw_mesh
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.meshes import TriangleMesh
-from gaussiancad_core.pictures.overlay import ViewOverlay, draw_overlay
+from gaussiancad_core.pictures.overlay import (
+    OverlaidLines,
+    ViewOverlay,
+    draw_overlay,
+    matched_overlay,
+)
 from gaussiancad_core.pictures.png_pictures import png_bytes
 from gaussiancad_core.pictures.preview import render_preview
 from gaussiancad_core.report.report_entries import SolidReport
 from gaussiancad_core.run.exact_stage import ExactModel
+from gaussiancad_core.run.solid_judgement import ADDED, counted_differences
 from gaussiancad_core.sheet.annotations.annotation_marks import Mark
 from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
@@ -38,6 +47,8 @@ _EXPLAINED = 0.95
 _PREVIEW_DEFLECTION = 5e-4
 """Deviation of the preview's triangles, as a share of the longest extent."""
 
+_NO_POINTS = np.zeros((0, 2))
+
 _NO_SOLID = (
     Code.NO_EXACT_SOLID,
     "the model is a surface around the space that the outlines, and depths where they are known, "
@@ -52,25 +63,57 @@ class CheckedModel:
     Attributes:
         mesh: what the preview shows, mm.
         matched: its lines and the sheet's, of each view.
+        overlaid: the same as a picture has them.
         tolerance_px: within which they were matched.
         reasons: (code, sentence) why the model is not verified, beyond what is known.
     """
 
     mesh: TriangleMesh
     matched: Mapping[Role, MatchedLines]
+    overlaid: Mapping[Role, OverlaidLines]
     tolerance_px: float
     reasons: tuple[tuple[str, str], ...] = ()
 
 
 def check_solid(registered: RegisteredSheet, model: ExactModel) -> CheckedModel:
-    """A solid, whose lines were matched when it was found."""
+    """A solid, whose lines were matched when it was found, and that was judged since."""
     result = model.result
-    tolerance = matching_tolerance(drawn_views(registered)) / registered.mm_per_pixel
+    tolerance = matching_tolerance(drawn_views(registered))
     low, high = bounding_box(result.shape)
     deflection = _PREVIEW_DEFLECTION * float((high - low).max())
     vertices, triangles = tessellate(result.shape, deflection)
     mesh = TriangleMesh(vertices.astype(np.float64), triangles)
-    return CheckedModel(mesh, result.checked.matched, round(tolerance, 3))
+    matched = result.checked.matched
+    differing = counted_differences(model.judged) if model.judged is not None else ()
+    overlaid = {
+        role: _overlaid(lines, [each for each in differing if each.view.role is role], tolerance)
+        for role, lines in matched.items()
+    }
+    return CheckedModel(mesh, matched, overlaid, round(tolerance / registered.mm_per_pixel, 3))
+
+
+def _overlaid(
+    matched: MatchedLines, differing: Iterable[Difference], tolerance: float
+) -> OverlaidLines:
+    """The lines of a solid, and where the judge finds that they differ from the sheet's."""
+    missing, extra = (
+        [_along(each, tolerance) for each in differing if (each.kind in ADDED) is added]
+        for added in (False, True)
+    )
+    beyond = np.concatenate(extra) if extra else _NO_POINTS
+    agreeing = (matched.result.visible.points, matched.result.hidden.points)
+    if len(beyond):
+        tree = cKDTree(beyond)
+        agreeing = tuple(points[tree.query(points)[0] > tolerance] for points in agreeing)
+    return OverlaidLines(*agreeing, np.concatenate(missing) if missing else _NO_POINTS, beyond)
+
+
+def _along(difference: Difference, step: float) -> npt.NDArray[np.float64]:
+    """(n, 2) points along the pieces of a difference, mm."""
+    start, end = difference.pieces[:, 0], difference.pieces[:, 1]
+    longest = float(np.hypot(*(end - start).T).max())
+    shares = np.linspace(0.0, 1.0, max(2, int(longest / step * STEPS_PER_TOLERANCE)))
+    return (start[:, None] + shares[None, :, None] * (end - start)[:, None]).reshape(-1, 2)
 
 
 def solid_report(model: ExactModel) -> SolidReport:
@@ -118,7 +161,8 @@ def check_surface(
                 ),
             )
         )
-    return CheckedModel(surface, matched, SURFACE_TOLERANCE_PX, tuple(reasons))
+    overlaid = {role: matched_overlay(lines) for role, lines in matched.items()}
+    return CheckedModel(surface, matched, overlaid, SURFACE_TOLERANCE_PX, tuple(reasons))
 
 
 def overlay_picture(
@@ -134,7 +178,7 @@ def overlay_picture(
         ViewOverlay(
             view,
             registered.views.size,
-            checked.matched[view.role],
+            checked.overlaid[view.role],
             tuple(line for line in contradicting if line.role is view.role),
         )
         for view in registered.views.views

@@ -16,6 +16,7 @@ from functools import cached_property
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.judging.misfits import solid_misfit
+from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 from gaussiancad_core.labelling.cell_labelling import Effort
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sketch.projection_by_sketch import Weighed, weigh
@@ -88,6 +89,7 @@ class ExactModel:
         decided: whether the solids, or the sketches, tell which reading is right.
         sketched: the part's sketch, where the solid is that.
         contradicted: whether the other reading fits clearly better than the symbol's.
+        judged: its solid against the sheet, once the judge was asked.
     """
 
     reading: ProjectedReading
@@ -95,6 +97,7 @@ class ExactModel:
     decided: bool
     sketched: Sketch | None = None
     contradicted: bool = False
+    judged: SheetJudgement | None = None
 
 
 def find_exact(

@@ -291,7 +291,7 @@ class _Run:
         from gaussiancad_core.run.exact_stage import OPEN_ENDED
         from gaussiancad_core.run.ink_stage import compared_with_ink
         from gaussiancad_core.run.registering_stage import tell_projection
-        from gaussiancad_core.run.solid_judgement import judged_solid, with_judgement
+        from gaussiancad_core.run.solid_judgement import judged_model
         from gaussiancad_core.run.solid_report import with_solid_facts
 
         surface_alone = self.job.result is ResultKind.SURFACE
@@ -302,13 +302,10 @@ class _Run:
             return found, exact
         found = replace(found, contradicted=exact.contradicted)
         checked = compared_with_ink(exact.result, exact.reading.registered, sheet)
-        judged = judged_solid(exact, sheet)
-        if judged is not None:
-            checked = with_judgement(checked, judged, sheet.turn)
-        exact = replace(exact, result=checked)
+        exact = judged_model(replace(exact, result=checked), sheet)
         for code, message in exact.result.reasons:
             self.notes.doubt(code, message)
-        self.notes.report = with_solid_facts(self.notes.report, exact, judged, sheet.turn)
+        self.notes.report = with_solid_facts(self.notes.report, exact, sheet.turn)
         if self.job.result is ResultKind.SOLID and exact.result.shape is None:
             code, message = exact.result.reasons[0]
             raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)

@@ -48,19 +48,21 @@ ADDED = frozenset({Kind.EXTRA, Kind.EXTRA_HIDDEN})
 Reason = tuple[str, str]
 
 
-def judged_solid(model: ExactModel, sheet: OpenedSheet) -> SheetJudgement | None:
-    """The solid of a sheet against all that the sheet shows; None where there is none.
+def judged_model(model: ExactModel, sheet: OpenedSheet) -> ExactModel:
+    """A model whose solid was compared with all that its sheet shows.
 
     Args:
-        model: that was made.
+        model: of the sheet.
         sheet: as stored and upright.
     """
     if model.result.shape is None:
-        return None
+        return model
     reading = model.reading
     ink = SheetInk(distance_to_ink(sheet.clean.ink), placements_of(reading))
     evidence = SheetEvidence(reading.numbered, ink, reading.projection)
-    return judge_in_place(faceted_shape(model.result.shape), evidence)
+    judged = judge_in_place(faceted_shape(model.result.shape), evidence)
+    result = _with_judgement(model.result, judged, sheet.turn)
+    return replace(model, result=result, judged=judged)
 
 
 def counted_differences(judged: SheetJudgement) -> tuple[Difference, ...]:
@@ -69,14 +71,8 @@ def counted_differences(judged: SheetJudgement) -> tuple[Difference, ...]:
     return tuple(each for each in _seen(judged) if not _is_on_ink(each))
 
 
-def with_judgement(result: ExactResult, judged: SheetJudgement, turn: Turn) -> ExactResult:
-    """The same with what the judge has to say.
-
-    Args:
-        result: the solid of a sheet.
-        judged: the same, against the sheet.
-        turn: of the sheet.
-    """
+def _with_judgement(result: ExactResult, judged: SheetJudgement, turn: Turn) -> ExactResult:
+    """The same with what the judge has to say."""
     if result.status is Status.VERIFIED:
         if judged.judgement.verdict is Verdict.AGREES:
             return result

@@ -11,7 +11,6 @@ from gaussiancad_core.geometry.points import Point
 from gaussiancad_core.judging.difference_places import Difference
 from gaussiancad_core.judging.faceted_solids import FacetedSolid
 from gaussiancad_core.judging.note_tally import kept_notes
-from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.conflict_lines import Conflict
 from gaussiancad_core.model.axes import Axis, Role
@@ -49,19 +48,10 @@ _INSIDE = "bores, pockets or cavities that would show in hidden lines only"
 """What else there may be where a solid rests on hidden lines that no view has."""
 
 
-def with_solid_facts(
-    report: Report, model: ExactModel, judged: SheetJudgement | None, turn: Turn
-) -> Report:
-    """The report with what was tried for a model, how well it is known, and what else there is.
-
-    Args:
-        report: so far.
-        model: that was made.
-        judged: its solid against the sheet; None without a solid.
-        turn: of the sheet.
-    """
+def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
+    """The report with what was tried for a model, how well it is known, and what else there is."""
     result, sheet = model.result, _Sheet(model.reading, turn)
-    verification = result.verification
+    verification, judged = result.verification, model.judged
     report = replace(
         report,
         alternatives=_alternatives(model),

@@ -8,7 +8,7 @@ from gaussiancad_core.lines.line_agreement import match_lines
 from gaussiancad_core.lines.line_points import lines_of_strokes
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment, Stroke, View
-from gaussiancad_core.pictures.overlay import ViewOverlay, draw_overlay
+from gaussiancad_core.pictures.overlay import ViewOverlay, draw_overlay, matched_overlay
 
 _SIZE = (40.0, 30.0, 20.0)
 _BOX = (100.0, 60.0, 500.0, 260.0)
@@ -21,7 +21,8 @@ def _overlay(sheet: list[Stroke], result: list[Stroke], role: Role = Role.FRONT)
     blank = np.zeros((1, 1), dtype=bool)
     colour = np.zeros((1, 1, 3), dtype=np.uint8)
     view = View(role, _BOX, tuple(sheet), blank, colour, (0.0, 20.0), 0.1)
-    return ViewOverlay(view, _SIZE, match_lines(sheet, lines_of_strokes(result, 0.05), 0.3))
+    matched = match_lines(sheet, lines_of_strokes(result, 0.05), 0.3)
+    return ViewOverlay(view, _SIZE, matched_overlay(matched))
 
 
 def _level(height: float, linetype: Linetype) -> Segment:

@@ -17,7 +17,7 @@ from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.views import Segment
 from gaussiancad_core.recognition.sheet_views import sheet_views
 from gaussiancad_core.run.exact_stage import ExactModel, find_exact
-from gaussiancad_core.run.solid_judgement import counted_differences, judged_solid, with_judgement
+from gaussiancad_core.run.solid_judgement import counted_differences, judged_model
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import read_sheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
@@ -49,12 +49,6 @@ def read(
     return find_exact(ProjectedReading(registered, Projection.THIRD), None), opened
 
 
-def _said(model: ExactModel, sheet: OpenedSheet, result: ExactResult | None = None) -> ExactResult:
-    judged = judged_solid(model, sheet)
-    assert judged is not None
-    return with_judgement(result or model.result, judged, sheet.turn)
-
-
 def _lacking(result: ExactResult) -> ExactResult:
     """The same, as if its lines and the sheet's disagreed."""
     return replace(
@@ -83,31 +77,31 @@ def _without_longest(model: ExactModel) -> ExactModel:
 def test_a_verified_solid_on_its_sheet_stays_so(read: Read) -> None:
     model, sheet = read
     assert model.result.status is Status.VERIFIED
-    assert _said(model, sheet) is model.result
+    assert judged_model(model, sheet).result is model.result
 
 
 def test_a_note_that_is_not_kept_takes_the_certainty(read: Read) -> None:
     model, sheet = read
     hole = NotedHole(Role.TOP, (11.0, 11.0), (HoleStep(2.0),), "Ø2 THRU")
     noted = replace(model, reading=replace(model.reading, holes=(hole,)))
-    found = _said(noted, sheet)
+    found = judged_model(noted, sheet).result
     assert found.status is Status.APPROXIMATE
     assert [code for code, _ in found.reasons] == [Code.NOTE_NOT_KEPT]
     # Where other reasons were there before, it is the first.
-    doubted = _said(noted, sheet, model.result.doubted((Code.ASSUMED, "something")))
-    assert [code for code, _ in doubted.reasons] == [Code.NOTE_NOT_KEPT, Code.ASSUMED]
+    doubted = replace(noted, result=model.result.doubted((Code.ASSUMED, "something")))
+    reasons = judged_model(doubted, sheet).result.reasons
+    assert [code for code, _ in reasons] == [Code.NOTE_NOT_KEPT, Code.ASSUMED]
 
 
 def test_an_edge_on_ink_that_was_not_read_is_none_that_the_sheet_lacks(read: Read) -> None:
     model, sheet = read
-    poor = _without_longest(model)
-    judged = judged_solid(poor, sheet)
-    assert judged is not None
-    assert judged.differences
-    assert not counted_differences(judged)
-    found = _said(poor, sheet, _lacking(model.result))
-    assert found.status is Status.APPROXIMATE
-    ((code, message),) = found.reasons
+    poor = replace(_without_longest(model), result=_lacking(model.result))
+    found = judged_model(poor, sheet)
+    assert found.judged is not None
+    assert found.judged.differences
+    assert not counted_differences(found.judged)
+    assert found.result.status is Status.APPROXIMATE
+    ((code, message),) = found.result.reasons
     assert code == Code.LABELS_DOUBTFUL
     # A bore ends at that edge, too.
     low = min(y1 - y0 for _, y0, _, y1 in boxes_of(message))
@@ -118,7 +112,7 @@ def test_an_edge_without_ink_stays_unexplained_and_has_its_place(read: Read) -> 
     model, sheet = read
     drilled = cut(model.result.shape, cylinder(Axis.Y, (70.0, 5.0), 2.0, -1.0, 200.0))
     other = replace(model, result=_lacking(replace(model.result, shape=drilled)))
-    ((code, message),) = _said(other, sheet).reasons
+    ((code, message),) = judged_model(other, sheet).result.reasons
     assert code == Code.LINES_UNEXPLAINED
     assert message.args["case"] == "beyond"
     place = model.reading.registered.placements[Role.FRONT]

@@ -44,7 +44,7 @@ def test_alternatives_are_told_with_the_projection_that_they_are_read_in() -> No
         Role.LEFT: chain((-30, 0), (0, 0), (0, 20), (-30, 0)),
     }
     model = find_exact(_sheet(Projection.THIRD, third), _sheet(Projection.FIRST, first))
-    report = with_solid_facts(Report("", {}), model, None, _LEVEL)
+    report = with_solid_facts(Report("", {}), model, _LEVEL)
     (other,) = report.as_json()["alternatives"]
     assert other["volume_mm3"] == pytest.approx(40 * 30 * 20 / 2)
     del other["volume_mm3"]
@@ -55,7 +55,7 @@ def test_alternatives_are_told_with_the_projection_that_they_are_read_in() -> No
 
 def test_a_drawing_that_agrees_has_nothing_to_tell() -> None:
     report = with_solid_facts(
-        Report("", {}), find_exact(_step(*chain((0, 12), (40, 12))), None), None, _LEVEL
+        Report("", {}), find_exact(_step(*chain((0, 12), (40, 12))), None), _LEVEL
     )
     assert (report.alternatives, report.conflict, report.reasons) == ((), (), ())
 
@@ -63,7 +63,7 @@ def test_a_drawing_that_agrees_has_nothing_to_tell() -> None:
 @pytest.mark.parametrize("angle", [0.0, 0.05])
 def test_a_missing_line_is_told_with_its_box_on_the_sheet_as_stored(angle: float) -> None:
     turn = Turn(angle, (300.0, 300.0))
-    report = with_solid_facts(Report("", {}), find_exact(_step(), None), None, turn)
+    report = with_solid_facts(Report("", {}), find_exact(_step(), None), turn)
     assert [reason.code for reason in report.reasons] == ["lines-contradict"]
     assert "a visible line is missing in the top view" in report.reasons[0].message
     missing = report.as_json()["conflict"][0]
