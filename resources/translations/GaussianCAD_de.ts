@@ -3186,6 +3186,10 @@
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
+    <message>
+        <source>A short line of the drawing runs in a direction that no line of the part near it has: a small rounding or chamfer may be missing.</source>
+        <translation>Eine kurze Linie der Zeichnung verläuft in einer Richtung, die keine Linie des Teils in ihrer Nähe hat: eine kleine Rundung oder Fase kann fehlen.</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

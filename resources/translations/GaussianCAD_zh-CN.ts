@@ -3186,6 +3186,10 @@
         <source>Note</source>
         <translation>注释</translation>
     </message>
+    <message>
+        <source>A short line of the drawing runs in a direction that no line of the part near it has: a small rounding or chamfer may be missing.</source>
+        <translation>图纸上有一条短线，其方向与零件附近的任何线都不一致：可能缺少小圆角或倒角。</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

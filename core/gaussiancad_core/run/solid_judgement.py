@@ -33,7 +33,7 @@ _ON_INK = 0.9
 """Share of an edge that lies on ink from which the sheet draws it: it ends short where others
 cross."""
 
-_LEAST = 2e-3
+_LEAST = 0.01
 """Share of the longest extent from which a difference counts."""
 
 _MOST_PLACES = 5

@@ -55,6 +55,14 @@ _RETOLD: Reason = (
     "hidden lines no longer than a dash look like visible ones: some are taken for the other kind, "
     "as the other views have it",
 )
+_ASKEW: Reason = (
+    Code.LINES_APART,
+    Message(
+        "a short line of the sheet runs in a direction that no line of the solid near it has: a "
+        "small rounding or chamfer may be missing",
+        case="direction",
+    ),
+)
 _THIN: Reason = (
     Code.FACES_THIN,
     "long faces narrower than two pixels, which no view can show: they may be left between lines "
@@ -93,6 +101,8 @@ def reasons_of(
         reasons.append(_RETOLD)
     if verification.apart:
         reasons.append(_apart(verification))
+    elif verification.askew:
+        reasons.append(_ASKEW)
     if verification.thin:
         reasons.append(_THIN)
     if not has_hidden_lines(views):

@@ -113,8 +113,9 @@ class Verification:
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
         apart: whether a line, or a side of the bounding box, lies farther beside than lines of the
-            sheet may miss where they belong, or a stroke runs in a direction that no line near has:
-            then there may be a small step, rounding or chamfer.
+            sheet may miss where they belong: then there may be a small step.
+        askew: whether a stroke runs in a direction that no line near has: then there may be a small
+            rounding or chamfer.
         thin: how many faces are slivers: no view can show them.
         relaxed_linetypes: whether strokes whose linetype nothing tells are of the other one.
         lines: of the solid in each view, mm.
@@ -127,6 +128,7 @@ class Verification:
     spread: float
     misfit: float
     apart: bool
+    askew: bool = False
     thin: int = 0
     relaxed_linetypes: bool = False
     lines: Mapping[Role, tuple[DrawnStroke, ...]] = field(default_factory=dict)
@@ -206,14 +208,14 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
     most = views.tolerance if views.noise else _CLOSE * tolerance
-    apart = askew or max(spread, misfit) > most
     return Verification(
         sound,
         matched,
         tuple(flaws),
         spread,
         misfit,
-        apart,
+        max(spread, misfit) > most,
+        askew,
         _thin(shape, views),
         relaxed_linetypes,
         drawn,

@@ -149,6 +149,11 @@ REASONS = {
         "A line of the drawing lies {distance_mm} mm beside the part's: a small step may be "
         "missing.",
     ),
+    "lines-apart:direction": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A short line of the drawing runs in a direction that no line of the part near it has: a "
+        "small rounding or chamfer may be missing.",
+    ),
     "lines-apart:extent": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The views and the part differ by up to {distance_mm} mm in size: a small step may be "
