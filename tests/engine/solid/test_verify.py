@@ -132,7 +132,7 @@ def test_a_stroke_across_a_corner_is_a_rounding_that_the_solid_lacks(
     across = Segment(tuple(corner - item), tuple(corner + item), Linetype.VISIBLE)
     strokes = {**views.strokes, Role.TOP: (*views.strokes[Role.TOP], across)}
     found = verify(_pocketed(8.0), replace(views, strokes=strokes, tolerance=0.4, noise=0.01))
-    assert found.explains and found.apart is askew
+    assert (found.explains, found.askew, found.apart) == (True, askew, False)
 
 
 @pytest.mark.parametrize(("length", "apart"), [(6.0, False), (38.0, True)])
