@@ -4,7 +4,7 @@ import hashlib
 import pickle
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cache
 from pathlib import Path
@@ -27,6 +27,7 @@ from gaussiancad_core.evidence.projected_reading import ProjectedReading, drawn_
 from gaussiancad_core.model.axes import Axis, Projection
 from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.run.ink_stage import compared_with_ink
+from gaussiancad_core.run.solid_judgement import judged_model
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, register_views
@@ -96,12 +97,13 @@ class Input:
         return self.views.tolerance if self.registered is None else self.registered.mm_per_pixel
 
     def solved(self) -> ExactResult:
-        """The solid: as of a sheet, compared with the ink, where there is one."""
+        """The solid: as of a sheet, compared with the ink and judged, where there is one."""
         if self.registered is None or self.sheet is None:
             return find_exact(Lines(self.views), None).result
         reading = ProjectedReading(self.registered, Projection.THIRD, self.measures)
-        result = find_exact(reading, None).result
-        return compared_with_ink(result, self.registered, self.sheet)
+        model = find_exact(reading, None)
+        result = compared_with_ink(model.result, self.registered, self.sheet)
+        return judged_model(replace(model, result=result), self.sheet).result
 
 
 def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -> Input:

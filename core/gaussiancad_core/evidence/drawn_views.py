@@ -3,12 +3,30 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+import numpy.typing as npt
+
 from gaussiancad_core.evidence.dimension_constraints import DimensionConstraints
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.section_planes import Cut
 from gaussiancad_core.model.views import Linetype, ViewSet
+
+
+@dataclass(frozen=True, eq=False)
+class DroppedLine:
+    """A line of a picture that was taken for annotation, and may be an edge.
+
+    Attributes:
+        points: (n, 2) mm in the view's plane (right, up), along it.
+        linetype: that it would be of.
+        odds: 0 to 1, that it is an edge.
+    """
+
+    points: npt.NDArray[np.float64]
+    linetype: Linetype
+    odds: float
 
 
 @dataclass(frozen=True)
@@ -35,6 +53,7 @@ class DrawnViews:
         cuts: views that are sections.  They draw no hidden lines.
         holes: of which notes speak.
         about: the axis that the part is turned about, where no view looks along it.
+        dropped: lines of each view that were taken for annotation and may be edges.
     """
 
     strokes: Mapping[Role, tuple[DrawnStroke, ...]]
@@ -51,6 +70,7 @@ class DrawnViews:
     cuts: Mapping[Role, Cut] = field(default_factory=dict)
     holes: tuple[NotedHole, ...] = ()
     about: Axis | None = None
+    dropped: Mapping[Role, tuple[DroppedLine, ...]] = field(default_factory=dict)
 
     @property
     def without_hidden(self) -> tuple[Role, ...]:

@@ -5,18 +5,24 @@ from dataclasses import dataclass, field, replace
 from typing import cast
 
 from gaussiancad_core.evidence.dimension_evidence import dimension_constraints
-from gaussiancad_core.evidence.drawn_views import DrawnViews, views_as_read
+from gaussiancad_core.evidence.drawn_views import DrawnViews, DroppedLine, views_as_read
 from gaussiancad_core.evidence.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.evidence.section_evidence import SectionBeside
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.section_planes import Cut, SectionRole
+from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.sheet.labels.ink_classes import InkClass
+from gaussiancad_core.sheet.labels.label_evidence import LabelledLine
 from gaussiancad_core.sheet.registration.stroke_precision import tolerance_px
-from gaussiancad_core.sheet.sheet_stages import RegisteredSheet
+from gaussiancad_core.sheet.sheet_stages import ReadView, RegisteredSheet
 from gaussiancad_core.writing.scale_agreement import Measure
 
 _ROUGH_PX = 1.0
 """Tolerance of strokes that were read from a picture."""
+
+_LEAST_ODDS = 0.1
+"""Odds that a line is an edge from which it counts though it was taken for annotation."""
 
 APART_PX = 0.3
 """px from which the coordinates of such strokes are different ones: lines are read to a twentieth
@@ -64,6 +70,16 @@ class ProjectedReading:
             cuts={**self.cuts, **{cast(Role, r): each.cut for r, each in neighbour}},
             holes=self.holes,
             about=unseen.about if unseen is not None else None,
+            dropped={view.role: self._dropped(view) for view in self.registered.drawn},
+        )
+
+    def _dropped(self, view: ReadView) -> tuple[DroppedLine, ...]:
+        """Lines of a view that were taken for annotation and may be edges."""
+        place = self.registered.placements[view.role]
+        return tuple(
+            DroppedLine(place.to_plane(line.points), _linetype(line), 1.0 - line.confidence)
+            for line in view.labels.lines
+            if not line.is_part and line.confidence <= 1.0 - _LEAST_ODDS
         )
 
     @property
@@ -75,6 +91,10 @@ class ProjectedReading:
         return replace(
             drawn, dimensions=dimension_constraints(self.registered, self.measures, drawn.noise)
         )
+
+
+def _linetype(line: LabelledLine) -> Linetype:
+    return Linetype.HIDDEN if line.otherwise is InkClass.HIDDEN else Linetype.VISIBLE
 
 
 def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -> DrawnViews:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.evidence.drawn_views import DrawnViews, DroppedLine
 from gaussiancad_core.judging.faceted_solids import Floats
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
@@ -28,13 +28,13 @@ class DrawnLine:
         points: (n, 2) mm in the view's plane (right, up), corners of its chords.
         is_visible: whether it is drawn as a visible edge.
         is_circle: whether it is a whole circle.
-        confidence: 0 to 1, how sure the linetype is.
+        odds: 0 to 1, that it is the part's as it is drawn.
     """
 
     points: Floats
     is_visible: bool
     is_circle: bool = False
-    confidence: float = 1.0
+    odds: float = 1.0
 
     @property
     def length(self) -> float:
@@ -60,8 +60,8 @@ class DrawnView:
 
     @property
     def length(self) -> float:
-        """mm of all lines."""
-        return sum(line.length for line in self.lines)
+        """mm of all lines, each by its odds."""
+        return sum(line.odds * line.length for line in self.lines)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +90,7 @@ class DrawnSheet:
 
     @property
     def length(self) -> float:
-        """mm of all lines."""
+        """mm of all lines, each by its odds."""
         return sum(view.length for view in self.views)
 
 
@@ -102,7 +102,7 @@ def drawn_sheet(views: DrawnViews) -> DrawnSheet:
     drawn = [
         DrawnView(
             role,
-            tuple(_lines(strokes, longest)),
+            (*_lines(strokes, longest), *_dropped(views.dropped.get(role, ()))),
             role not in views.without_hidden
             and any(stroke.linetype is Linetype.HIDDEN for stroke in strokes),
             views.cuts.get(role),
@@ -110,6 +110,11 @@ def drawn_sheet(views: DrawnViews) -> DrawnSheet:
         for role, strokes in views.strokes.items()
     ]
     return DrawnSheet(tuple(drawn), size, views.tolerance)
+
+
+def _dropped(lines: Iterable[DroppedLine]) -> Iterable[DrawnLine]:
+    for line in lines:
+        yield DrawnLine(line.points, line.linetype is Linetype.VISIBLE, odds=line.odds)
 
 
 def chords_of(lines: Sequence[DrawnLine]) -> list[shapely.LineString]:

@@ -35,6 +35,9 @@ _OFF_MIDDLE = 0.47, 0.4437
 """Shares of a gap's part at which lines of the raster run, along right and up: not through middles,
 where parts have edges, nor along diagonals."""
 
+_EVEN = 0.5
+"""Odds from which a line is likely an edge."""
+
 _UPON = 1.5
 """Tolerances within which a stroke lies upon another."""
 
@@ -65,7 +68,7 @@ class SightPairs:
         places: (n, 2) mm in the view's plane (right, up).
         one, other: (p,) numbers of lines of sight.
         drawn: (p,) a :class:`Drawn` each.
-        weight: (p,) mm of line that a pair stands for.
+        weight: (p,) mm of line that a pair stands for, by the odds of that.
         line: (p,) number of the line between both; :data:`NO_LINE` where there is none.
         at: (p, 2) mm, where a pair is.
         raster: number of the first line of sight of the raster.
@@ -153,7 +156,7 @@ def _near_strokes(
     lines: Sequence[DrawnLine], tree: shapely.STRtree | None, sheet: DrawnSheet
 ) -> _Near:
     """Places on strokes that no other stroke is in the way of: a stroke upon another counts once,
-    the visible one."""
+    the likely one, of two alike the visible one."""
     if tree is None:
         none = np.zeros(0, int)
         return _Near(np.zeros((0, 2)), np.zeros((0, 2)), none, np.zeros(0), none)
@@ -162,7 +165,8 @@ def _near_strokes(
     ways = np.concatenate([ways for _, ways in found])
     counts = [len(places) for places, _ in found]
     line = np.repeat(np.arange(len(lines)), counts)
-    weight = np.repeat([each.length / n for each, n in zip(lines, counts, strict=True)], counts)
+    shares = [each.odds * each.length / n for each, n in zip(lines, counts, strict=True)]
+    weight = np.repeat(shares, counts)
     visible = np.array([each.is_visible for each in lines])
     across = sheet.aside * np.stack([-ways[:, 1], ways[:, 0]], axis=1)
     probes = shapely.linestrings(np.stack([at - across, at + across], axis=1))
@@ -171,11 +175,13 @@ def _near_strokes(
     upon = shapely.distance(shapely.points(at[probe]), tree.geometries[met]) <= (
         _UPON * sheet.tolerance
     )
-    # Of two strokes upon each other the visible one counts, of two alike the first.
-    stands = visible[line[probe]] & ~visible[met]
-    stands |= (visible[line[probe]] == visible[met]) & (line[probe] < met)
+    likely = np.array([each.odds >= _EVEN for each in lines])
+    place = np.argsort(np.lexsort((-np.arange(len(lines)), visible, likely)))
+    stands = place[line[probe]] > place[met]
+    # What is hardly an edge is in nobody's way.
+    is_aside = ~upon & (likely[met] | ~likely[line[probe]])
     dropped = np.zeros(len(at), bool)
-    dropped[probe[~upon | ~stands]] = True
+    dropped[probe[is_aside | (upon & ~stands)]] = True
     kept = ~dropped
     drawn = np.where(visible[line], Drawn.VISIBLE, Drawn.HIDDEN)
     return _Near(at[kept], across[kept], drawn[kept], weight[kept], line[kept])

@@ -40,6 +40,9 @@ _EXTENT, _EXTENT_TOLERANCES = 0.01, 3.0
 _LOST = 0.7
 """Share of a drawn circle that is lost where the solid has none there."""
 
+_SURE = 0.9
+"""Odds of a circle from which it counts."""
+
 _SMALLEST = 0.01
 """Share of the longest extent that a circle is long at least to count."""
 
@@ -160,7 +163,8 @@ def _circles(laid: Laid, judge: Judge) -> Iterator[Reason]:
     least = _SMALLEST * judge.sheet.longest
     for view, number in lost_lines(laid.misfit, _LOST):
         line = view.lines[number]
-        if line.is_circle and line.is_visible and line.length > least:
+        is_sure = line.odds >= _SURE and line.is_visible
+        if line.is_circle and is_sure and line.length > least:
             right, up = line.points.mean(axis=0).tolist()
             yield Reason(
                 Code.CIRCLE_MISSING,
