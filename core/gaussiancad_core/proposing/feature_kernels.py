@@ -1,0 +1,441 @@
+"""Compiled loops over lines of sight through planned features: where they enter and leave, what
+adding or cutting changes, and what that costs.
+
+Tables have a row for each line of sight: how many surfaces it crosses, their depths from the least
+coordinate along the axis on, and their numbers.
+"""
+
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from gaussiancad_core.judging.difference_kinds import PRICES, Kind
+
+MOST = 24
+"""Crossings of a line of sight with a part at most."""
+
+FEW = 12
+"""Crossings of a line of sight with a feature at most."""
+
+
+class Operation(IntEnum):
+    """What a feature does to a part."""
+
+    ADD = 0
+    CUT = 1
+    MEET = 2
+    SET = 3
+    """The part becomes the feature between its two places."""
+
+
+_CUT, _MEET, _SET = int(Operation.CUT), int(Operation.MEET), int(Operation.SET)
+_ADD = int(Operation.ADD)
+_MISSING, _MISSING_HIDDEN = PRICES[Kind.MISSING], PRICES[Kind.MISSING_HIDDEN]
+_EXTRA, _EXTRA_HIDDEN = PRICES[Kind.EXTRA], PRICES[Kind.EXTRA_HIDDEN]
+_LINETYPE, _TANGENT = PRICES[Kind.LINETYPE], PRICES[Kind.TANGENT]
+
+_VISIBLE, _HIDDEN = 1, 2
+
+
+class Crossed(NamedTuple):
+    """What lines of sight cross of a part: (n,) counts, (n, MOST) depths in mm and surfaces."""
+
+    count: np.ndarray
+    depth: np.ndarray
+    surface: np.ndarray
+
+
+class Table(NamedTuple):
+    """What lines of sight of a view cross of a feature.
+
+    Attributes:
+        rows: (k,) numbers of the lines of sight.
+        count, depth, surface: of each, as of :class:`Crossed`; of a feature along whose axis the
+            view looks all are one, and these are not looked at.
+        at: (k,) mm along the feature's axis, of lines of sight across it.
+        low, high: mm along its axis, of the feature.
+        first, last: surfaces there.
+        is_along: whether the view looks along the feature's axis.
+    """
+
+    rows: np.ndarray
+    count: np.ndarray
+    depth: np.ndarray
+    surface: np.ndarray
+    at: np.ndarray
+    low: float
+    high: float
+    first: int
+    last: int
+    is_along: bool
+
+
+class Signs(NamedTuple):
+    """(n,) what lines of sight are compared by, as of :class:`.lines_of_sight.Seen`."""
+
+    every: np.ndarray
+    sharp: np.ndarray
+    first: np.ndarray
+
+
+class Pairs(NamedTuple):
+    """Pairs of lines of sight: (p,) numbers of both, what is drawn between them, mm, and what they
+    cost now."""
+
+    one: np.ndarray
+    other: np.ndarray
+    drawn: np.ndarray
+    weight: np.ndarray
+    cost: np.ndarray
+
+
+class Scratch(NamedTuple):
+    """Where a trial keeps its signs: (n,) which trial changed a line of sight last, and how."""
+
+    stamp: np.ndarray
+    every: np.ndarray
+    sharp: np.ndarray
+    first: np.ndarray
+
+
+class Looks(NamedTuple):
+    """How a view looks: (s,) of each surface the first that it passes into smoothly, whether it sees
+    the least coordinate first, and whether it draws what is hidden."""
+
+    roots: np.ndarray
+    looks_up: bool
+    draws_hidden: bool
+
+
+@njit(cache=True)
+def inside(edges, x, y):  # noqa: ANN001, ANN201
+    """(n,) whether places lie in an area with edges (m, 4): an odd number of them lies to the
+    right."""
+    found = np.zeros(len(x), np.bool_)
+    for i in range(len(x)):
+        is_odd = False
+        for e in range(len(edges)):
+            low, high = edges[e, 1], edges[e, 3]
+            if (low <= y[i]) != (high <= y[i]):
+                share = (y[i] - low) / (high - low)
+                if edges[e, 0] + share * (edges[e, 2] - edges[e, 0]) > x[i]:
+                    is_odd = not is_odd
+        found[i] = is_odd
+    return found
+
+
+@njit(cache=True)
+def across(edges, surfaces, fixed, along):  # noqa: ANN001, ANN201
+    """Where lines cross an area's edges.
+
+    Args:
+        edges: (m, 4) of the area.
+        surfaces: (m,) behind them.
+        fixed: (n,) the coordinate that each line keeps.
+        along: 0 where lines run along the first coordinate, 1 where along the second.
+    """
+    n = len(fixed)
+    count = np.zeros(n, np.int64)
+    depth = np.zeros((n, FEW))
+    surface = np.zeros((n, FEW), np.int64)
+    kept = 1 - along
+    for i in range(n):
+        k = 0
+        for e in range(len(edges)):
+            low, high = edges[e, kept], edges[e, 2 + kept]
+            if (low <= fixed[i]) != (high <= fixed[i]) and k < FEW:
+                share = (fixed[i] - low) / (high - low)
+                place = edges[e, along] + share * (edges[e, 2 + along] - edges[e, along])
+                j = k
+                while j > 0 and depth[i, j - 1] > place:
+                    depth[i, j], surface[i, j] = depth[i, j - 1], surface[i, j - 1]
+                    j -= 1
+                depth[i, j], surface[i, j] = place, surfaces[e]
+                k += 1
+        count[i] = k - k % 2
+    return count, depth, surface
+
+
+@njit(cache=True)
+def across_turned(edges, surfaces, height, beside):  # noqa: ANN001, ANN201
+    """Where lines across a turned body cross it.
+
+    Args:
+        edges: (m, 4) of its profile: radius and height, twice.
+        surfaces: (m,) behind them.
+        height: (n,) of each line.
+        beside: (n,) mm by which each passes the axis.
+    """
+    n = len(height)
+    count = np.zeros(n, np.int64)
+    depth = np.zeros((n, FEW))
+    surface = np.zeros((n, FEW), np.int64)
+    radii, behind = np.zeros(FEW), np.zeros(FEW, np.int64)
+    for i in range(n):
+        aside, k = abs(beside[i]), 0
+        for e in range(len(edges)):
+            low, high = edges[e, 1], edges[e, 3]
+            if (low <= height[i]) != (high <= height[i]) and k < FEW // 2:
+                share = (height[i] - low) / (high - low)
+                radius = edges[e, 0] + share * (edges[e, 2] - edges[e, 0])
+                if radius <= aside:
+                    continue
+                j = k
+                while j > 0 and radii[j - 1] > radius:
+                    radii[j], behind[j] = radii[j - 1], behind[j - 1]
+                    j -= 1
+                radii[j], behind[j] = radius, surfaces[e]
+                k += 1
+        for j in range(k):
+            reach = np.sqrt(radii[j] * radii[j] - aside * aside)
+            depth[i, k - 1 - j], surface[i, k - 1 - j] = -reach, behind[j]
+            depth[i, k + j], surface[i, k + j] = reach, behind[j]
+        count[i] = 2 * k
+    return count, depth, surface
+
+
+@njit(cache=True)
+def _merge(one, other, operation, near, made):  # noqa: ANN001, ANN202
+    """Put what a line of sight crosses of two bodies under an operation into a table; how many.
+
+    Args:
+        one, other: count, depths and surfaces of each.
+        operation: of the other on the one.
+        near: mm within which two crossings are one.
+        made: depths and surfaces, filled in.
+    """
+    first_count, first_depth, first_surface = one
+    second_count, second_depth, second_surface = other
+    depth, surface = made
+    if operation == _SET:
+        for q in range(second_count):
+            depth[q], surface[q] = second_depth[q], second_surface[q]
+        return second_count
+    i = j = k = 0
+    in_one = in_other = was_in = False
+    while i < first_count or j < second_count:
+        if i < first_count and (j >= second_count or first_depth[i] <= second_depth[j]):
+            place, number = first_depth[i], first_surface[i]
+        else:
+            place, number = second_depth[j], second_surface[j]
+        while i < first_count and first_depth[i] <= place + near:
+            in_one = not in_one
+            i += 1
+        while j < second_count and second_depth[j] <= place + near:
+            in_other = not in_other
+            j += 1
+        if operation == _ADD:
+            is_in = in_one or in_other
+        elif operation == _CUT:
+            is_in = in_one and not in_other
+        else:
+            is_in = in_one and in_other
+        if is_in != was_in:
+            if k < MOST:
+                depth[k], surface[k] = place, number
+                k += 1
+            was_in = is_in
+    return k
+
+
+@njit(cache=True)
+def _sign(count, surface, looks):  # noqa: ANN001, ANN202
+    """What a line of sight is compared by."""
+    every = sharp = 1469598103934665603
+    for q in range(count):
+        every = (every * 1099511628211) ^ (surface[q] + 7)
+        sharp = (sharp * 1099511628211) ^ (looks.roots[surface[q]] + 7)
+    first = -1
+    if count > 0:
+        first = looks.roots[surface[0 if looks.looks_up else count - 1]]
+    return every, sharp, first
+
+
+@njit(cache=True)
+def _combined(crossed, i, table, q, operation, near, made, flat):  # noqa: ANN001, ANN202, PLR0917
+    """What a line of sight crosses after an operation; -1 where it is untouched."""
+    part = crossed.count[i], crossed.depth[i], crossed.surface[i]
+    if table.is_along:
+        depth, surface = flat
+        return _merge(part, (2, depth, surface), operation, near, made)
+    if table.low < table.at[q] < table.high:
+        feature = table.count[q], table.depth[q], table.surface[q]
+        return _merge(part, feature, operation, near, made)
+    return 0 if operation == _MEET else -1
+
+
+@njit(cache=True)
+def combine(crossed, table, operation, near) -> None:  # noqa: ANN001
+    """Do an operation for the lines of sight of a table, in place."""
+    made = np.zeros(MOST), np.zeros(MOST, np.int64)
+    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
+    for q in range(len(table.rows)):
+        i = table.rows[q]
+        count = _combined(crossed, i, table, q, operation, near, made, flat)
+        if count >= 0:
+            crossed.count[i] = count
+            for k in range(count):
+                crossed.depth[i, k], crossed.surface[i, k] = made[0][k], made[1][k]
+
+
+@njit(cache=True)
+def sign(crossed, looks, signs) -> None:  # noqa: ANN001
+    """Put what all lines of sight are compared by into a table."""
+    for i in range(len(crossed.count)):
+        found = _sign(crossed.count[i], crossed.surface[i], looks)
+        signs.every[i], signs.sharp[i], signs.first[i] = found
+
+
+@njit(cache=True)
+def _price(drawn, weight, one, other, draws_hidden):  # noqa: ANN001, ANN202
+    """What a pair costs."""
+    if one[1] == other[1]:
+        if drawn == _VISIBLE or drawn == _HIDDEN:
+            if one[0] != other[0]:
+                return _TANGENT * weight
+            return (_MISSING if drawn == _VISIBLE else _MISSING_HIDDEN) * weight
+        return 0.0
+    if one[2] != other[2]:
+        if drawn == _VISIBLE:
+            return 0.0
+        return (_LINETYPE if drawn == _HIDDEN else _EXTRA) * weight
+    if drawn == _HIDDEN:
+        return 0.0
+    if drawn == _VISIBLE:
+        return _LINETYPE * weight
+    return _EXTRA_HIDDEN * weight if draws_hidden else 0.0
+
+
+@njit(cache=True)
+def price(pairs, signs, draws_hidden):  # noqa: ANN001, ANN201
+    """What all pairs cost, and put it into their table."""
+    total = 0.0
+    for p in range(len(pairs.one)):
+        i, j = pairs.one[p], pairs.other[p]
+        one = signs.every[i], signs.sharp[i], signs.first[i]
+        other = signs.every[j], signs.sharp[j], signs.first[j]
+        pairs.cost[p] = _price(pairs.drawn[p], pairs.weight[p], one, other, draws_hidden)
+        total += pairs.cost[p]
+    return total
+
+
+@njit(cache=True)
+def _changed(signs, scratch, mark, pairs, draws_hidden):  # noqa: ANN001, ANN202
+    """By how much the cost changes with a trial, and what of that are new costs."""
+    gain = broken = 0.0
+    for p in range(len(pairs.one)):
+        i, j = pairs.one[p], pairs.other[p]
+        is_one, is_other = scratch.stamp[i] == mark, scratch.stamp[j] == mark
+        if is_one or is_other:
+            one = signs.every[i], signs.sharp[i], signs.first[i]
+            other = signs.every[j], signs.sharp[j], signs.first[j]
+            if is_one:
+                one = scratch.every[i], scratch.sharp[i], scratch.first[i]
+            if is_other:
+                other = scratch.every[j], scratch.sharp[j], scratch.first[j]
+            cost = _price(pairs.drawn[p], pairs.weight[p], one, other, draws_hidden)
+            gain += cost - pairs.cost[p]
+            if cost > pairs.cost[p]:
+                broken += cost - pairs.cost[p]
+    return gain, broken
+
+
+@njit(cache=True)
+def tried(state, table, operation, near, trial, looks):  # noqa: ANN001, ANN201, PLR0917
+    """By how much the cost changes with an operation, what of that is new, and how many lines of
+    sight change; nothing else is changed.
+
+    Args:
+        state: what is crossed, the signs, and the pairs.
+        table: of the feature.
+        operation: that is tried.
+        near: mm within which two crossings are one.
+        trial: scratch tables and the number of the trial.
+        looks: of the view.
+    """
+    crossed, signs, pairs = state
+    scratch, mark = trial
+    made = np.zeros(MOST), np.zeros(MOST, np.int64)
+    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
+    count = 0
+    for q in range(len(table.rows)):
+        i = table.rows[q]
+        crossings = _combined(crossed, i, table, q, operation, near, made, flat)
+        if crossings < 0:
+            continue
+        every, sharp, first = _sign(crossings, made[1], looks)
+        if every != signs.every[i]:
+            count += 1
+            scratch.stamp[i] = mark
+            scratch.every[i], scratch.sharp[i], scratch.first[i] = every, sharp, first
+    if count == 0:
+        return 0.0, 0.0, 0
+    gain, broken = _changed(signs, scratch, mark, pairs, looks.draws_hidden)
+    return gain, broken, count
+
+
+@njit(cache=True)
+def set_slab(crossed, table, is_inside, near) -> None:  # noqa: ANN001
+    """Make a part a feature between its two places, for all lines of sight of a view.
+
+    Args:
+        crossed: of the part, changed.
+        table: of the feature, with a row for each line of sight.
+        is_inside: (n,) whether each passes through the feature, where the view looks along it.
+        near: mm within which two crossings are one.
+    """
+    made = np.zeros(MOST), np.zeros(MOST, np.int64)
+    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
+    for i in range(len(crossed.count)):
+        operation = (_ADD if is_inside[i] else _CUT) if table.is_along else _SET
+        count = _in_slab(crossed, i, table, operation, near, made, flat)
+        if count >= 0:
+            crossed.count[i] = count
+            for k in range(count):
+                crossed.depth[i, k], crossed.surface[i, k] = made[0][k], made[1][k]
+
+
+@njit(cache=True)
+def _in_slab(crossed, i, table, operation, near, made, flat):  # noqa: ANN001, ANN202, PLR0917
+    part = crossed.count[i], crossed.depth[i], crossed.surface[i]
+    if table.is_along:
+        depth, surface = flat
+        return _merge(part, (2, depth, surface), operation, near, made)
+    if table.low < table.at[i] < table.high:
+        feature = table.count[i], table.depth[i], table.surface[i]
+        return _merge(part, feature, operation, near, made)
+    return -1
+
+
+@njit(cache=True)
+def tried_slab(state, table, is_inside, near, trial, looks):  # noqa: ANN001, ANN201, PLR0917
+    """By how much the cost changes where a part becomes a feature between its two places.
+
+    Args:
+        state: what is crossed, the signs, and the pairs.
+        table: of the feature, with a row for each line of sight.
+        is_inside: (n,) whether each passes through the feature, where the view looks along it.
+        near: mm within which two crossings are one.
+        trial: scratch tables and the number of the trial.
+        looks: of the view.
+    """
+    crossed, signs, pairs = state
+    scratch, mark = trial
+    made = np.zeros(MOST), np.zeros(MOST, np.int64)
+    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
+    count = 0
+    for i in range(len(crossed.count)):
+        operation = (_ADD if is_inside[i] else _CUT) if table.is_along else _SET
+        crossings = _in_slab(crossed, i, table, operation, near, made, flat)
+        if crossings < 0:
+            continue
+        every, sharp, first = _sign(crossings, made[1], looks)
+        if every != signs.every[i]:
+            count += 1
+            scratch.stamp[i] = mark
+            scratch.every[i], scratch.sharp[i], scratch.first[i] = every, sharp, first
+    if count == 0:
+        return 0.0
+    return _changed(signs, scratch, mark, pairs, looks.draws_hidden)[0]

@@ -1,0 +1,256 @@
+"""The exact solid of features in order; one that the kernel gets wrong is built alone, or left out."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+
+import numpy as np
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeEdge,
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakeWire,
+)
+from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
+from OCP.GC import GC_MakeArcOfCircle
+from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
+from OCP.ShapeFix import ShapeFix_Face
+from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
+
+from gaussiancad_core.kernel.booleans import common, fused, unified, without
+from gaussiancad_core.kernel.brep import is_valid, volume
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
+from gaussiancad_core.proposing.edge_on_surfaces import SurfaceKind
+from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
+from gaussiancad_core.proposing.plane_lines import Circle, Floats, PlaneSheet
+
+_ON_CIRCLE = 5.0
+"""Tolerances within which corners lie on the circle that their edges are chords of."""
+
+_STRAIGHT = 1e-2
+"""Tolerances within which corners lie on one line."""
+
+_SPECK = 1e-7
+"""mm: shorter edges are none."""
+
+_WORSE = 0.01
+"""Share of the lines that a solid may explain less than what was planned."""
+
+Features = Sequence[tuple[Operation, Feature]]
+Cost = Callable[[TopoDS_Shape], float]
+Place = Callable[[Floats], gp_Pnt]
+
+
+def solid_of(
+    features: Features, sheet: PlaneSheet, planned: float, cost: Cost
+) -> TopoDS_Shape | None:
+    """The exact solid of features.
+
+    Args:
+        features: in order.
+        sheet: whose surfaces they have.
+        planned: share of the lines that they leave unexplained as planned.
+        cost: the same of a solid.
+
+    Returns:
+        None where the kernel makes none.
+    """
+    at_once = None
+    with suppress(*KERNEL_FAILURES):
+        at_once = _built(features, sheet)
+        if is_valid(at_once) and cost(at_once) <= planned + _WORSE:
+            return at_once
+    one_by_one = _one_by_one(features, sheet)
+    made = [each for each in (at_once, one_by_one) if each is not None and is_valid(each)]
+    return min(made, key=cost, default=None)
+
+
+def _built(features: Features, sheet: PlaneSheet) -> TopoDS_Shape:
+    """Features one after another, those of one kind at once."""
+    shape: TopoDS_Shape | None = None
+    for operation, tools in _runs(features, sheet):
+        if shape is None:
+            shape = fused(tools)
+        elif operation is Operation.ADD:
+            shape = fused([shape, *tools])
+        elif operation is Operation.CUT:
+            shape = without(shape, tools)
+        else:
+            shape = common(shape, tools[0])
+    if shape is None:
+        raise RuntimeError("a part of no features")
+    return unified(shape)
+
+
+def _runs(features: Features, sheet: PlaneSheet) -> Iterator[tuple[Operation, list[TopoDS_Shape]]]:
+    run: list[TopoDS_Shape] = []
+    before: Operation | None = None
+    for operation, feature in features:
+        tools = [_tool(single, sheet) for single in single_features(feature)]
+        if before is not None and (operation is not before or operation is Operation.MEET):
+            yield before, run
+            run = []
+        run = [*run, *tools]
+        before = operation
+    if before is not None:
+        yield before, run
+
+
+def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
+    """Features alone, without those that the kernel cannot make."""
+    shape: TopoDS_Shape | None = None
+    for operation, feature in features:
+        for single in single_features(feature):
+            with suppress(*KERNEL_FAILURES):
+                tool = _tool(single, sheet)
+                made = tool if shape is None else _after(shape, operation, tool)
+                if is_valid(made) and volume(made) > 0.0:
+                    shape = made
+    if shape is not None:
+        with suppress(*KERNEL_FAILURES):
+            shape = unified(shape)
+    return shape
+
+
+def _after(shape: TopoDS_Shape, operation: Operation, tool: TopoDS_Shape) -> TopoDS_Shape:
+    if operation is Operation.ADD:
+        return fused([shape, tool])
+    return without(shape, [tool]) if operation is Operation.CUT else common(shape, tool)
+
+
+def _tool(feature: Prism | Turned, sheet: PlaneSheet) -> TopoDS_Shape:
+    return _prism(feature, sheet) if isinstance(feature, Prism) else _turned(feature, sheet)
+
+
+def _prism(feature: Prism, sheet: PlaneSheet) -> TopoDS_Shape:
+    loop, axis = feature.loop, feature.axis
+
+    def place(point: Floats) -> gp_Pnt:
+        return gp_Pnt(*lifted(axis, float(point[0]), float(point[1]), feature.low))
+
+    wires = []
+    for ring in loop.rings:
+        surfaces = loop.surfaces[ring]
+        circles = [_circle_of(sheet, int(surface), axis) for surface in surfaces]
+        wires.append(_wire(loop.edges[ring], surfaces.tolist(), circles, (place, axis), sheet))
+    face = BRepBuilderAPI_MakeFace(wires[0], True)
+    for wire in wires[1:]:
+        face.Add(wire)
+    way = [0.0, 0.0, 0.0]
+    way[axis.value] = feature.high - feature.low
+    return BRepPrimAPI_MakePrism(_fixed(face.Face()), gp_Vec(*way)).Shape()
+
+
+def _turned(feature: Turned, sheet: PlaneSheet) -> TopoDS_Shape:
+    """The profile in the plane of the axis and the first one across it, turned."""
+    first, second = IN_PLANE[feature.axis]
+
+    def place(point: Floats) -> gp_Pnt:
+        found = np.zeros(3)
+        found[first], found[second] = feature.centre
+        found[first] += point[0]
+        found[feature.axis.value] = point[1]
+        return gp_Pnt(*found.tolist())
+
+    names: dict[object, int] = {}
+    runs = [
+        names.setdefault(circle or ("edge", number), len(names))
+        for number, circle in enumerate(feature.circles)
+    ]
+    normal = Axis(second)
+    wire = _wire(feature.edges, runs, feature.circles, (place, normal), sheet)
+    face = BRepBuilderAPI_MakeFace(wire, True).Face()
+    origin, way = np.zeros(3), np.zeros(3)
+    origin[first], origin[second] = feature.centre
+    way[feature.axis.value] = 1.0
+    about = gp_Ax1(gp_Pnt(*origin.tolist()), gp_Dir(*way.tolist()))
+    return BRepPrimAPI_MakeRevol(face, about).Shape()
+
+
+def _circle_of(sheet: PlaneSheet, surface: int, axis: Axis) -> Circle | None:
+    behind = sheet.surfaces[surface]
+    if behind.kind is not SurfaceKind.CYLINDER or behind.axis is not axis:
+        return None
+    x, y, radius = behind.values
+    return x, y, radius
+
+
+def _wire(
+    edges: Floats,
+    names: Sequence[int],
+    circles: Sequence[Circle | None],
+    where: tuple[Place, Axis],
+    sheet: PlaneSheet,
+) -> TopoDS_Wire:
+    """A closed wire: runs of edges with one name as an arc, or as one straight edge.
+
+    Args:
+        edges: (m, 4) mm, from and to, around.
+        names: of the surfaces behind them.
+        circles: that edges are chords of.
+        where: (a, b) -> place in space, and the axis across the wire's plane.
+        sheet: that they are of.
+    """
+    place, normal = where
+    made = BRepBuilderAPI_MakeWire()
+    for run in _same(names):
+        corners = np.vstack([edges[run, :2], edges[run[-1], 2:]])
+        circle = circles[run[0]]
+        if circle is not None and _is_on(corners, circle, sheet.tolerance):
+            if len(run) == len(names):
+                return BRepBuilderAPI_MakeWire(_whole_circle(circle, place, normal)).Wire()
+            if len(run) > 1:
+                made.Add(_arc(corners, circle, place))
+                continue
+        if _is_straight(corners, sheet.tolerance):
+            made.Add(BRepBuilderAPI_MakeEdge(place(corners[0]), place(corners[-1])).Edge())
+            continue
+        for start, end in zip(corners, corners[1:], strict=False):
+            made.Add(BRepBuilderAPI_MakeEdge(place(start), place(end)).Edge())
+    return made.Wire()
+
+
+def _same(names: Sequence[int]) -> list[list[int]]:
+    """Runs of edges around that have one name."""
+    count = len(names)
+    starts = [k for k in range(count) if names[k] != names[k - 1]]
+    if not starts:
+        return [list(range(count))]
+    ends = [*starts[1:], starts[0] + count]
+    return [[k % count for k in range(start, end)] for start, end in zip(starts, ends, strict=True)]
+
+
+def _is_on(corners: Floats, circle: Circle, tolerance: float) -> bool:
+    away = np.hypot(*(corners - np.array(circle[:2])).T) - circle[2]
+    return bool(np.abs(away).max() < _ON_CIRCLE * tolerance)
+
+
+def _is_straight(corners: Floats, tolerance: float) -> bool:
+    way = corners[-1] - corners[0]
+    length = float(np.hypot(*way))
+    if length <= _SPECK:
+        return False
+    across = (corners - corners[0]) @ np.array([-way[1], way[0]]) / length
+    return bool(np.abs(across).max() < _STRAIGHT * tolerance + _SPECK)
+
+
+def _whole_circle(circle: Circle, place: Place, normal: Axis):  # noqa: ANN202
+    way = [0.0, 0.0, 0.0]
+    way[normal.value] = 1.0
+    about = gp_Ax2(place(np.array(circle[:2])), gp_Dir(*way))
+    return BRepBuilderAPI_MakeEdge(gp_Circ(about, circle[2])).Edge()
+
+
+def _arc(corners: Floats, circle: Circle, place: Place):  # noqa: ANN202
+    centre = np.array(circle[:2])
+    away = corners[len(corners) // 2] - centre
+    middle = centre + away / np.hypot(*away) * circle[2]
+    arc = GC_MakeArcOfCircle(place(corners[0]), place(middle), place(corners[-1]))
+    return BRepBuilderAPI_MakeEdge(arc.Value()).Edge()
+
+
+def _fixed(face: TopoDS_Face) -> TopoDS_Face:
+    fix = ShapeFix_Face(face)
+    fix.FixOrientation()
+    return fix.Face()

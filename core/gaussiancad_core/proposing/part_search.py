@@ -1,0 +1,305 @@
+"""The search for a part: a start, then edits that explain more than they break, the best first.
+
+A line tells a difference only: everything around a hole, cut off, draws nearly what the hole does,
+and explains all holes at once.  So edits that break hardly anything of what they explain come
+first, by how much they explain; only where none is left one that breaks more.
+"""
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.proposing.edit_hints import EditHints
+from gaussiancad_core.proposing.equal_loops import patterns_of
+from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.loop_places import prisms_of, whole_prism
+from gaussiancad_core.proposing.loop_shapes import loops_of
+from gaussiancad_core.proposing.part_features import Feature, Prism, Turned
+from gaussiancad_core.proposing.plane_lines import Floats, plane_sheet
+from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, plane_loops
+from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
+from gaussiancad_core.proposing.slab_starts import slab_start
+from gaussiancad_core.proposing.turned_profiles import turned_of
+
+_HABIT = 0.01
+"""Share of the lines that an edit as large as the part costs: of two that explain the same the
+smaller one."""
+
+_WORTH = 1e-3
+"""Share of the lines that an edit has to explain."""
+
+_AT_ONCE = 400
+"""Features that are tried before the best of them are taken."""
+
+_HARDLY, _SOME = 0.04, 0.2
+"""Shares of what an edit explains that it breaks of it, for it to break hardly anything, or some."""
+
+_LATE = 4
+"""Times so many features that are tried before an edit may break more."""
+
+_GOOD, _DONE = 4e-3, 5e-4
+"""Shares of the lines left unexplained with which no other start is tried, and no other edit."""
+
+_FIRST_SHARE, _SLAB_SHARE = 0.2, 0.06
+"""Shares of the time for each family of starts, and for slabs along one axis."""
+
+_FAMILIES = 4
+"""Families of starts that are tried before the best goes on."""
+
+_MAIN = 0.3
+"""Share of the outline that a region with holes has from which the part may be that."""
+
+_ALL_OF_SIDE = 0.97
+"""Share of a view's side that an outline reaches from which it is a prism of the part."""
+
+_MOST_TURNED = 20
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """What a search begins with.
+
+    Attributes:
+        family: of its kind.
+        part: as it is then.
+    """
+
+    family: str
+    part: PlannedPart
+
+
+class PartSearch:
+    """The search for the part of a sheet.
+
+    Args:
+        views: of the part.
+        seconds: of the processor, once it is known what there is to try.
+    """
+
+    def __init__(self, views: DrawnViews, seconds: float) -> None:
+        self._seconds = seconds
+        self.sheet = plane_sheet(views)
+        found = {axis: plane_loops(self.sheet, axis) for axis in Axis}
+        self._planes = {axis: plane for axis, plane in found.items() if plane is not None}
+        self._loops = {axis: loops_of(self.sheet, plane) for axis, plane in self._planes.items()}
+        turned = list(turned_of(self.sheet, self._planes, self._loops))
+        self._pool: list[Feature] = [
+            made
+            for loops in self._loops.values()
+            for loop in loops
+            for made in prisms_of(self.sheet, loop)
+        ]
+        self._pool += turned
+        self._pool += patterns_of(self.sheet, self._loops)
+        outlines = list(self._outlines())
+        # What there is to try is known: the time counts from here.
+        self._began = time.process_time()
+        self.judge = PlannedJudge(views, self.sheet, self._planes.values())
+        whole = float(np.prod(self.sheet.size))
+        sizes = np.array([feature.volume / whole for feature in self._pool])
+        self._price = _HABIT * self.judge.length * np.minimum(1.0, sizes)
+        self._least = _WORTH * self.judge.length
+        self._hints = EditHints(self._pool, self.judge) if self._pool else None
+        self._starts = self._by_family(list(self._all_starts(outlines, turned)))
+
+    def best(self) -> PlannedPart | None:
+        """The part that explains most; None where nothing tells a start."""
+        tried: list[PlannedPart] = []
+        for start in self._starts[:_FAMILIES]:
+            tried.append(self._edited(start.part, _FIRST_SHARE * self._seconds))
+            if self._is_good(tried[-1]):
+                break
+        if not tried:
+            return None
+        tried.sort(key=lambda part: part.cost)
+        best = tried[0]
+        rest = [start.part for start in self._starts[_FAMILIES:]]
+        for part in tried + rest:
+            if self._is_good(best) or self._left() < 0.0:
+                break
+            further = self._edited(part, self._seconds)
+            if further.cost < best.cost:
+                best = further
+        return best
+
+    def _left(self) -> float:
+        return self._seconds - (time.process_time() - self._began)
+
+    def _is_good(self, part: PlannedPart) -> bool:
+        return part.cost < _GOOD * self.judge.length
+
+    def _outlines(self) -> Iterator[Prism]:
+        """The outlines of the views as prisms."""
+        for axis, plane in self._planes.items():
+            x0, y0, x1, y1 = plane.outline.bounds
+            width, height = self.sheet.size[list(IN_PLANE[axis])].tolist()
+            if x1 - x0 > _ALL_OF_SIDE * width and y1 - y0 > _ALL_OF_SIDE * height:
+                outline = next(l for l in self._loops[axis] if l.kind is LoopKind.OUTLINE)
+                yield whole_prism(self.sheet, outline)
+
+    def _all_starts(self, outlines: Sequence[Prism], turned: Sequence[Turned]) -> Iterator[Start]:
+        met = self._met(PlannedPart(self.judge), outlines, first=Operation.ADD)
+        if met.features:
+            yield Start("outlines", met)
+            for loop in self._mains():
+                main = whole_prism(self.sheet, loop)
+                yield Start("main region", met.copy().do(Operation.MEET, main))
+        for axis, plane in self._planes.items():
+            until = time.process_time() + _SLAB_SHARE * self._seconds
+            slabs = slab_start(
+                self.judge, plane, self._loops[axis], lambda end=until: time.process_time() > end
+            )
+            if slabs is not None:
+                yield Start("slabs", slabs)
+                yield Start("slabs", self._met(slabs.copy(), outlines, first=Operation.MEET))
+        for made in [each for each in turned if self._is_whole(each)][:_MOST_TURNED]:
+            yield Start("turned", PlannedPart(self.judge).do(Operation.ADD, made))
+
+    @staticmethod
+    def _met(part: PlannedPart, outlines: Sequence[Prism], first: Operation) -> PlannedPart:
+        for number, outline in enumerate(outlines):
+            part.do(first if number == 0 else Operation.MEET, outline)
+        return part
+
+    def _mains(self) -> Iterator[Loop]:
+        """Large regions with holes: all that is left of the part if every hole goes through."""
+        for axis, plane in self._planes.items():
+            for loop in self._loops[axis]:
+                is_large = loop.polygon.area > _MAIN * plane.outline.area
+                if loop.kind is not LoopKind.AROUND and loop.polygon.interiors and is_large:
+                    yield loop
+
+    def _is_whole(self, turned: Turned) -> bool:
+        """Whether a turned profile is as large as the part."""
+        size, axis = self.sheet.size, turned.axis.value
+        across = float(np.delete(size, axis).min())
+        reaches = turned.low <= self.sheet.tolerance
+        reaches &= turned.high >= float(size[axis]) - self.sheet.tolerance
+        return reaches and 2.0 * turned.radius > _ALL_OF_SIDE * across
+
+    @staticmethod
+    def _by_family(starts: list[Start]) -> list[Start]:
+        """The best of each family, then all others, the best first."""
+        starts.sort(key=lambda start: start.part.cost)
+        first: dict[str, Start] = {}
+        for start in starts:
+            first.setdefault(start.family, start)
+        return [*first.values(), *(start for start in starts if start not in first.values())]
+
+    def _edited(self, part: PlannedPart, seconds: float) -> PlannedPart:
+        """A part with edits, as long as one explains more."""
+        until = min(self._began + self._seconds, time.process_time() + seconds)
+        if self._hints is None:
+            return part
+        edits = _Edits(part, self._pool, self._price, self._least, until)
+        while not edits.is_over and part.cost > _DONE * self.judge.length:
+            edits.forget(self._hints.stale(part))
+            worth = self._hints.reach(part) > self._least
+            order = np.argsort(-self._hints.of(part) + self._price, kind="stable")
+            if not edits.some_done(order[worth[order]]):
+                break
+        return part
+
+
+class _Edits:
+    """What edits of a part would change, as far as it was tried.
+
+    Args:
+        part: that is edited.
+        pool: features to edit it with.
+        price: (n,) mm that each costs.
+        least: mm that an edit has to explain.
+        until: of the processor's time.
+    """
+
+    def __init__(
+        self,
+        part: PlannedPart,
+        pool: Sequence[Feature],
+        price: Floats,
+        least: float,
+        until: float,
+    ) -> None:
+        self._part, self._pool, self._price = part, pool, price
+        self._least, self._until = least, until
+        views = len(part.judge.views)
+        self._known = np.zeros((len(pool), 2, views, 3))
+        self._stale = np.ones((len(pool), 2, views), bool)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the time has passed."""
+        return time.process_time() > self._until
+
+    def forget(self, stale: np.ndarray) -> None:
+        """Try again, where it is asked for, what (n, views) says."""
+        self._stale |= stale[:, None, :]
+
+    def some_done(self, order: np.ndarray) -> int:
+        """Do the best edits of some features, in the order in which these are tried; how many."""
+        for at in range(0, len(order), _AT_ONCE):
+            for number in order[at : at + _AT_ONCE].tolist():
+                self._try(number)
+            tiers = (0,) if at < _LATE * _AT_ONCE else (0, 1, 2)
+            done = self._take(order[: at + _AT_ONCE], tiers)
+            if done or self.is_over:
+                return done
+        return self._take(order, (0, 1, 2))
+
+    def _try(self, number: int) -> None:
+        feature = self._pool[number]
+        for operation in _operations(feature):
+            for view in np.flatnonzero(self._stale[number, operation]).tolist():
+                gain = self._part.gain_in(view, operation, feature)
+                self._known[number, operation, view] = gain.mm, gain.broken, gain.changed
+            self._stale[number, operation] = False
+
+    def _take(self, rows: np.ndarray, tiers: Sequence[int]) -> int:
+        """Do the best edits of these tiers: all that break hardly anything, or one that does."""
+        gain, broken, changed = (self._known[rows][..., k].sum(axis=2) for k in range(3))
+        fine = (changed > 0.0) & (gain < -self._least) & ~self._stale[rows].any(axis=2)
+        found = [
+            (
+                _tier(gain[i, k], broken[i, k]),
+                gain[i, k] + self._price[rows[i]],
+                int(rows[i]),
+                int(k),
+            )
+            for i, k in np.argwhere(fine)
+        ]
+        done = 0
+        for tier, promised, number, operation in sorted(found):
+            if tier not in tiers or (tier and done) or (self.is_over and done):
+                break
+            if self._still(number, Operation(operation), promised, tier):
+                self._part.do(Operation(operation), self._pool[number])
+                done += 1
+        return done
+
+    def _still(self, number: int, operation: Operation, promised: float, tier: int) -> bool:
+        """Whether an edit still explains what it did before others were done."""
+        now = self._part.gain(operation, self._pool[number])
+        if not now.changed or now.mm > -self._least:
+            return False
+        worth = now.mm + self._price[number] <= 0.5 * promised
+        return bool(worth) and _tier(now.mm, now.broken) <= tier
+
+
+def _operations(feature: Feature) -> tuple[Operation, ...]:
+    """Cut or add; what lies all around an area is only cut."""
+    if isinstance(feature, Prism) and feature.loop.kind is LoopKind.AROUND:
+        return (Operation.CUT,)
+    return Operation.ADD, Operation.CUT
+
+
+def _tier(gain: float, broken: float) -> int:
+    """How much an edit breaks of what it explains: 0 for hardly anything."""
+    share = broken / (broken - gain)
+    if share < _HARDLY:
+        return 0
+    return 1 if share < _SOME else 2

@@ -1,0 +1,244 @@
+"""Closed areas of a plane: what its lines enclose, with the surface behind each of their edges.
+
+Outlines are often open by a hair, or by a piece that was not read.  Where the lines as they are
+enclose less than the same a little longer, the longer ones count; loose ends that are each other's
+nearest are bridged, and others to the line that they all but meet.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.proposing.plane_lines import Floats, PlaneLine, PlaneSheet
+
+Numbers = npt.NDArray[np.int64]
+
+_GRID = 0.5
+"""Tolerances of the grid on which corners of areas lie."""
+
+_LONGER = 3.0
+"""Tolerances by which lines are made longer where their outline is open, and within which an end is
+none of a loose one."""
+
+_MORE = 1.02
+"""Times the area that longer lines have to enclose to count."""
+
+_WHOLE = 4.0
+"""Tolerances by which an outline may end beside the sides of its view to be closed."""
+
+_SPECK, _SLIVER = 2.5, 1.0
+"""Tolerances: side of the square that is as large as the least area, and the least width."""
+
+_BRIDGE, _TO_LINE = 0.15, 0.03
+"""Shares of the longest extent between two loose ends, and from one to a line, at most."""
+
+
+class LoopKind(Enum):
+    """What a closed area is."""
+
+    OUTLINE = "outline"
+    """All that a plane's lines enclose, without holes."""
+
+    REGION = "region"
+    """What no line divides."""
+
+    FILLED = "filled"
+    """A region with its holes filled."""
+
+    SEEN = "seen"
+    """What visible lines alone enclose."""
+
+    BEHIND = "behind"
+    """What hidden lines enclose with the outline."""
+
+    CIRCLE = "circle"
+    """The disc of a circle of which a quarter is drawn."""
+
+    AROUND = "around"
+    """Everything outside of another loop."""
+
+    BETWEEN = "between"
+    """What lies between one loop and another in it."""
+
+    HALF = "half"
+    """A half of a loop that is symmetrical."""
+
+    BOX = "box"
+    """A side of the part's box."""
+
+
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """A closed area of a plane, with holes or without.
+
+    Attributes:
+        axis: across the plane.
+        polygon: mm.
+        edges: (m, 4) mm, from and to, of one ring after the other.
+        surfaces: (m,) numbers of the surfaces behind the edges.
+        rings: which edges each ring has, the outer one first.
+        kind: what it is.
+        tables: where lines of sight of each view meet it, as far as anybody asked.
+    """
+
+    axis: Axis
+    polygon: shapely.Polygon
+    edges: Floats
+    surfaces: Numbers
+    rings: tuple[slice, ...]
+    kind: LoopKind
+    tables: dict[Any, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneLoops:
+    """What the lines of a plane enclose.
+
+    Attributes:
+        axis: across the plane.
+        regions: that no line divides.
+        outline: of everything that is enclosed, without holes.
+        is_closed: whether the outline reaches all sides of the part's box.
+        stretch: mm by which lines were made longer at their ends.
+        owners: the lines, as they are looked up by place.
+        surfaces: (n,) of these.
+    """
+
+    axis: Axis
+    regions: tuple[shapely.Polygon, ...]
+    outline: shapely.Polygon
+    is_closed: bool
+    stretch: float
+    owners: shapely.STRtree
+    surfaces: Numbers
+
+    def loop(self, polygon: shapely.Polygon, kind: LoopKind) -> Loop:
+        """A closed area whose edges have the surfaces of the lines that they lie on."""
+        polygon = shapely.orient_polygons(polygon)
+        edges, rings, at = [], [], 0
+        for ring in (polygon.exterior, *polygon.interiors):
+            corners = np.array(ring.coords)
+            edges.append(np.hstack([corners[:-1], corners[1:]]))
+            rings.append(slice(at, at + len(corners) - 1))
+            at += len(corners) - 1
+        found = np.vstack(edges)
+        middles = shapely.points((found[:, :2] + found[:, 2:]) / 2.0)
+        surfaces = self.surfaces[self.owners.nearest(middles)]
+        return Loop(self.axis, polygon, found, surfaces, tuple(rings), kind)
+
+
+def plane_loops(sheet: PlaneSheet, axis: Axis) -> PlaneLoops | None:
+    """What the lines of a plane enclose; None where that is nothing."""
+    lines = sheet.lines(axis)
+    plain = _enclosed(sheet, axis, lines, 0.0)
+    if plain is not None and plain.is_closed:
+        return plain
+    longer = _enclosed(sheet, axis, lines, _LONGER * sheet.tolerance)
+    if plain is None or longer is None:
+        return longer or plain
+    return longer if longer.outline.area > _MORE * plain.outline.area else plain
+
+
+def stretched(
+    lines: Iterable[PlaneLine], stretch: float, tolerance: float
+) -> list[shapely.LineString]:
+    """Lines, longer at both ends, on the grid of corners."""
+    found = []
+    for line in lines:
+        points = line.points
+        if stretch > 0.0 and not line.is_full:
+            first, last = points[0] - points[1], points[-1] - points[-2]
+            start = points[0] + stretch * first / np.hypot(*first)
+            end = points[-1] + stretch * last / np.hypot(*last)
+            points = np.vstack([start, points[1:-1], end])
+        found.append(shapely.LineString(points))
+    return list(shapely.set_precision(found, _GRID * tolerance))
+
+
+def areas_between(
+    curves: Sequence[shapely.LineString], tolerance: float
+) -> tuple[shapely.Polygon, ...]:
+    """The areas that curves divide their plane into, without specks and slivers."""
+    noded = shapely.union_all(list(curves), grid_size=_GRID * tolerance)
+    found = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    least = (_SPECK * tolerance) ** 2
+    return tuple(
+        area
+        for area in found
+        if area.area > least and 2.0 * area.area / area.length > _SLIVER * tolerance
+    )
+
+
+def _enclosed(
+    sheet: PlaneSheet, axis: Axis, lines: Sequence[PlaneLine], stretch: float
+) -> PlaneLoops | None:
+    tolerance = sheet.tolerance
+    curves = stretched(lines, stretch, tolerance)
+    kept = [(curve, line) for curve, line in zip(curves, lines, strict=True) if not curve.is_empty]
+    if not kept:
+        return None
+    bridges = shapely.set_precision(list(_bridges(lines, sheet)), _GRID * tolerance)
+    regions = areas_between([curve for curve, _ in kept] + list(bridges), tolerance)
+    if not regions:
+        return None
+    outline = _outline(regions, tolerance)
+    sides = 0.0, 0.0, *sheet.size[list(IN_PLANE[axis])].tolist()
+    apart = float(np.abs(np.subtract(outline.bounds, sides)).max())
+    return PlaneLoops(
+        axis,
+        regions,
+        outline,
+        apart < _WHOLE * tolerance,
+        stretch,
+        shapely.STRtree([curve for curve, _ in kept]),
+        np.array([line.surface for _, line in kept], np.int64),
+    )
+
+
+def _outline(regions: Iterable[shapely.Polygon], tolerance: float) -> shapely.Polygon:
+    filled = [shapely.Polygon(region.exterior) for region in regions]
+    whole = shapely.union_all(filled, grid_size=_GRID * tolerance)
+    parts = [shapely.Polygon(part.exterior) for part in shapely.get_parts(whole)]
+    return max(parts, key=lambda part: part.area)
+
+
+def _bridges(lines: Sequence[PlaneLine], sheet: PlaneSheet) -> Iterator[shapely.LineString]:
+    """Lines that may be lost: between loose ends that are each other's nearest, else from a loose
+    end to the nearest line."""
+    curves = [shapely.LineString(line.points) for line in lines]
+    loose = list(_loose_ends(lines, curves, _LONGER * sheet.tolerance))
+    if len(loose) < 2:
+        return
+    points = np.array([point for point, _ in loose])
+    away = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
+    np.fill_diagonal(away, np.inf)
+    nearest = away.argmin(axis=1)
+    for number, (point, owner) in enumerate(loose):
+        other = int(nearest[number])
+        if nearest[other] == number and away[number, other] < _BRIDGE * sheet.longest:
+            if number < other:
+                yield shapely.LineString([point, points[other]])
+            continue
+        others = shapely.union_all([curve for k, curve in enumerate(curves) if k != owner])
+        line = shapely.shortest_line(shapely.Point(point), others)
+        if 0.0 < line.length < _TO_LINE * sheet.longest:
+            yield line
+
+
+def _loose_ends(
+    lines: Sequence[PlaneLine], curves: Sequence[shapely.LineString], near: float
+) -> Iterator[tuple[Floats, int]]:
+    """Ends of lines that no other line is near to, and whose they are."""
+    tree = shapely.STRtree(curves)
+    for number, line in enumerate(lines):
+        for point in () if line.is_full else (line.points[0], line.points[-1]):
+            met = tree.query(shapely.Point(point), "dwithin", near)
+            if all(each == number for each in met):
+                yield point, number

@@ -1,0 +1,305 @@
+"""A part that is only planned, before the judge: what every line of sight crosses of its features.
+
+The pairs of lines of sight are the judge's (:mod:`gaussiancad_core.judging.sight_pairs`), and so are
+the prices of what differs between them.  One more is asked of a part that is put together: outside
+of a closed outline there is nothing.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.judging.drawn_lines import drawn_sheet
+from gaussiancad_core.judging.sight_pairs import sight_pairs
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points
+from gaussiancad_core.proposing.feature_kernels import (
+    Looks,
+    Operation,
+    Pairs,
+    Scratch,
+    Signs,
+    combine,
+    price,
+    set_slab,
+    sign,
+    tried,
+    tried_slab,
+)
+from gaussiancad_core.proposing.part_features import (
+    Feature,
+    Prism,
+    Sights,
+    every_sight,
+    nothing_crossed,
+)
+from gaussiancad_core.proposing.plane_lines import Floats, PlaneSheet
+from gaussiancad_core.proposing.plane_loops import Numbers, PlaneLoops
+
+RASTER = 48
+"""Squares along a view by which places of differences are told."""
+
+_NEAR = 1e-6
+"""Share of the longest extent within which two crossings are one."""
+
+_BEYOND = 0.5
+"""What a mm counts beyond a closed outline, beside a stroke, of what it counts there."""
+
+
+@dataclass(frozen=True, eq=False)
+class PlannedView:
+    """A view before which parts are planned.
+
+    Attributes:
+        sights: its lines of sight.
+        one, other, drawn, weight: of its pairs, as of :class:`SightPairs`.
+        at: (p, 2) mm in the plane, where each pair is.
+        looks_up: whether it sees the least coordinate along its axis first.
+        draws_hidden: whether what is hidden is drawn.
+        squares: (n,) of the raster that lines of sight lie in.
+        pair_squares: (p,) the same of the pairs.
+    """
+
+    sights: Sights
+    one: Numbers
+    other: Numbers
+    drawn: Numbers
+    weight: Floats
+    at: Floats
+    looks_up: bool
+    draws_hidden: bool
+    squares: Numbers
+    pair_squares: Numbers
+
+
+class PlannedJudge:
+    """The pairs of a sheet for parts that are put together of its surfaces.
+
+    Args:
+        views: that the sheet was made of.
+        sheet: its strokes by plane.
+        planes: what these enclose.
+    """
+
+    def __init__(self, views: DrawnViews, sheet: PlaneSheet, planes: Iterable[PlaneLoops]) -> None:
+        self.sheet = sheet
+        self.near = _NEAR * sheet.longest
+        closed = {plane.axis: plane.outline for plane in planes if plane.is_closed}
+        self.views = tuple(_planned_views(views, sheet, closed))
+        self.length = sheet.length
+        self.trials = 0
+        self.roots = sheet.surfaces.roots()
+        self._scratch = tuple(_scratch(len(view.sights.places)) for view in self.views)
+
+    def refresh(self) -> None:
+        """Take up what surfaces were added and joined since."""
+        self.roots = self.sheet.surfaces.roots()
+
+    def looks(self, number: int) -> Looks:
+        """How a view looks."""
+        view = self.views[number]
+        return Looks(self.roots, view.looks_up, view.draws_hidden)
+
+    def trial(self, number: int) -> tuple[Scratch, int]:
+        """Tables for a trial in a view, and its number."""
+        self.trials += 1
+        return self._scratch[number], self.trials
+
+
+@dataclass(frozen=True)
+class Gain:
+    """What an edit changes.
+
+    Attributes:
+        mm: of the misfit: less than zero where it explains more.
+        broken: mm of new misfit in that.
+        changed: lines of sight that it changes.
+    """
+
+    mm: float
+    broken: float
+    changed: int
+
+
+class PlannedPart:
+    """Features in order, and what every line of sight crosses of them.
+
+    Args:
+        judge: before which it is planned.
+    """
+
+    def __init__(self, judge: PlannedJudge) -> None:
+        self.judge = judge
+        self.features: list[tuple[Operation, Feature]] = []
+        counts = [len(view.sights.places) for view in judge.views]
+        self._crossed = [nothing_crossed(count) for count in counts]
+        self._signs = [Signs(*(np.zeros(count, np.int64) for _ in range(3))) for count in counts]
+        self._pairs = [
+            Pairs(view.one, view.other, view.drawn, view.weight, np.zeros(len(view.one)))
+            for view in judge.views
+        ]
+        self.touched = [np.ones(RASTER * RASTER, bool) for _ in judge.views]
+        self.cost = 0.0
+        self._sign()
+
+    def copy(self) -> "PlannedPart":
+        """Another one that is the same so far."""
+        made = PlannedPart(self.judge)
+        made.features = list(self.features)
+        made._crossed = [type(each)(*(table.copy() for table in each)) for each in self._crossed]
+        made._sign()
+        return made
+
+    @property
+    def share(self) -> float:
+        """The misfit as a share of the lines."""
+        return self.cost / self.judge.length if self.judge.length else 1.0
+
+    def do(self, operation: Operation, feature: Feature) -> "PlannedPart":
+        """Add a feature, cut it, or meet with it; the same part."""
+        for view, crossed in zip(self.judge.views, self._crossed, strict=True):
+            table = feature.table(view.sights)
+            if operation is Operation.MEET:
+                rest = np.ones(len(crossed.count), bool)
+                rest[table.rows] = False
+                crossed.count[rest] = 0
+            combine(crossed, table, int(operation), self.judge.near)
+        self.features.append((operation, feature))
+        self._sign()
+        return self
+
+    def gain(self, operation: Operation, feature: Feature) -> Gain:
+        """What an edit would change."""
+        found = [
+            self.gain_in(number, operation, feature) for number in range(len(self.judge.views))
+        ]
+        return Gain(
+            sum(each.mm for each in found),
+            sum(each.broken for each in found),
+            sum(each.changed for each in found),
+        )
+
+    def gain_in(self, number: int, operation: Operation, feature: Feature) -> Gain:
+        """The same in one view."""
+        state = self._crossed[number], self._signs[number], self._pairs[number]
+        table = feature.table(self.judge.views[number].sights)
+        trial, looks = self.judge.trial(number), self.judge.looks(number)
+        return Gain(*tried(state, table, int(operation), self.judge.near, trial, looks))
+
+    def slab_gain(self, prism: Prism) -> float:
+        """mm of misfit that change where the part becomes a prism between its places."""
+        total = 0.0
+        for number, view in enumerate(self.judge.views):
+            table, is_inside = _slab_table(prism, view.sights)
+            state = self._crossed[number], self._signs[number], self._pairs[number]
+            trial, looks = self.judge.trial(number), self.judge.looks(number)
+            total += tried_slab(state, table, is_inside, self.judge.near, trial, looks)
+        return total
+
+    def set_slab(self, prism: Prism) -> "PlannedPart":
+        """Become a prism between its places; the same part, without a word in its features."""
+        for view, crossed in zip(self.judge.views, self._crossed, strict=True):
+            table, is_inside = _slab_table(prism, view.sights)
+            set_slab(crossed, table, is_inside, self.judge.near)
+        self._sign()
+        return self
+
+    def misfits(self, number: int) -> Floats:
+        """(RASTER^2,) mm of misfit in each square of a view."""
+        squares = self.judge.views[number].pair_squares
+        return np.bincount(squares, self._pairs[number].cost, RASTER * RASTER)
+
+    def _sign(self) -> None:
+        self.cost = 0.0
+        for number, view in enumerate(self.judge.views):
+            signs = self._signs[number]
+            before = signs.every.copy()
+            looks = self.judge.looks(number)
+            sign(self._crossed[number], looks, signs)
+            self.cost += price(self._pairs[number], signs, view.draws_hidden)
+            self.touched[number][view.squares[before != signs.every]] = True
+
+
+def _slab_table(prism: Prism, sights: Sights):  # noqa: ANN202
+    key = ("every", sights.number)
+    found = prism.loop.tables.get(key)
+    if found is None:
+        found = prism.loop.tables[key] = every_sight(prism.loop, sights)
+    table, is_inside = found
+    first, last = prism.ends
+    return table._replace(low=prism.low, high=prism.high, first=first, last=last), is_inside
+
+
+def _planned_views(views: DrawnViews, sheet: PlaneSheet, closed: dict[Axis, shapely.Polygon]):  # noqa: ANN202
+    drawn = drawn_sheet(views)
+    for number, plane_view in enumerate(sheet.views):
+        view = next(each for each in drawn.views if each.role is plane_view.role)
+        pairs = sight_pairs(drawn, view)
+        axis = plane_view.axis
+        places, at = (
+            plane_points(points, plane_view.role, 1.0) for points in (pairs.places, pairs.at)
+        )
+        columns = [pairs.one, pairs.other, pairs.drawn, pairs.weight, at]
+        if axis in closed:
+            aside = float(drawn.aside)
+            beyond = np.flatnonzero(
+                ~shapely.contains_xy(closed[axis].buffer(aside / 2.0), *places.T)
+            )
+            weights = np.full(
+                len(places), float(np.median(pairs.cells)) if len(pairs.cells) else 1.0
+            )
+            beside = pairs.drawn != 0
+            for column in (pairs.one, pairs.other):
+                weights[column[beside]] = _BEYOND * pairs.weight[beside]
+            far = np.full(len(beyond), len(places))
+            more = [beyond, far, np.zeros(len(beyond), np.int64), weights[beyond], places[beyond]]
+            columns = [
+                np.concatenate([one, other]) for one, other in zip(columns, more, strict=True)
+            ]
+            places = np.vstack([places, [[-sheet.longest, -sheet.longest]]])
+        size = sheet.size[list(IN_PLANE[axis])]
+        yield PlannedView(
+            Sights(number, axis, np.ascontiguousarray(places)),
+            *(np.ascontiguousarray(column) for column in columns),
+            plane_view.looks_up,
+            view.draws_hidden,
+            squares_of(places, size),
+            squares_of(columns[4], size),
+        )
+
+
+def squares_of(places: Floats, size: Floats) -> Numbers:
+    """(n,) numbers of the squares of a view's raster that places (n, 2) lie in."""
+    cells = np.clip((places / size * RASTER).astype(np.int64), 0, RASTER - 1)
+    return cells[:, 0] * RASTER + cells[:, 1]
+
+
+def _scratch(count: int) -> Scratch:
+    return Scratch(*(np.zeros(count, np.int64) for _ in range(4)))
+
+
+def sums_of(values: Floats) -> Floats:
+    """(RASTER + 1, RASTER + 1) sums of a raster's values up to each corner."""
+    sums = np.zeros((RASTER + 1, RASTER + 1))
+    sums[1:, 1:] = values.reshape(RASTER, RASTER).cumsum(axis=0).cumsum(axis=1)
+    return sums
+
+
+def within_boxes(sums: Floats, boxes: Floats, size: Floats, margin: float) -> Floats:
+    """(n,) sums of a raster over boxes (n, 2, 2) mm, so many squares wider."""
+    low = np.clip(np.floor(boxes[:, 0] / size * RASTER - margin).astype(np.int64), 0, RASTER)
+    high = np.clip(np.ceil(boxes[:, 1] / size * RASTER + margin).astype(np.int64), 0, RASTER)
+    return (
+        sums[high[:, 0], high[:, 1]]
+        - sums[low[:, 0], high[:, 1]]
+        - sums[high[:, 0], low[:, 1]]
+        + sums[low[:, 0], low[:, 1]]
+    )
+
+
+def best_of(parts: Sequence[PlannedPart]) -> PlannedPart:
+    """The one with the least misfit."""
+    return min(parts, key=lambda part: part.cost)
