@@ -11,6 +11,7 @@ from gaussiancad_core.drawing.sheet_style import PRESETS, SheetStyle, parse_styl
 from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Linetype
 from sample_parts import sample
 
@@ -165,7 +166,9 @@ def test_lines_drawn_once_serve_every_style(bracket: object, sheet: Sheet) -> No
 def test_tangent_edges_are_drawn_on_request() -> None:
     part = sample("filleted-block").build()
     plain = draw_sheet(part, ROLES, Projection.THIRD, SMALL)
-    tangent = draw_sheet(part, ROLES, Projection.THIRD, replace(SMALL, tangent_edges=True))
+    tangent = draw_sheet(
+        part, ROLES, Projection.THIRD, replace(SMALL, tangent_edges=TangentPolicy.DRAWN)
+    )
     front = {stroke.start[0] for stroke in plain[Role.FRONT].plane_strokes}
     assert not {12.0, 68.0} & {round(x, 6) for x in front}
     added = {
