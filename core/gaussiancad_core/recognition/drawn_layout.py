@@ -7,7 +7,9 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.errors import UsageError
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.recognition.stroke_reading import StrokeReading
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
@@ -181,9 +183,10 @@ def _other_parts(views: Sequence[DrawnView], rest: Sequence[int], least: float) 
     return found
 
 
-def doubtful_lines(reading: StrokeReading, best: Arrangement, scale: float) -> tuple[Box, ...]:
-    """Boxes in px of lines that are no edges for their pen alone: within views, and from edge to
-    edge."""
+def doubtful_lines(
+    reading: StrokeReading, best: Arrangement, scale: float
+) -> tuple[LineSegment, ...]:
+    """Lines in px that are no edges for their pen alone: within views, and from edge to edge."""
     labelled = reading.labelled
     found = []
     for number in best.placed:
@@ -192,10 +195,10 @@ def doubtful_lines(reading: StrokeReading, best: Arrangement, scale: float) -> t
         edges = shapely.union_all([edge.line for edge in view.edges])
         shapely.prepare(edges)
         for stroke in labelled.of(Label.OTHER):
-            if not stroke.is_line or not frame.contains(stroke.line):
+            if not isinstance(stroke.curve, LineSegment) or not frame.contains(stroke.line):
                 continue
             if all(edges.dwithin(shapely.Point(end), _MEETS) for end in stroke.ends):
-                found.append(scaled_box(stroke.box, scale))
+                found.append(stroke.curve.mapped(Similarity(scale)))
     return tuple(found)
 
 

@@ -61,7 +61,7 @@ class FileViews:
         separated: the sheet with the part's strokes alone.
         layout: of its views.
         vectors: the part's strokes.
-        doubtful: boxes in px of lines that run from edge to edge and are no edges for their pen.
+        doubtful: lines in px that run from edge to edge and are no edges for their pen.
         is_all: whether no other drawing, and no picture, lies beside the views.
         frame_guessed: whether the layout's frame may as well be the part's outline.
         best: the views in their roles.
@@ -71,7 +71,7 @@ class FileViews:
     separated: SeparatedSheet
     layout: Layout
     vectors: VectorSheet
-    doubtful: tuple[Box, ...] = ()
+    doubtful: tuple[LineSegment, ...] = ()
     is_all: bool = False
     frame_guessed: bool = False
     best: Arrangement | None = None
