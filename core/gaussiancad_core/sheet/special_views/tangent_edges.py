@@ -53,6 +53,7 @@ def without_tangent_edges(
     drawn: Sequence[ReadView],
     other_pens: Mapping[Role, Sequence[Segment]] | None = None,
     is_thin: Callable[[ReadView, Stroke], bool] = _is_wide,
+    given: TangentPolicy | None = None,
 ) -> TangentEdges:
     """Views without their tangent edges, px of the upright sheet.
 
@@ -60,6 +61,7 @@ def without_tangent_edges(
         drawn: the views.
         other_pens: lines from edge to edge of views, in pens that are too thin for edges.
         is_thin: whether a stroke of a view is in a clearly thinner pen than its edges.
+        given: what a person says that the sheet does with tangent edges; None to infer it.
     """
     near = max(meeting_px(view) for view in drawn)
     between = [_between_smooth(view, near) for view in drawn]
@@ -79,6 +81,8 @@ def without_tangent_edges(
         for view, lines, strokes in zip(plain, pens, across, strict=True)
     ]
     sheet = policy_of_views(plain, across, thin, places)
+    if given is not None:
+        sheet = replace(sheet, policy=given, source="given")
     if not sheet.policy.draws:
         across = [[] for _ in plain]
     if sheet.policy is not TangentPolicy.THIN:
@@ -90,7 +94,7 @@ def without_tangent_edges(
     for view, *found in zip(plain, between, across, pens, strict=True):
         lines = [stroke for strokes in found for stroke in strokes]
         lines += _going_on(view, lines, near)
-        views.append(replace(_less(view, lines), tangents=tuple(lines)))
+        views.append(replace(_less(view, lines), tangents=(*view.tangents, *lines)))
     return TangentEdges(tuple(views), sheet)
 
 
