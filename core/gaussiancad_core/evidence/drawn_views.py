@@ -8,6 +8,7 @@ from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.section_planes import Cut
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Linetype, ViewSet
 
 
@@ -35,6 +36,8 @@ class DrawnViews:
         cuts: views that are sections.  They draw no hidden lines.
         holes: of which notes speak.
         about: the axis that the part is turned about, where no view looks along it.
+        tangents: of each view, lines of the sheet along which faces meet smoothly.
+        tangent_policy: what the sheet does with such lines.
     """
 
     strokes: Mapping[Role, tuple[DrawnStroke, ...]]
@@ -51,6 +54,8 @@ class DrawnViews:
     cuts: Mapping[Role, Cut] = field(default_factory=dict)
     holes: tuple[NotedHole, ...] = ()
     about: Axis | None = None
+    tangents: Mapping[Role, tuple[DrawnStroke, ...]] = field(default_factory=dict)
+    tangent_policy: TangentPolicy = TangentPolicy.UNKNOWN
 
     @property
     def without_hidden(self) -> tuple[Role, ...]:

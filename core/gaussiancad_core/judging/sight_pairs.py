@@ -42,6 +42,10 @@ _BLANK, _TOWARDS = 0.8, 0.2
 """What a mm counts between two lines of the raster, and between a stroke's side and the raster, of
 what it counts beside a stroke."""
 
+_PRECEDENCE = np.array([0, 3, 1, 2])
+"""Of lines upon each other the one that counts, by the numbers of :class:`Drawn`: visible edges
+before tangent edges, which are as solid, before hidden edges."""
+
 _NEAREST = 3
 """Lines of the raster that one beside a stroke is paired with."""
 
@@ -55,6 +59,7 @@ class Drawn(IntEnum):
     NOTHING = 0
     VISIBLE = 1
     HIDDEN = 2
+    TANGENT = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,8 +157,7 @@ def _sides(near: _Near) -> Floats:
 def _near_strokes(
     lines: Sequence[DrawnLine], tree: shapely.STRtree | None, sheet: DrawnSheet
 ) -> _Near:
-    """Places on strokes that no other stroke is in the way of: a stroke upon another counts once,
-    the visible one."""
+    """Places on strokes that no other stroke is in the way of; one upon another counts once."""
     if tree is None:
         none = np.zeros(0, int)
         return _Near(np.zeros((0, 2)), np.zeros((0, 2)), none, np.zeros(0), none)
@@ -163,7 +167,8 @@ def _near_strokes(
     counts = [len(places) for places, _ in found]
     line = np.repeat(np.arange(len(lines)), counts)
     weight = np.repeat([each.length / n for each, n in zip(lines, counts, strict=True)], counts)
-    visible = np.array([each.is_visible for each in lines])
+    drawn = np.array([_drawn(each) for each in lines])
+    rank = _PRECEDENCE[drawn]
     across = sheet.aside * np.stack([-ways[:, 1], ways[:, 0]], axis=1)
     probes = shapely.linestrings(np.stack([at - across, at + across], axis=1))
     probe, met = tree.query(probes, predicate="intersects")
@@ -171,14 +176,19 @@ def _near_strokes(
     upon = shapely.distance(shapely.points(at[probe]), tree.geometries[met]) <= (
         _UPON * sheet.tolerance
     )
-    # Of two strokes upon each other the visible one counts, of two alike the first.
-    stands = visible[line[probe]] & ~visible[met]
-    stands |= (visible[line[probe]] == visible[met]) & (line[probe] < met)
+    stands = rank[line[probe]] > rank[met]
+    # Of two alike the first counts.
+    stands |= (rank[line[probe]] == rank[met]) & (line[probe] < met)
     dropped = np.zeros(len(at), bool)
     dropped[probe[~upon | ~stands]] = True
     kept = ~dropped
-    drawn = np.where(visible[line], Drawn.VISIBLE, Drawn.HIDDEN)
-    return _Near(at[kept], across[kept], drawn[kept], weight[kept], line[kept])
+    return _Near(at[kept], across[kept], drawn[line][kept], weight[kept], line[kept])
+
+
+def _drawn(line: DrawnLine) -> Drawn:
+    if line.is_tangent:
+        return Drawn.TANGENT
+    return Drawn.VISIBLE if line.is_visible else Drawn.HIDDEN
 
 
 def _along(line: DrawnLine, longest: float) -> tuple[Floats, Floats]:

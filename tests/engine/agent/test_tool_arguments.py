@@ -36,7 +36,7 @@ def operations() -> Iterator[Mapping[str, Any]]:
 
 def test_every_operation_has_an_example_that_is_taken() -> None:
     examples = list(operations())
-    assert len({example["op"] for example in examples}) == len(examples) == 12
+    assert len({example["op"] for example in examples}) == len(examples) == 13
     values = {"reading_id": "r", "operations": examples}
     Draft202012Validator(input_schema(CorrectArguments)).validate(values)
     found = decoded("correct", CorrectArguments, values)

@@ -91,8 +91,8 @@ def without_tangent_edges(
             for view, lines in zip(plain, pens, strict=True)
         ]
     views = []
-    for view, *found in zip(plain, between, across, pens, strict=True):
-        lines = [stroke for strokes in found for stroke in strokes]
+    for view, inner, outer, thin_pens in zip(plain, between, across, pens, strict=True):
+        lines: list[Stroke] = [*inner, *outer, *thin_pens]
         lines += _going_on(view, lines, near)
         views.append(replace(_less(view, lines), tangents=(*view.tangents, *lines)))
     return TangentEdges(tuple(views), sheet)
