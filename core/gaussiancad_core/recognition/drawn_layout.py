@@ -7,10 +7,13 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.errors import UsageError
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
 from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.recognition.stroke_reading import StrokeReading
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.special_views.cut_views import hatched_box, section_kind
@@ -18,6 +21,7 @@ from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_core.sheet_model.labelled_strokes import Label
+from gaussiancad_core.structure.edges import NARROW
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import (
     Arrangement,
@@ -200,6 +204,31 @@ def doubtful_lines(
             if all(edges.dwithin(shapely.Point(end), _MEETS) for end in stroke.ends):
                 found.append(stroke.curve.mapped(Similarity(scale)))
     return tuple(found)
+
+
+def narrow_strokes(reading: StrokeReading, best: Arrangement, scale: float) -> tuple[Stroke, ...]:
+    """Lines, arcs and ellipses in px that are no edges for their pen alone, within views."""
+    frames = [shapely.box(*reading.views[number].box) for number in best.placed]
+    labelled, to_px = reading.labelled, Similarity(scale)
+    found = (
+        stroke.curve.mapped(to_px)
+        for stroke, reason in zip(labelled.strokes, labelled.reasons, strict=True)
+        if reason == NARROW and any(frame.contains(stroke.line) for frame in frames)
+    )
+    return tuple(stroke for curve in found if (stroke := _as_stroke(curve)) is not None)
+
+
+def _as_stroke(curve: Curve) -> Stroke | None:
+    """A visible stroke along a curve; None along one that is a chain."""
+    visible = Linetype.VISIBLE
+    if isinstance(curve, LineSegment):
+        return Segment(curve.start, curve.end, visible)
+    if isinstance(curve, CircularArc):
+        return Arc(curve.centre, curve.radius, curve.start_angle, curve.sweep, visible)
+    if isinstance(curve, EllipticArc):
+        axes = curve.semi_major, curve.semi_minor, curve.rotation
+        return Ellipse(curve.centre, *axes, curve.start, curve.sweep, visible)
+    return None
 
 
 def is_middle_in(box: Box, around: Box) -> bool:

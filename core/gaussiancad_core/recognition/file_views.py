@@ -12,12 +12,14 @@ from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Stroke
 from gaussiancad_core.recognition.drawn_layout import (
     chosen_views,
     doubtful_lines,
     empty_view_box,
     is_middle_in,
     layout_of,
+    narrow_strokes,
     scaled_box,
     with_projection,
 )
@@ -62,6 +64,7 @@ class FileViews:
         layout: of its views.
         vectors: the part's strokes.
         doubtful: lines in px that run from edge to edge and are no edges for their pen.
+        narrow: strokes in px that are no edges for their pen, wherever they end.
         is_all: whether no other drawing, and no picture, lies beside the views.
         frame_guessed: whether the layout's frame may as well be the part's outline.
         best: the views in their roles.
@@ -72,6 +75,7 @@ class FileViews:
     layout: Layout
     vectors: VectorSheet
     doubtful: tuple[LineSegment, ...] = ()
+    narrow: tuple[Stroke, ...] = ()
     is_all: bool = False
     frame_guessed: bool = False
     best: Arrangement | None = None
@@ -186,7 +190,8 @@ def _found(
     if area.is_framed and not drawing.has_paper:
         layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
     doubtful = doubtful_lines(reading, best, scale)
-    return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed, best)
+    narrow = narrow_strokes(reading, best, scale)
+    return FileViews(separated, layout, VectorSheet(part), doubtful, narrow, is_all, guessed, best)
 
 
 def _shows_more(drawing: VectorDrawing, reading: StrokeReading, scale: float) -> bool:

@@ -2,9 +2,8 @@
 
 from dataclasses import dataclass, replace
 
-from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
-from gaussiancad_core.model.views import Linetype, Segment
+from gaussiancad_core.model.views import Segment
 from gaussiancad_core.recognition.sheet_views import SheetViews
 from gaussiancad_core.sheet.sheet_stages import ReadView
 from gaussiancad_core.sheet.special_views.inked_widths import InkedWidths
@@ -37,12 +36,12 @@ def sheet_without_tangents(found: SheetViews, drawn: tuple[ReadView, ...]) -> Sh
         found: on the sheet, before its lines were read.
         drawn: the views with their strokes, px of the upright sheet.
     """
-    other_pens = {
-        view.role: [_as_stroke(line) for line in found.other_pens if _holds(view.box, line.box)]
+    thin = {
+        view.role: [stroke for stroke in found.narrow if _holds(view.box, stroke.box)]
         for view in drawn
     }
     widths = InkedWidths(found.separated.part, drawn)
-    edges = without_tangent_edges(drawn, other_pens, widths.is_thin)
+    edges = without_tangent_edges(drawn, thin, widths.is_thin)
     known = {
         (line.start, line.end)
         for view in edges.views
@@ -54,10 +53,6 @@ def sheet_without_tangents(found: SheetViews, drawn: tuple[ReadView, ...]) -> Sh
     separated = replace(found.separated, marks=marks)
     found = replace(found, separated=separated, other_pens=others)
     return SheetWithoutTangents(found, edges.views, edges.sheet)
-
-
-def _as_stroke(line: LineSegment) -> Segment:
-    return Segment(line.start, line.end, Linetype.VISIBLE)
 
 
 def _holds(box: Box, other: Box) -> bool:

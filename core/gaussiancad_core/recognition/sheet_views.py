@@ -7,6 +7,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Stroke
 from gaussiancad_core.recognition.drawn_layout import is_middle_in
 from gaussiancad_core.recognition.file_views import FileViews, file_views
 from gaussiancad_core.recognition.labelled_file import FileStrokes, strokes_of_file
@@ -34,6 +35,7 @@ class SheetViews:
         labels_problem: why a picture was read without the labels network; None where it was not.
         other_pens: lines in px, from edge to edge in other pens than the part's, that may be its
             own.
+        narrow: strokes in px that are none of the part's for their pen, which is too thin.
         frame_guessed: whether the layout's frame may as well be the part's outline.
         of_file: the views by the strokes of a file; None where pixels tell them.
     """
@@ -44,6 +46,7 @@ class SheetViews:
     texts: tuple[SheetText, ...] | None = None
     labels_problem: Message | None = None
     other_pens: tuple[LineSegment, ...] = ()
+    narrow: tuple[Stroke, ...] = ()
     frame_guessed: bool = False
     of_file: FileViews | None = None
 
@@ -146,6 +149,7 @@ def _of_strokes(found: FileViews) -> SheetViews:
         found.layout,
         found.vectors,
         other_pens=found.doubtful,
+        narrow=found.narrow,
         frame_guessed=found.frame_guessed,
         of_file=found,
     )

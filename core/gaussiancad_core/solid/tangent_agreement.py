@@ -49,8 +49,8 @@ class TangentAgreement:
         )
 
     def unexplained(self, role: Role) -> LinePoints:
-        """Points of the sheet's tangent edges where the solid has neither a smooth nor a sharp edge;
-        none of a view that is cut open."""
+        """Points of the sheet's tangent edges where the solid has no edge, smooth or sharp; none of
+        a view that is cut open."""
         if role in self.views.cuts:
             return LinePoints(np.zeros((0, 2)), np.zeros(0))
         tangents = self._points(self.views.tangents.get(role, ()))

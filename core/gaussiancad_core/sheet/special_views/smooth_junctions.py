@@ -23,6 +23,9 @@ _NEAR, _NEAR_STEPS, _NEAR_COARSE = 0.3, 1.8, 1.0
 """px within which ends meet, and coordinates of two views are one, of exact strokes; steps of the
 grid of a file that was rounded by which that is more; px of strokes of pictures, and at most."""
 
+_BEFORE = 3.0
+"""px by which a line stands before another one at least: widths of lines, and arcs that rise."""
+
 Floats = npt.NDArray[np.float64]
 Flags = npt.NDArray[np.bool_]
 
@@ -35,11 +38,14 @@ class Junctions:
         smooth: where an arc goes over into a line, or another arc, along the axis or at a slant.
         corners: where strokes end otherwise, or go over into each other square to the axis.
         outer: those of the smooth ones that the view's outline has.
+        seen: those of the outer ones that are seen from the low end, and from the high end, of the
+            other axis that the view shows.
     """
 
     smooth: Floats
     corners: Floats
     outer: Floats
+    seen: tuple[Floats, Floats]
 
     def tells(self, at: float, near: float) -> bool | None:
         """Whether faces meet smoothly there; None where the view does not tell."""
@@ -59,7 +65,8 @@ def junctions_along(view: ReadView, axis: Axis, near: float) -> Junctions:
     """Where strokes of a view end, along an axis that it shows."""
     ends, ways = ends_and_ways(view.strokes)
     if not len(ends):
-        return Junctions(*(np.empty(0) for _ in range(3)))
+        none = np.empty(0)
+        return Junctions(none, none, none, (none, none))
     groups = near_lists(ends, ends, near)
     places = places_along(view, axis, ends)
     is_right = view.role.frame.right_axis[0] is axis
@@ -75,8 +82,32 @@ def junctions_along(view: ReadView, axis: Axis, near: float) -> Junctions:
         elif any(isinstance(stroke, Arc | Ellipse) for stroke in strokes) and not _is_one(strokes):
             smooth.append(places[number])
             if outline[number // 2]:
-                outer.append(places[number])
-    return Junctions(np.array(smooth), np.array(corners), np.array(outer))
+                outer.append(number)
+    seen = _seen_from_ends(view, axis, ends[outer], near)
+    return Junctions(
+        np.array(smooth),
+        np.array(corners),
+        places[outer],
+        (places[outer][seen[:, 0]], places[outer][seen[:, 1]]),
+    )
+
+
+def _seen_from_ends(view: ReadView, axis: Axis, points: Floats, near: float) -> Flags:
+    """(n, 2) whether no line of a view stands before points, seen along its other axis from the low
+    end and from the high end of that."""
+    frame = view.role.frame
+    other = next(each for each, _ in (frame.right_axis, frame.up_axis) if each is not axis)
+    if not len(points):
+        return np.zeros((0, 2), dtype=bool)
+    ink = np.concatenate([stroke.sample(max(near / 2.0, 0.25)) for stroke in view.strokes])
+    along, depth = places_along(view, axis, ink), places_along(view, other, ink)
+    seen = []
+    for at, deep in zip(
+        places_along(view, axis, points), places_along(view, other, points), strict=True
+    ):
+        before = depth[np.abs(along - at) <= near]
+        seen.append((before.min() >= deep - _BEFORE, before.max() <= deep + _BEFORE))
+    return np.array(seen)
 
 
 def _on_outline(view: ReadView, groups: Sequence[Sequence[int]], near: float) -> Flags:

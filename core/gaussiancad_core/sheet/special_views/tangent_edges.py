@@ -6,7 +6,7 @@ whole circle does on all its sides; an edge stands where that view has a corner.
 on smoothly from one such line to the next is one, too.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -51,7 +51,7 @@ def _is_wide(_view: ReadView, _stroke: Stroke) -> bool:
 
 def without_tangent_edges(
     drawn: Sequence[ReadView],
-    other_pens: Mapping[Role, Sequence[Segment]] | None = None,
+    narrow: Mapping[Role, Sequence[Stroke]] | None = None,
     is_thin: Callable[[ReadView, Stroke], bool] = _is_wide,
     given: TangentPolicy | None = None,
 ) -> TangentEdges:
@@ -59,43 +59,48 @@ def without_tangent_edges(
 
     Args:
         drawn: the views.
-        other_pens: lines from edge to edge of views, in pens that are too thin for edges.
+        narrow: what views show besides their strokes in pens that are too thin for edges.
         is_thin: whether a stroke of a view is in a clearly thinner pen than its edges.
         given: what a person says that the sheet does with tangent edges; None to infer it.
     """
     near = max(meeting_px(view) for view in drawn)
-    between = [_between_smooth(view, near) for view in drawn]
+    pens = [tuple((narrow or {}).get(view.role, ())) for view in drawn]
+    every = [
+        replace(view, strokes=(*view.strokes, *strokes))
+        for view, strokes in zip(drawn, pens, strict=True)
+    ]
+    between = [_between_smooth(view, near) for view in every]
     plain = [_less(view, lines) for view, lines in zip(drawn, between, strict=True)]
-    junctions = {
-        (view.role, axis): junctions_along(view, axis, near)
-        for view in plain
-        for axis in axes_of(view)
-    }
-    places = SmoothPlaces(junctions, near)
-    across = [
-        [stroke for stroke in view.strokes if _is_tangent(stroke, view, places)] for view in plain
-    ]
-    pens = [list((other_pens or {}).get(view.role, ())) for view in plain]
-    thin = [
-        [*lines, *(stroke for stroke in strokes if is_thin(view, stroke))]
-        for view, lines, strokes in zip(plain, pens, across, strict=True)
-    ]
-    sheet = policy_of_views(plain, across, thin, places)
+    places = SmoothPlaces(
+        {
+            (view.role, axis): junctions_along(view, axis, near)
+            for view in plain
+            for axis in axes_of(view)
+        },
+        near,
+    )
+    wide, thin = [], []
+    for view, strokes in zip(plain, pens, strict=True):
+        found = [stroke for stroke in view.strokes if _is_tangent(stroke, view, places)]
+        thin.append([stroke for stroke in found if is_thin(view, stroke)])
+        thin[-1] += [stroke for stroke in strokes if _is_tangent(stroke, view, places)]
+        wide.append(found)
+    sheet = policy_of_views(plain, wide, thin, places)
     if given is not None:
         sheet = replace(sheet, policy=given, source="given")
-    if not sheet.policy.draws:
-        across = [[] for _ in plain]
-    if sheet.policy is not TangentPolicy.THIN:
-        pens = [
-            [line for line in lines if _is_tangent(line, view, places)]
-            for view, lines in zip(plain, pens, strict=True)
-        ]
     views = []
-    for view, inner, outer, thin_pens in zip(plain, between, across, pens, strict=True):
-        lines: list[Stroke] = [*inner, *outer, *thin_pens]
-        lines += _going_on(view, lines, near)
+    for number, (view, whole) in enumerate(zip(plain, every, strict=True)):
+        lines = _once([*between[number], *wide[number], *thin[number]])
+        if not sheet.policy.draws:
+            of_view = set(map(id, view.strokes))
+            lines = [line for line in lines if id(line) not in of_view]
+        lines += _going_on(whole, lines, near)
         views.append(replace(_less(view, lines), tangents=(*view.tangents, *lines)))
     return TangentEdges(tuple(views), sheet)
+
+
+def _once(strokes: Iterable[Stroke]) -> list[Stroke]:
+    return list({id(stroke): stroke for stroke in strokes}.values())
 
 
 def _less(view: ReadView, gone: Sequence[Stroke]) -> ReadView:

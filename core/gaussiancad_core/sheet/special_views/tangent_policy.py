@@ -90,12 +90,21 @@ class SmoothPlaces:
         ]
         return True in tells and False not in tells
 
-    def wanted(self, view: ReadView, axis: Axis) -> list[float]:
-        """px along an axis at which a view shows tangent edges, by the outlines of others."""
+    def wanted(self, view: ReadView, axis: Axis, *, hidden: bool) -> list[float]:
+        """px along an axis at which a view has tangent edges, by the outlines of others.
+
+        Args:
+            view: of the sheet.
+            axis: that it shows.
+            hidden: also where something may stand before them.
+        """
+        look, sign = view.role.frame.look_axis
         outer = [
-            junctions.outer
+            junctions.outer if hidden else junctions.seen[0 if sign > 0 else 1]
             for (role, shown), junctions in self.junctions.items()
-            if shown is axis and role is not view.role
+            if shown is axis
+            and role is not view.role
+            and (hidden or (role, look) in self.junctions)
         ]
         places = _distinct(np.concatenate([np.empty(0), *outer]), self.near)
         return [at for at in places if self.is_smooth(view, axis, at)]
@@ -126,7 +135,7 @@ def policy_of_views(
     thin: Sequence[Sequence[Stroke]],
     places: SmoothPlaces,
 ) -> SheetTangents:
-    """What views tell.
+    """What views tell; where all places may be hidden, that lines there are drawn at most.
 
     Args:
         views: without their tangent edges.
@@ -134,6 +143,21 @@ def policy_of_views(
         thin: the same, of thin ones.
         places: where surfaces pass smoothly into each other.
     """
+    found = inferred_policy(**_counts(views, wide, thin, places, hidden=False))
+    if found.drawn + found.thin + found.left_out:
+        return found
+    found = inferred_policy(**_counts(views, wide, thin, places, hidden=True))
+    return found if found.policy.draws else UNKNOWN_TANGENTS
+
+
+def _counts(
+    views: Sequence[ReadView],
+    wide: Sequence[Sequence[Stroke]],
+    thin: Sequence[Sequence[Stroke]],
+    places: SmoothPlaces,
+    *,
+    hidden: bool,
+) -> dict[str, int]:
     counts = {"drawn": 0, "thin": 0, "left_out": 0}
     for view, wide_lines, thin_lines in zip(views, wide, thin, strict=True):
         for axis in axes_of(view):
@@ -141,10 +165,10 @@ def policy_of_views(
                 "thin": _across(thin_lines, view, axis),
                 "drawn": _across(wide_lines, view, axis),
             }
-            for at in places.wanted(view, axis):
+            for at in places.wanted(view, axis, hidden=hidden):
                 found = (name for name, lines in seen.items() if has_place(lines, at, places.near))
                 counts[next(found, "left_out")] += 1
-    return inferred_policy(**counts)
+    return counts
 
 
 def _across(strokes: Sequence[Stroke], view: ReadView, axis: Axis) -> Floats:
