@@ -21,7 +21,6 @@ from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_core.sheet_model.labelled_strokes import Label
-from gaussiancad_core.structure.edges import NARROW
 from gaussiancad_core.views.drawn_groups import DrawingKind, DrawnView
 from gaussiancad_core.views.role_search import (
     Arrangement,
@@ -206,14 +205,16 @@ def doubtful_lines(
     return tuple(found)
 
 
-def narrow_strokes(reading: StrokeReading, best: Arrangement, scale: float) -> tuple[Stroke, ...]:
+def strokes_of_other_pens(
+    reading: StrokeReading, best: Arrangement, scale: float
+) -> tuple[Stroke, ...]:
     """Lines, arcs and ellipses in px that are no edges for their pen alone, within views."""
     frames = [shapely.box(*reading.views[number].box) for number in best.placed]
-    labelled, to_px = reading.labelled, Similarity(scale)
+    to_px = Similarity(scale)
     found = (
         stroke.curve.mapped(to_px)
-        for stroke, reason in zip(labelled.strokes, labelled.reasons, strict=True)
-        if reason == NARROW and any(frame.contains(stroke.line) for frame in frames)
+        for stroke in reading.labelled.of(Label.OTHER)
+        if any(frame.contains(stroke.line) for frame in frames)
     )
     return tuple(stroke for curve in found if (stroke := _as_stroke(curve)) is not None)
 

@@ -19,8 +19,8 @@ from gaussiancad_core.recognition.drawn_layout import (
     empty_view_box,
     is_middle_in,
     layout_of,
-    narrow_strokes,
     scaled_box,
+    strokes_of_other_pens,
     with_projection,
 )
 from gaussiancad_core.recognition.labelled_file import FileStrokes
@@ -64,7 +64,8 @@ class FileViews:
         layout: of its views.
         vectors: the part's strokes.
         doubtful: lines in px that run from edge to edge and are no edges for their pen.
-        narrow: strokes in px that are no edges for their pen, wherever they end.
+        others: strokes in px within the views that are no edges for their pen, wherever they
+            end.
         is_all: whether no other drawing, and no picture, lies beside the views.
         frame_guessed: whether the layout's frame may as well be the part's outline.
         best: the views in their roles.
@@ -75,7 +76,7 @@ class FileViews:
     layout: Layout
     vectors: VectorSheet
     doubtful: tuple[LineSegment, ...] = ()
-    narrow: tuple[Stroke, ...] = ()
+    others: tuple[Stroke, ...] = ()
     is_all: bool = False
     frame_guessed: bool = False
     best: Arrangement | None = None
@@ -190,8 +191,8 @@ def _found(
     if area.is_framed and not drawing.has_paper:
         layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
     doubtful = doubtful_lines(reading, best, scale)
-    narrow = narrow_strokes(reading, best, scale)
-    return FileViews(separated, layout, VectorSheet(part), doubtful, narrow, is_all, guessed, best)
+    others = strokes_of_other_pens(reading, best, scale)
+    return FileViews(separated, layout, VectorSheet(part), doubtful, others, is_all, guessed, best)
 
 
 def _shows_more(drawing: VectorDrawing, reading: StrokeReading, scale: float) -> bool:

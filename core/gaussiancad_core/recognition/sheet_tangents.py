@@ -37,7 +37,7 @@ def sheet_without_tangents(found: SheetViews, drawn: tuple[ReadView, ...]) -> Sh
         drawn: the views with their strokes, px of the upright sheet.
     """
     thin = {
-        view.role: [stroke for stroke in found.narrow if _holds(view.box, stroke.box)]
+        view.role: [stroke for stroke in found.others if _holds(view.box, stroke.box)]
         for view in drawn
     }
     widths = InkedWidths(found.separated.part, drawn)

@@ -35,7 +35,7 @@ class SheetViews:
         labels_problem: why a picture was read without the labels network; None where it was not.
         other_pens: lines in px, from edge to edge in other pens than the part's, that may be its
             own.
-        narrow: strokes in px that are none of the part's for their pen, which is too thin.
+        others: strokes in px within the views that are no edges for their pen.
         frame_guessed: whether the layout's frame may as well be the part's outline.
         of_file: the views by the strokes of a file; None where pixels tell them.
     """
@@ -46,7 +46,7 @@ class SheetViews:
     texts: tuple[SheetText, ...] | None = None
     labels_problem: Message | None = None
     other_pens: tuple[LineSegment, ...] = ()
-    narrow: tuple[Stroke, ...] = ()
+    others: tuple[Stroke, ...] = ()
     frame_guessed: bool = False
     of_file: FileViews | None = None
 
@@ -149,7 +149,7 @@ def _of_strokes(found: FileViews) -> SheetViews:
         found.layout,
         found.vectors,
         other_pens=found.doubtful,
-        narrow=found.narrow,
+        others=found.others,
         frame_guessed=found.frame_guessed,
         of_file=found,
     )

@@ -52,9 +52,6 @@ _NARROW = 0.8
 """Width of narrow lines in that of wide ones at most: half of it (ISO 128-2), or a step of the
 series of pens."""
 
-NARROW = "narrower than the outlines, on none"
-"""Why a stroke is no edge that would be one but for its pen."""
-
 _ANNOTATIONS = (Label.DIMENSION, Label.EXTENSION, Label.CENTRE, Label.OTHER, Label.HATCH)
 
 
@@ -85,7 +82,7 @@ def with_edges(labelled: LabelledStrokes) -> LabelledStrokes:
             others.append(number)
     labelled = labelled.with_label(edges, Label.EDGE, "closes outlines, or its pen does")
     narrow = _narrow(labelled)
-    labelled = labelled.with_label(narrow, Label.OTHER, NARROW)
+    labelled = labelled.with_label(narrow, Label.OTHER, "narrower than the outlines, on none")
     return labelled.with_label(others, Label.OTHER, "its pen draws annotations, or it is loose")
 
 

@@ -51,7 +51,7 @@ def _is_wide(_view: ReadView, _stroke: Stroke) -> bool:
 
 def without_tangent_edges(
     drawn: Sequence[ReadView],
-    narrow: Mapping[Role, Sequence[Stroke]] | None = None,
+    other_pens: Mapping[Role, Sequence[Stroke]] | None = None,
     is_thin: Callable[[ReadView, Stroke], bool] = _is_wide,
     given: TangentPolicy | None = None,
 ) -> TangentEdges:
@@ -59,12 +59,12 @@ def without_tangent_edges(
 
     Args:
         drawn: the views.
-        narrow: what views show besides their strokes in pens that are too thin for edges.
+        other_pens: what views show besides their strokes, in pens that draw no edges.
         is_thin: whether a stroke of a view is in a clearly thinner pen than its edges.
         given: what a person says that the sheet does with tangent edges; None to infer it.
     """
     near = max(meeting_px(view) for view in drawn)
-    pens = [tuple((narrow or {}).get(view.role, ())) for view in drawn]
+    pens = [tuple((other_pens or {}).get(view.role, ())) for view in drawn]
     every = [
         replace(view, strokes=(*view.strokes, *strokes))
         for view, strokes in zip(drawn, pens, strict=True)
