@@ -116,6 +116,7 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
     with notes.stage("lines"):
         without, hatched = _strokes_in(sheet, found, reading, notes)
         found, drawn = without.found, without.drawn
+        tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, turn)
         _tell_doubtful(notes, found.other_pens)
         notes.tell(tangent_edges=without.tangents)
         layout, separated = found.layout, found.separated
@@ -336,7 +337,6 @@ def _views(sheet: OpenedSheet, reading: ReadingOptions, notes: RunNotes) -> Shee
     found = sheet_views(sheet, given, reading.projection)
     if found.labels_problem is not None:
         notes.warn(Code.LABELS_MISSING, found.labels_problem)
-    tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, sheet.turn)
     return found
 
 
