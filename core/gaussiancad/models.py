@@ -102,6 +102,7 @@ def draw(
     views: Sequence[str] = ("front", "top", "right"),
     projection: str = "third",
     style: str | None = None,
+    tangent_edges: str | None = None,
     seed: int = 0,
 ) -> Path:
     """Draw a sheet of a solid.
@@ -112,6 +113,8 @@ def draw(
         views: roles in any order: front, top, right, left, bottom, rear.
         projection: ``third`` or ``first`` angle.
         style: a named style and its changes, as of ``gaussiancad draw --style``.
+        tangent_edges: lines where faces meet smoothly: ``drawn`` as other edges, ``thin``, or
+            ``left-out``; None as the style says, whose usual is ``left-out``.
         seed: of what the style leaves to chance.
 
     Returns:
@@ -121,7 +124,13 @@ def draw(
         UnreadableError: there is no such solid.
         UsageError: an option has no such value, or the sheet cannot be written.
     """
-    stated_options = options(views=",".join(views), projection=projection, style=style, seed=seed)
+    stated_options = options(
+        views=",".join(views),
+        projection=projection,
+        style=style,
+        tangent_edges=tangent_edges,
+        seed=seed,
+    )
     ended = run_command(["draw", model_file(solid), path_of(sheet), *stated_options])
     if ended.exit_code != ExitCode.DONE:
         raise ended.error()

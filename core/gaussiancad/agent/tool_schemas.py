@@ -38,6 +38,10 @@ _OPERATIONS: Mapping[str, tuple[str, dict[str, Any]]] = {
         "First or third angle.",
         {"op": "projection", "value": "first"},
     ),
+    "TangentEdgesOperation": (
+        "Lines where faces meet smoothly are drawn as edges are, thin, or left out.",
+        {"op": "tangent_edges", "value": "left-out"},
+    ),
     "RegionOperation": (
         "All strokes within a polygon are of a kind; `ignore` takes them off.",
         {"op": "region", "polygon": [[0, 0], [300, 0], [300, 90]], "kind": "ignore"},

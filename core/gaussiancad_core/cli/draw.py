@@ -1,6 +1,7 @@
 """``gaussiancad draw``: a solid to a three-view sheet."""
 
 import argparse
+from dataclasses import replace
 from functools import partial
 
 from gaussiancad_core.cli import values
@@ -34,6 +35,13 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     parser.add_argument(
         "--style", default="clean", metavar="NAME,KEY=VALUE", help="a named style and its changes"
     )
+    parser.add_argument(
+        "--tangent-edges",
+        type=values.tangent_policy,
+        default=None,
+        metavar="drawn|thin|left-out",
+        help="lines where faces meet smoothly: as other edges, thin, or none (the default)",
+    )
     parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
     parser.set_defaults(run=run)
 
@@ -45,12 +53,15 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     from gaussiancad_core.processes.library_behaviour import silence_opencascade
 
     silence_opencascade()
+    style = parse_style(options.style)
+    if options.tangent_edges is not None:
+        style = replace(style, tangent_edges=options.tangent_edges)
     drawn = draw_file(
         options.solid,
         options.sheet,
         options.views,
         options.projection,
-        parse_style(options.style),
+        style,
         seed=options.seed,
     )
     name = on_one_line(str(options.sheet))

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.length_units import LEAST_MM, LONGEST_MM
+from gaussiancad_core.model.tangent_policies import TangentPolicy, drawn_policy
 from gaussiancad_core.sheet.reading_options import Box
 
 Choice = TypeVar("Choice", bound=Enum)
@@ -21,6 +22,14 @@ def choice(kind: type[Choice], text: str) -> Choice:
     except ValueError:
         names = ", ".join(str(member.value) for member in kind)
         raise argparse.ArgumentTypeError(f"{text!r} is none of {names}") from None
+
+
+def tangent_policy(text: str) -> TangentPolicy:
+    """What a sheet does with tangent edges, by its word."""
+    try:
+        return drawn_policy(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def named_path(text: str) -> Path:

@@ -1,5 +1,6 @@
 """A solid on a sheet: lines of each view, placed, annotated, drawn."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -24,9 +25,11 @@ from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.kernel.brep import bounding_box, moved_to_origin
 from gaussiancad_core.lines.cut_solids import SectionView, openings_of, section_view
 from gaussiancad_core.lines.hlr import LineDrawing, LineOptions
+from gaussiancad_core.lines.smooth_edges import smooth_edges
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.section_planes import SectionKind
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Linetype
 from gaussiancad_protocol.codes import Code
 
@@ -40,12 +43,14 @@ class PartLines:
         views: role -> strokes in mm of the view's plane (right, up), in the order asked for.
         picture: strokes of the isometric picture in mm of its plane; empty without one.
         sections: views that are cut open instead, for styles that ask for it.
+        thin: role -> visible smooth edges that are drawn thin, mm of the view's plane.
     """
 
     size: npt.NDArray[np.float64]
     views: dict[Role, tuple[DrawnStroke, ...]]
     picture: tuple[DrawnStroke, ...] = ()
     sections: dict[tuple[Role, SectionKind], SectionView] = field(default_factory=dict)
+    thin: dict[Role, tuple[DrawnStroke, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -76,7 +81,7 @@ def part_lines(
     shape: TopoDS_Shape,
     roles: tuple[Role, ...],
     *,
-    tangent_edges: bool = False,
+    tangent_edges: TangentPolicy = TangentPolicy.LEFT_OUT,
     picture: bool = False,
     sections: tuple[tuple[Role, SectionKind], ...] = (),
 ) -> PartLines:
@@ -85,7 +90,7 @@ def part_lines(
     Args:
         shape: solid in mm; it is moved so that its bounding box starts at the origin.
         roles: two to six different views.
-        tangent_edges: draw smooth edges as well; what the style says of them counts no more.
+        tangent_edges: what becomes of smooth edges; what the style says of them counts no more.
         picture: draw the isometric picture as well, for styles that ask for it.
         sections: cut these views open as well, for styles that ask for it.
 
@@ -94,7 +99,7 @@ def part_lines(
     """
     check_roles(roles)
     shape = moved_to_origin(shape)
-    options = LineOptions(tangent_edges=tangent_edges)
+    options = LineOptions(tangent_edges=tangent_edges is TangentPolicy.DRAWN)
     drawing = LineDrawing(shape, options)
     views = {role: drawing.view(role) for role in roles}
     seen = drawing.seen(ISOMETRIC) if picture else ()
@@ -102,7 +107,18 @@ def part_lines(
         (role, kind): section_view(shape, role, openings_of(shape, role, kind), options)
         for role, kind in sections
     }
-    return PartLines(bounding_box(shape)[1], views, seen, cut)
+    thin = _thin(shape, views) if tangent_edges is TangentPolicy.THIN else {}
+    return PartLines(bounding_box(shape)[1], views, seen, cut, thin)
+
+
+def _thin(
+    shape: TopoDS_Shape, views: dict[Role, tuple[DrawnStroke, ...]]
+) -> dict[Role, tuple[DrawnStroke, ...]]:
+    """The smooth edges that views show; thin lines show none that are hidden (ISO 128-3)."""
+    return {
+        role: tuple(stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE)
+        for role, strokes in smooth_edges(shape, views).items()
+    }
 
 
 def draw_sheet(
@@ -194,6 +210,7 @@ def compose_sheet(
     if cut is not None:
         place = next(place for place in placements if place.role is style.section)
         annotations += _hatching(cut, place, style)
+    annotations += _thin_lines(lines, placements, style)
     if style.skew:
         # Counter-clockwise to the eye is clockwise where y points down.
         angle, centre = -float(np.radians(style.skew)), (style.width / 2.0, style.height / 2.0)
@@ -204,6 +221,21 @@ def compose_sheet(
         ink = np.maximum(ink, ink_annotations(annotations, style))
     dpi = sheet_dpi(scale) if style.frame else None
     return Sheet(finished(ink, style, seed), scale, projection, views, annotations, dpi)
+
+
+def _thin_lines(
+    lines: PartLines, placements: Sequence[Placement], style: SheetStyle
+) -> tuple[Annotation, ...]:
+    """The smooth edges of whole views as thin lines; cut, halved and broken ones have none."""
+    changed = (style.section, style.half, style.broken)
+    found = []
+    for place in placements:
+        strokes = lines.thin.get(place.role, ())
+        if strokes and place.role not in changed:
+            down = Similarity(scale=place.scale, offset=place.offset, flip=True)
+            mapped = tuple(stroke.mapped(down) for stroke in strokes)
+            found.append(Annotation(AnnotationKind.TANGENT_EDGE, 0, mapped, style.annotation_width))
+    return tuple(found)
 
 
 def _shown(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> tuple[DrawnStroke, ...]:

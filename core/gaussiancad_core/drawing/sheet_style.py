@@ -9,6 +9,7 @@ from typing import Any
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.section_planes import SectionKind
+from gaussiancad_core.model.tangent_policies import TangentPolicy, drawn_policy
 from gaussiancad_protocol.codes import Code
 
 Colour = tuple[int, int, int]
@@ -54,7 +55,8 @@ class SheetStyle:
         mm_per_pixel: scale of the drawing; None fits the views to the sheet.
         cap: ends of visible strokes.
         antialiasing: grey edges of strokes; without it every pixel is ink or paper.
-        tangent_edges: draw smooth edges as well.
+        tangent_edges: whether smooth edges are drawn as other edges are, as thin continuous lines
+            where they are visible (width ``annotation_width``), or left out.
         hidden: draw hidden lines; most drawings of practice leave them out.
         skew: degrees by which the drawing is turned on the sheet, counter-clockwise.
         blur: standard deviation of a Gaussian blur, as of a scanner's optics.
@@ -97,7 +99,7 @@ class SheetStyle:
     mm_per_pixel: float | None = None
     cap: Cap = Cap.ROUND
     antialiasing: bool = True
-    tangent_edges: bool = False
+    tangent_edges: TangentPolicy = TangentPolicy.LEFT_OUT
     hidden: bool = True
     skew: float = 0.0
     blur: float = 0.0
@@ -243,7 +245,7 @@ def _parser(name: str) -> Callable[[str], Any]:
         "cap": Cap,
         "text_place": TextPlace,
         "antialiasing": _switch,
-        "tangent_edges": _switch,
+        "tangent_edges": drawn_policy,
         "hidden": _switch,
         "annotations": _switch,
         "frame": _switch,

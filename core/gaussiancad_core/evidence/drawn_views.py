@@ -11,6 +11,7 @@ from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.section_planes import Cut
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Linetype, ViewSet
 
 
@@ -54,6 +55,8 @@ class DrawnViews:
         holes: of which notes speak.
         about: the axis that the part is turned about, where no view looks along it.
         dropped: lines of each view that were taken for annotation and may be edges.
+        tangents: of each view, lines of the sheet along which faces meet smoothly.
+        tangent_policy: what the sheet does with such lines.
     """
 
     strokes: Mapping[Role, tuple[DrawnStroke, ...]]
@@ -71,6 +74,8 @@ class DrawnViews:
     holes: tuple[NotedHole, ...] = ()
     about: Axis | None = None
     dropped: Mapping[Role, tuple[DroppedLine, ...]] = field(default_factory=dict)
+    tangents: Mapping[Role, tuple[DrawnStroke, ...]] = field(default_factory=dict)
+    tangent_policy: TangentPolicy = TangentPolicy.UNKNOWN
 
     @property
     def without_hidden(self) -> tuple[Role, ...]:

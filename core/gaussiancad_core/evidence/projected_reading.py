@@ -11,10 +11,12 @@ from gaussiancad_core.evidence.section_evidence import SectionBeside
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.section_planes import Cut, SectionRole
-from gaussiancad_core.model.views import Linetype
+from gaussiancad_core.model.tangent_policies import TangentPolicy
+from gaussiancad_core.model.views import Linetype, Stroke
 from gaussiancad_core.sheet.labels.ink_classes import InkClass
 from gaussiancad_core.sheet.labels.label_evidence import LabelledLine
 from gaussiancad_core.sheet.registration.stroke_precision import tolerance_px
+from gaussiancad_core.sheet.registration.view_registration import strokes_in_plane
 from gaussiancad_core.sheet.sheet_stages import ReadView, RegisteredSheet
 from gaussiancad_core.writing.scale_agreement import Measure
 
@@ -40,6 +42,7 @@ class ProjectedReading:
         cuts: views that are sections.
         adjacent_sections: sections beside plain views.
         holes: of which notes speak.
+        tangent_policy: what the sheet does with lines along which faces meet smoothly.
     """
 
     registered: RegisteredSheet
@@ -48,6 +51,7 @@ class ProjectedReading:
     cuts: Mapping[Role, Cut] = field(default_factory=dict)
     adjacent_sections: Mapping[SectionRole, SectionBeside] = field(default_factory=dict)
     holes: tuple[NotedHole, ...] = ()
+    tangent_policy: TangentPolicy = TangentPolicy.UNKNOWN
 
     @property
     def grid(self) -> float:
@@ -71,6 +75,8 @@ class ProjectedReading:
             holes=self.holes,
             about=unseen.about if unseen is not None else None,
             dropped={view.role: self._dropped(view) for view in self.registered.drawn},
+            tangents=_tangents(self.registered),
+            tangent_policy=self.tangent_policy,
         )
 
     def _dropped(self, view: ReadView) -> tuple[DroppedLine, ...]:
@@ -95,6 +101,15 @@ class ProjectedReading:
 
 def _linetype(line: LabelledLine) -> Linetype:
     return Linetype.HIDDEN if line.otherwise is InkClass.HIDDEN else Linetype.VISIBLE
+
+
+def _tangents(registered: RegisteredSheet) -> dict[Role, tuple[Stroke, ...]]:
+    """The tangent edges of each view, mm in its plane; not of views that have none."""
+    return {
+        view.role: strokes_in_plane(view.tangents, registered.placements[view.role])
+        for view in registered.drawn
+        if view.tangents
+    }
 
 
 def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -> DrawnViews:

@@ -40,7 +40,7 @@ def _by_circles(sheet: DrawnSheet) -> Iterator[Bore]:
     for view in sheet.views:
         axis = view.role.frame.look_axis[0]
         for line in view.lines:
-            if line.is_circle:
+            if line.is_circle and not line.is_tangent:
                 low, high = line.points.min(axis=0), line.points.max(axis=0)
                 centre = _in_plane(view, (low + high) / 2.0)
                 radius = float((high - low).mean()) / 2.0

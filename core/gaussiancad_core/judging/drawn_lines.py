@@ -1,7 +1,7 @@
 """What a view draws of a part, as the judge looks at it: lines as chords, cuts, hatched areas."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -29,12 +29,14 @@ class DrawnLine:
         is_visible: whether it is drawn as a visible edge.
         is_circle: whether it is a whole circle.
         odds: 0 to 1, that it is the part's as it is drawn.
+        is_tangent: whether it is drawn where faces meet smoothly; then it is no visible edge.
     """
 
     points: Floats
     is_visible: bool
     is_circle: bool = False
     odds: float = 1.0
+    is_tangent: bool = False
 
     @property
     def length(self) -> float:
@@ -51,17 +53,19 @@ class DrawnView:
         lines: of the part.
         draws_hidden: whether what is hidden is drawn.
         cut: where the view is cut open; None where it is not.
+        draws_tangents: whether lines where faces meet smoothly are drawn, wide or thin.
     """
 
     role: Role
     lines: tuple[DrawnLine, ...]
     draws_hidden: bool
     cut: Cut | None = None
+    draws_tangents: bool = False
 
     @property
     def length(self) -> float:
-        """mm of all lines, each by its odds."""
-        return sum(line.odds * line.length for line in self.lines)
+        """mm of all lines but tangent edges, each by its odds."""
+        return sum(line.odds * line.length for line in self.lines if not line.is_tangent)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +94,7 @@ class DrawnSheet:
 
     @property
     def length(self) -> float:
-        """mm of all lines, each by its odds."""
+        """mm of all lines but tangent edges, each by its odds."""
         return sum(view.length for view in self.views)
 
 
@@ -102,10 +106,15 @@ def drawn_sheet(views: DrawnViews) -> DrawnSheet:
     drawn = [
         DrawnView(
             role,
-            (*_lines(strokes, longest), *_dropped(views.dropped.get(role, ()))),
+            (
+                *_lines(strokes, longest),
+                *_dropped(views.dropped.get(role, ())),
+                *_tangents(views.tangents.get(role, ()), longest),
+            ),
             role not in views.without_hidden
             and any(stroke.linetype is Linetype.HIDDEN for stroke in strokes),
             views.cuts.get(role),
+            views.tangent_policy.draws,
         )
         for role, strokes in views.strokes.items()
     ]
@@ -120,6 +129,11 @@ def _dropped(lines: Iterable[DroppedLine]) -> Iterable[DrawnLine]:
 def chords_of(lines: Sequence[DrawnLine]) -> list[shapely.LineString]:
     """The lines as geometry, in their order."""
     return [shapely.LineString(line.points) for line in lines]
+
+
+def _tangents(strokes: Iterable[DrawnStroke], longest: float) -> Iterable[DrawnLine]:
+    for line in _lines(strokes, longest):
+        yield replace(line, is_visible=False, is_tangent=True)
 
 
 def _lines(strokes: Iterable[DrawnStroke], longest: float) -> Iterable[DrawnLine]:

@@ -128,7 +128,7 @@ class Judge:
             open_met = opened(each, view, pairs.places, len(smooth))
             signs = seen(open_met, surfaces)
             ends = pairs.one, pairs.other
-            kind = kinds_between(signs, ends, pairs.drawn, draws_hidden=view.draws_hidden)
+            kind = kinds_between(signs, ends, pairs.drawn, view)
             wrong = kind != NO_KIND
             total += float((PRICES_OF_NUMBERS[kind[wrong]] * pairs.weight[wrong]).sum())
         return total
@@ -147,7 +147,7 @@ class Judge:
                 np.searchsorted(used, pairs.other[chosen]),
             )
             signs = seen(met, with_cut(solid))
-            kind = kinds_between(signs, ends, pairs.drawn[chosen], draws_hidden=view.draws_hidden)
+            kind = kinds_between(signs, ends, pairs.drawn[chosen], view)
             wrong = kind != NO_KIND
             total += float((PRICES_OF_NUMBERS[kind[wrong]] * pairs.weight[chosen][wrong]).sum())
         return total
@@ -173,9 +173,7 @@ def _view_misfit(
 ) -> ViewMisfit:
     met = met_in(solid, view, pairs.places)
     signs = seen(met, with_cut(solid))
-    kind = kinds_between(
-        signs, (pairs.one, pairs.other), pairs.drawn, draws_hidden=view.draws_hidden
-    )
+    kind = kinds_between(signs, (pairs.one, pairs.other), pairs.drawn, view)
     lost = np.isin(kind, [NUMBER[Kind.MISSING], NUMBER[Kind.MISSING_HIDDEN]])
     wrong = kind != NO_KIND
     rows = [

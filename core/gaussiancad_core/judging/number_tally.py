@@ -66,17 +66,17 @@ def differing_numbers(
     levels = {axis: _levels(solid, rounds, axis) for axis in Axis}
     near = _NEAR * float(solid.extent.max())
     found = []
-    for told in numbers.lengths:
-        if isinstance(told, LengthDimension):
-            measures = _lengths(told, levels[told.axis], near)
+    for dimension in numbers.lengths:
+        if isinstance(dimension, LengthDimension):
+            measures = _lengths(dimension, levels[dimension.axis], near)
         else:
-            measures = _radii(told, rounds, near)
+            measures = _radii(dimension, rounds, near)
         if not len(measures):
             continue
-        measured = float(measures[np.abs(measures - told.value).argmin()])
-        slack = max(_DIGITS * numbers.digit, _SHARE * told.value)
-        if abs(measured - told.value) > slack:
-            found += [*_placed(told, measured, roles)]
+        measured = float(measures[np.abs(measures - dimension.value).argmin()])
+        slack = max(_DIGITS * numbers.digit, _SHARE * dimension.value)
+        if abs(measured - dimension.value) > slack:
+            found += [*_placed(dimension, measured, roles)]
     return tuple(sorted(found, key=lambda each: -abs(each.measured - each.stated)))
 
 
@@ -96,56 +96,56 @@ def _levels(solid: FacetedSolid, rounds: Iterable[RoundFace], axis: Axis) -> Flo
     return np.unique(found[np.isfinite(found)])
 
 
-def _lengths(told: LengthDimension, levels: Floats, near: float) -> Floats:
+def _lengths(dimension: LengthDimension, levels: Floats, near: float) -> Floats:
     """(k,) mm between places that are near to the ends of a dimension."""
-    low, high = (levels[np.abs(levels - end) <= near] for end in (told.low, told.high))
+    low, high = (levels[np.abs(levels - end) <= near] for end in (dimension.low, dimension.high))
     return (high[:, None] - low[None, :]).reshape(-1)
 
 
-def _radii(told: RadiusDimension, rounds: Iterable[RoundFace], near: float) -> Floats:
+def _radii(dimension: RadiusDimension, rounds: Iterable[RoundFace], near: float) -> Floats:
     """(k,) mm, radii of round faces that are near to a stated one."""
     return np.array(
         [
             face.radius
             for face in rounds
-            if face.axis is told.normal
-            and np.hypot(*np.subtract(face.centre, told.centre)) <= near
-            and abs(face.radius - told.radius) <= near
+            if face.axis is dimension.normal
+            and np.hypot(*np.subtract(face.centre, dimension.centre)) <= near
+            and abs(face.radius - dimension.radius) <= near
         ]
     )
 
 
 def _placed(
-    told: LengthDimension | RadiusDimension, measured: float, roles: Iterable[Role]
+    dimension: LengthDimension | RadiusDimension, measured: float, roles: Iterable[Role]
 ) -> Iterator[NumberDifference]:
     """The difference in the first view that shows it."""
     for role in roles:
-        if isinstance(told, RadiusDimension):
-            ends = _circle_ends(told, role)
+        if isinstance(dimension, RadiusDimension):
+            ends = _circle_ends(dimension, role)
         else:
-            ends = _length_ends(told, role)
+            ends = _length_ends(dimension, role)
         if ends is not None:
-            is_radius = isinstance(told, RadiusDimension)
-            yield NumberDifference(role, ends, told.value, measured, is_radius)
+            is_radius = isinstance(dimension, RadiusDimension)
+            yield NumberDifference(role, ends, dimension.value, measured, is_radius)
             return
 
 
-def _length_ends(told: LengthDimension, role: Role) -> Ends | None:
+def _length_ends(dimension: LengthDimension, role: Role) -> Ends | None:
     """The ends of a length at the border of a view; None where it looks along the length."""
     frame = role.frame
-    if told.axis is frame.right_axis[0]:
+    if dimension.axis is frame.right_axis[0]:
         sign = frame.right_axis[1]
-        return (sign * told.low, 0.0), (sign * told.high, 0.0)
-    if told.axis is frame.up_axis[0]:
+        return (sign * dimension.low, 0.0), (sign * dimension.high, 0.0)
+    if dimension.axis is frame.up_axis[0]:
         sign = frame.up_axis[1]
-        return (0.0, sign * told.low), (0.0, sign * told.high)
+        return (0.0, sign * dimension.low), (0.0, sign * dimension.high)
     return None
 
 
-def _circle_ends(told: RadiusDimension, role: Role) -> Ends | None:
+def _circle_ends(dimension: RadiusDimension, role: Role) -> Ends | None:
     """The outermost places of a circle in a view; None where it shows the circle edge-on."""
     plane = role_plane(role)
-    if plane.normal is not told.normal:
+    if plane.normal is not dimension.normal:
         return None
-    right, up = np.multiply(told.centre, plane.signs).tolist()
-    return (right - told.radius, up), (right + told.radius, up)
+    right, up = np.multiply(dimension.centre, plane.signs).tolist()
+    return (right - dimension.radius, up), (right + dimension.radius, up)

@@ -45,6 +45,10 @@ _BLANK, _TOWARDS = 0.8, 0.2
 """What a mm counts between two lines of the raster, and between a stroke's side and the raster, of
 what it counts beside a stroke."""
 
+_PRECEDENCE = np.array([0, 3, 1, 2])
+"""Of lines upon each other the one that counts, by the numbers of :class:`Drawn`: visible edges
+before tangent edges, which are as solid, before hidden edges."""
+
 _NEAREST = 3
 """Lines of the raster that one beside a stroke is paired with."""
 
@@ -58,6 +62,7 @@ class Drawn(IntEnum):
     NOTHING = 0
     VISIBLE = 1
     HIDDEN = 2
+    TANGENT = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,7 +172,7 @@ def _near_strokes(
     line = np.repeat(np.arange(len(lines)), counts)
     shares = [each.odds * each.length / n for each, n in zip(lines, counts, strict=True)]
     weight = np.repeat(shares, counts)
-    visible = np.array([each.is_visible for each in lines])
+    drawn = np.array([_drawn(each) for each in lines])
     across = sheet.aside * np.stack([-ways[:, 1], ways[:, 0]], axis=1)
     probes = shapely.linestrings(np.stack([at - across, at + across], axis=1))
     probe, met = tree.query(probes, predicate="intersects")
@@ -176,15 +181,22 @@ def _near_strokes(
         _UPON * sheet.tolerance
     )
     likely = np.array([each.odds >= _EVEN for each in lines])
-    place = np.argsort(np.lexsort((-np.arange(len(lines)), visible, likely)))
+    # Of two alike the first counts.
+    order = np.lexsort((-np.arange(len(lines)), _PRECEDENCE[drawn], likely))
+    place = np.argsort(order)
     stands = place[line[probe]] > place[met]
     # What is hardly an edge is in nobody's way.
     is_aside = ~upon & (likely[met] | ~likely[line[probe]])
     dropped = np.zeros(len(at), bool)
     dropped[probe[is_aside | (upon & ~stands)]] = True
     kept = ~dropped
-    drawn = np.where(visible[line], Drawn.VISIBLE, Drawn.HIDDEN)
-    return _Near(at[kept], across[kept], drawn[kept], weight[kept], line[kept])
+    return _Near(at[kept], across[kept], drawn[line][kept], weight[kept], line[kept])
+
+
+def _drawn(line: DrawnLine) -> Drawn:
+    if line.is_tangent:
+        return Drawn.TANGENT
+    return Drawn.VISIBLE if line.is_visible else Drawn.HIDDEN
 
 
 def _along(line: DrawnLine, longest: float) -> tuple[Floats, Floats]:

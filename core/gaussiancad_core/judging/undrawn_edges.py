@@ -56,7 +56,7 @@ def undrawn_edges(
         signs,
         (numbers, numbers + len(at)),
         np.full(len(at), Drawn.NOTHING.value),
-        draws_hidden=view.draws_hidden,
+        view,
     )
     kept = (kind != NO_KIND) & _first_at(at, _ONCE * sheet.longest)
     return (

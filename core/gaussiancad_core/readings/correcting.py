@@ -25,6 +25,7 @@ from gaussiancad_core.readings.correction_operations import (
     RegionOperation,
     ScaleOperation,
     SectionOperation,
+    TangentEdgesOperation,
     Target,
     TraceOperation,
     UnitOperation,
@@ -44,7 +45,7 @@ from gaussiancad_core.readings.reading_schema import (
     ViewEntry,
 )
 from gaussiancad_core.readings.stroke_anchors import are_one, box_of, matching, points_of
-from gaussiancad_protocol.reading_kinds import DRAWN, ViewRole
+from gaussiancad_protocol.reading_kinds import DRAWN, StrokeKind, ViewRole
 
 _PERSONAL = re.compile(r"p[0-9]{1,9}").fullmatch
 """Ids of strokes that a person drew."""
@@ -364,6 +365,26 @@ def _opposite(role: ViewRole) -> ViewRole:
     return ViewRole(opposite(Role(role.value)).value) if principal else role
 
 
+def _with_tangent_edges(reading: SheetReading, operation: TangentEdgesOperation) -> SheetReading:
+    """The same views on a sheet that does this with tangent edges.
+
+    Where it leaves them out, what the machine took for tangent edges are edges.
+    """
+    found = changed(reading.tangent_edges, policy=operation.value, source=GIVEN)
+    strokes = reading.strokes
+    if operation.value == "left-out":
+        strokes = tuple(
+            changed(stroke, kind=StrokeKind.VISIBLE) if _is_read_tangent(stroke) else stroke
+            for stroke in strokes
+        )
+    return changed(reading, tangent_edges=found, strokes=strokes)
+
+
+def _is_read_tangent(stroke: StrokeEntry) -> bool:
+    """Whether the machine took a line of a view for a tangent edge."""
+    return stroke.kind is StrokeKind.TANGENT and stroke.view is not None and stroke.source != GIVEN
+
+
 def _with_region(reading: SheetReading, operation: RegionOperation) -> SheetReading:
     polygon = np.array(operation.polygon, np.float32).reshape(-1, 1, 2)
     stated = {"kind": operation.kind, "confidence": 1.0, "source": GIVEN, "why": None}
@@ -392,6 +413,7 @@ _APPLIED: dict[type, Callable[[SheetReading, Any], SheetReading | None]] = {
     DimensionOperation: _with_dimension,
     ScaleOperation: _with_scale,
     UnitOperation: _with_unit,
+    TangentEdgesOperation: _with_tangent_edges,
     RegionOperation: _with_region,
     SectionOperation: with_section,
     NoteOperation: with_note,

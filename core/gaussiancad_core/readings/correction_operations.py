@@ -99,6 +99,12 @@ class ProjectionOperation(Struct, frozen=True, kw_only=True, tag_field="op", tag
     value: Literal["first", "third"]
 
 
+class TangentEdgesOperation(Struct, frozen=True, kw_only=True, tag_field="op", tag="tangent_edges"):
+    """Lines where faces meet smoothly are drawn as other edges are, thin, or left out."""
+
+    value: Literal["drawn", "thin", "left-out"]
+
+
 class RegionOperation(Struct, frozen=True, kw_only=True, tag_field="op", tag="region"):
     """All strokes within a polygon stand for this."""
 
@@ -147,6 +153,7 @@ Operation = (
     | ScaleOperation
     | UnitOperation
     | ProjectionOperation
+    | TangentEdgesOperation
     | RegionOperation
     | TraceOperation
     | SectionOperation

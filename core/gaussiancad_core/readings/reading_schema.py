@@ -62,6 +62,23 @@ class ReadProjection(Struct, frozen=True, kw_only=True):
     alternatives: tuple[Literal["first", "third"], ...] = ()
 
 
+class ReadTangentEdges(Struct, frozen=True, kw_only=True):
+    """What the sheet does with tangent edges, and how that is known.
+
+    Attributes:
+        policy: whether they are drawn as other edges are, thin, or left out.
+        source: ``inferred`` from the views, ``given`` by a person; ``default`` where nothing tells.
+        drawn, thin, left_out: places of views at which a tangent edge has a wide line, a thin one,
+            or none.
+    """
+
+    policy: Literal["drawn", "thin", "left-out", "unknown"] = "unknown"
+    source: Literal["inferred", "given", "default"] = "default"
+    drawn: Annotated[int, Meta(ge=0)] = 0
+    thin: Annotated[int, Meta(ge=0)] = 0
+    left_out: Annotated[int, Meta(ge=0)] = 0
+
+
 class ReadUnit(Struct, frozen=True, kw_only=True):
     """The unit of numbers that do not name theirs."""
 
@@ -281,6 +298,7 @@ class SheetReading(Struct, frozen=True, kw_only=True):
     notes: tuple[NoteEntry, ...] = ()
     sections: tuple[SectionEntry, ...] = ()
     problems: tuple[Problem, ...] = ()
+    tangent_edges: ReadTangentEdges = ReadTangentEdges()
     corrected: Annotated[int, Meta(ge=0)] = 0
     engine: Text = ""
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from gaussiancad_core.errors import NoModelError, UnreadableError, UsageError
 from gaussiancad_core.messages import filled
 from gaussiancad_core.model.axes import Axis, Projection, Role
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Linetype, Stroke
 from gaussiancad_core.readings.boxed_views import Reread
 from gaussiancad_core.readings.correcting import is_unseen
@@ -21,8 +22,10 @@ from gaussiancad_core.readings.reading_entries import (
     upright_ring,
 )
 from gaussiancad_core.readings.reading_schema import (
+    GIVEN,
     LINES,
     SheetReading,
+    StrokeEntry,
     ViewEntry,
 )
 from gaussiancad_core.readings.reading_shapes import stroke_of
@@ -45,11 +48,13 @@ from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.labels.label_evidence import SheetLabels
 from gaussiancad_core.sheet.registration.view_masks import supersampling_for
 from gaussiancad_core.sheet.sheet_stages import ReadView, check_amount
+from gaussiancad_core.sheet.special_views.tangent_edges import without_tangent_edges
+from gaussiancad_core.sheet.special_views.tangent_policy import SheetTangents
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.views.painted_strokes import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.views.sheet_layout import Layout
 from gaussiancad_protocol.codes import Code
-from gaussiancad_protocol.reading_kinds import DRAWN, ViewRole
+from gaussiancad_protocol.reading_kinds import DRAWN, StrokeKind, ViewRole
 
 _CARRIED = (
     Code.OTHER_PEN_LINES,
@@ -95,13 +100,16 @@ def taken_lines(
         marks = tuple(
             mark
             for stroke in reading.strokes
-            if stroke.kind not in DRAWN and (mark := mark_of(stroke, turn)) is not None
+            if stroke.kind not in DRAWN
+            and not _is_tangent(stroke)
+            and (mark := mark_of(stroke, turn)) is not None
         )
         layout = _layout(job, reading, turn)
         tell_marks(notes, marks, turn)
         tell_layout(notes, layout, turn)
     with notes.stage("lines"):
-        drawn = _drawn(reading, clean, reread)
+        drawn, tangents = _with_tangents(_drawn(reading, clean, reread), reading)
+        notes.tell(tangent_edges=tangents)
         for view in drawn:
             check_amount(view)
         scale = scale_of(reading, turn)
@@ -128,7 +136,28 @@ def taken_lines(
         sections,
         adjacent_sections=views,
         labels=labels,
+        tangents=tangents,
     )
+
+
+def _with_tangents(
+    drawn: tuple[ReadView, ...], reading: SheetReading
+) -> tuple[tuple[ReadView, ...], SheetTangents]:
+    """The views, and what the sheet does with tangent edges; where a person says that it draws
+    them, also without those that were read as edges."""
+    read = reading.tangent_edges
+    counts = read.drawn, read.thin, read.left_out
+    tangents = SheetTangents(TangentPolicy(read.policy), read.source, *counts)
+    if read.source != GIVEN or not tangents.policy.draws:
+        return drawn, tangents
+    found = without_tangent_edges(drawn, given=tangents.policy)
+    return found.views, tangents
+
+
+def _is_tangent(stroke: StrokeEntry) -> bool:
+    """Whether a stroke is a tangent edge of a view, and has a shape."""
+    has_shape = any(shape is not None for shape in (stroke.line, stroke.arc, stroke.ellipse))
+    return stroke.kind is StrokeKind.TANGENT and stroke.view is not None and has_shape
 
 
 def _check_places(reading: SheetReading, size: tuple[int, int]) -> None:
@@ -278,7 +307,8 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
         read_view = view_by_strokes(
             role, strokes[role], part, factor, (strokes_source(view), view.dash, view.step)
         )
-        read_view = replace(read_view, labels=_labels_of(reading, view, clean))
+        labels, tangents = _labels_of(reading, view, clean), _tangents_of(reading, view, clean.turn)
+        read_view = replace(read_view, labels=labels, tangents=tangents)
         drawn.append(_cut_open(read_view, view, clean.turn))
     return tuple(drawn)
 
@@ -318,6 +348,11 @@ def _strokes_of(reading: SheetReading, view: ViewEntry, turn: Turn) -> tuple[Str
         and entry.kind in DRAWN
         and (stroke := stroke_of(entry, turn)) is not None
     )
+
+
+def _tangents_of(reading: SheetReading, view: ViewEntry, turn: Turn) -> tuple[Stroke, ...]:
+    entries = (entry for entry in reading.strokes if entry.view == view.id and _is_tangent(entry))
+    return tuple(stroke for entry in entries if (stroke := stroke_of(entry, turn)) is not None)
 
 
 def _cut_open(read_view: ReadView, view: ViewEntry, turn: Turn) -> ReadView:

@@ -94,6 +94,24 @@ def read_entry(
     return StrokeEntry(id=name, view=view, kind=kind, **stated, **shape_of(stroke, turn))
 
 
+def tangent_entry(name: str, view: ReadView, stroke: Stroke, turn: Turn) -> StrokeEntry:
+    """The entry of a line of a view along which faces meet smoothly.
+
+    Args:
+        name: its id.
+        view: that shows it.
+        stroke: px of the upright sheet.
+        turn: of the sheet.
+    """
+    return StrokeEntry(
+        id=name,
+        view=view.role.value,
+        kind=StrokeKind.TANGENT,
+        source=view.source.value,
+        **shape_of(stroke, turn),
+    )
+
+
 def mark_certainty(mark: Mark, labels: SheetLabels) -> Certainty:
     """What is known of an annotation; nothing of one that is no line.
 

@@ -23,6 +23,7 @@ from gaussiancad_core.readings.reading_schema import (
     ReadProjection,
     ReadScale,
     ReadSheet,
+    ReadTangentEdges,
     ReadUnit,
     SectionEntry,
     SheetReading,
@@ -35,6 +36,7 @@ from gaussiancad_core.readings.stroke_certainty import (
     Certainty,
     mark_certainty,
     read_entry,
+    tangent_entry,
     view_certainty,
 )
 from gaussiancad_core.recognition.one_view import shown_extents
@@ -171,6 +173,13 @@ def sheet_reading(
         notes=tuple(_note(note, turn) for note in lines.notes),
         sections=tuple(_section(section, turn) for section in lines.sections),
         problems=(*refused, *doubts),
+        tangent_edges=ReadTangentEdges(
+            policy=lines.tangents.policy.value,
+            source=lines.tangents.source,
+            drawn=lines.tangents.drawn,
+            thin=lines.tangents.thin,
+            left_out=lines.tangents.left_out,
+        ),
         corrected=_corrections(report),
     )
 
@@ -343,9 +352,12 @@ def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
     owned += [(None, OF_FILE, stroke) for stroke in lines.loose]
     for number, (view, sure, stroke) in enumerate(owned, start=1):
         yield read_entry(f"s{number}", view, stroke, turn, sure)
+    tangents = [(view, stroke) for view in lines.drawn for stroke in view.tangents]
+    for number, (drawn, stroke) in enumerate(tangents, start=1 + len(owned)):
+        yield tangent_entry(f"s{number}", drawn, stroke, turn)
     ends = [end for mark in lines.marks if mark.line is not None for end in mark.line]
     stored = iter(stored_points(ends, turn) if ends else ())
-    for number, mark in enumerate(lines.marks, start=1 + len(owned)):
+    for number, mark in enumerate(lines.marks, start=1 + len(owned) + len(tangents)):
         line = None if mark.line is None else (next(stored), next(stored))
         kind, box = _KINDS.get(mark.kind, StrokeKind.IGNORE), stored_box(mark.box, turn)
         stated = mark_certainty(mark, lines.labels)

@@ -7,8 +7,13 @@ import numpy as np
 import shapely
 
 from gaussiancad_core.errors import UsageError
+from gaussiancad_core.geometry.arcs import CircularArc, EllipticArc
+from gaussiancad_core.geometry.chains import LineSegment
+from gaussiancad_core.geometry.curves import Curve
 from gaussiancad_core.geometry.points import Box
+from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment, Stroke
 from gaussiancad_core.recognition.stroke_reading import StrokeReading
 from gaussiancad_core.sheet.annotations.annotation_marks import Mask
 from gaussiancad_core.sheet.special_views.cut_views import hatched_box, section_kind
@@ -181,9 +186,10 @@ def _other_parts(views: Sequence[DrawnView], rest: Sequence[int], least: float) 
     return found
 
 
-def doubtful_lines(reading: StrokeReading, best: Arrangement, scale: float) -> tuple[Box, ...]:
-    """Boxes in px of lines that are no edges for their pen alone: within views, and from edge to
-    edge."""
+def doubtful_lines(
+    reading: StrokeReading, best: Arrangement, scale: float
+) -> tuple[LineSegment, ...]:
+    """Lines in px that are no edges for their pen alone: within views, and from edge to edge."""
     labelled = reading.labelled
     found = []
     for number in best.placed:
@@ -192,11 +198,38 @@ def doubtful_lines(reading: StrokeReading, best: Arrangement, scale: float) -> t
         edges = shapely.union_all([edge.line for edge in view.edges])
         shapely.prepare(edges)
         for stroke in labelled.of(Label.OTHER):
-            if not stroke.is_line or not frame.contains(stroke.line):
+            if not isinstance(stroke.curve, LineSegment) or not frame.contains(stroke.line):
                 continue
             if all(edges.dwithin(shapely.Point(end), _MEETS) for end in stroke.ends):
-                found.append(scaled_box(stroke.box, scale))
+                found.append(stroke.curve.mapped(Similarity(scale)))
     return tuple(found)
+
+
+def strokes_of_other_pens(
+    reading: StrokeReading, best: Arrangement, scale: float
+) -> tuple[Stroke, ...]:
+    """Lines, arcs and ellipses in px that are no edges for their pen alone, within views."""
+    frames = [shapely.box(*reading.views[number].box) for number in best.placed]
+    to_px = Similarity(scale)
+    found = (
+        stroke.curve.mapped(to_px)
+        for stroke in reading.labelled.of(Label.OTHER)
+        if any(frame.contains(stroke.line) for frame in frames)
+    )
+    return tuple(stroke for curve in found if (stroke := _as_stroke(curve)) is not None)
+
+
+def _as_stroke(curve: Curve) -> Stroke | None:
+    """A visible stroke along a curve; None along one that is a chain."""
+    visible = Linetype.VISIBLE
+    if isinstance(curve, LineSegment):
+        return Segment(curve.start, curve.end, visible)
+    if isinstance(curve, CircularArc):
+        return Arc(curve.centre, curve.radius, curve.start_angle, curve.sweep, visible)
+    if isinstance(curve, EllipticArc):
+        axes = curve.semi_major, curve.semi_minor, curve.rotation
+        return Ellipse(curve.centre, *axes, curve.start, curve.sweep, visible)
+    return None
 
 
 def is_middle_in(box: Box, around: Box) -> bool:

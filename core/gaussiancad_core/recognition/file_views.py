@@ -12,6 +12,7 @@ from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.geometry.points import Box
 from gaussiancad_core.geometry.similarities import Similarity
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Stroke
 from gaussiancad_core.recognition.drawn_layout import (
     chosen_views,
     doubtful_lines,
@@ -19,6 +20,7 @@ from gaussiancad_core.recognition.drawn_layout import (
     is_middle_in,
     layout_of,
     scaled_box,
+    strokes_of_other_pens,
     with_projection,
 )
 from gaussiancad_core.recognition.labelled_file import FileStrokes
@@ -61,7 +63,9 @@ class FileViews:
         separated: the sheet with the part's strokes alone.
         layout: of its views.
         vectors: the part's strokes.
-        doubtful: boxes in px of lines that run from edge to edge and are no edges for their pen.
+        doubtful: lines in px that run from edge to edge and are no edges for their pen.
+        others: strokes in px within the views that are no edges for their pen, wherever they
+            end.
         is_all: whether no other drawing, and no picture, lies beside the views.
         frame_guessed: whether the layout's frame may as well be the part's outline.
         best: the views in their roles.
@@ -71,7 +75,8 @@ class FileViews:
     separated: SeparatedSheet
     layout: Layout
     vectors: VectorSheet
-    doubtful: tuple[Box, ...] = ()
+    doubtful: tuple[LineSegment, ...] = ()
+    others: tuple[Stroke, ...] = ()
     is_all: bool = False
     frame_guessed: bool = False
     best: Arrangement | None = None
@@ -186,7 +191,8 @@ def _found(
     if area.is_framed and not drawing.has_paper:
         layout = replace(layout, frame=scaled_box(area.polygon.bounds, scale))
     doubtful = doubtful_lines(reading, best, scale)
-    return FileViews(separated, layout, VectorSheet(part), doubtful, is_all, guessed, best)
+    others = strokes_of_other_pens(reading, best, scale)
+    return FileViews(separated, layout, VectorSheet(part), doubtful, others, is_all, guessed, best)
 
 
 def _shows_more(drawing: VectorDrawing, reading: StrokeReading, scale: float) -> bool:

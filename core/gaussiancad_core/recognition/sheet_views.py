@@ -4,8 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.views import Stroke
 from gaussiancad_core.recognition.drawn_layout import is_middle_in
 from gaussiancad_core.recognition.file_views import FileViews, file_views
 from gaussiancad_core.recognition.labelled_file import FileStrokes, strokes_of_file
@@ -31,7 +33,9 @@ class SheetViews:
         vectors: exact lines of the part, where the file has them.
         texts: all that is written, where it is read already.
         labels_problem: why a picture was read without the labels network; None where it was not.
-        other_pens: boxes in px of strokes in other pens than the part's that may be its own.
+        other_pens: lines in px, from edge to edge in other pens than the part's, that may be its
+            own.
+        others: strokes in px within the views that are no edges for their pen.
         frame_guessed: whether the layout's frame may as well be the part's outline.
         of_file: the views by the strokes of a file; None where pixels tell them.
     """
@@ -41,7 +45,8 @@ class SheetViews:
     vectors: VectorSheet | None = None
     texts: tuple[SheetText, ...] | None = None
     labels_problem: Message | None = None
-    other_pens: tuple[Box, ...] = ()
+    other_pens: tuple[LineSegment, ...] = ()
+    others: tuple[Stroke, ...] = ()
     frame_guessed: bool = False
     of_file: FileViews | None = None
 
@@ -144,6 +149,7 @@ def _of_strokes(found: FileViews) -> SheetViews:
         found.layout,
         found.vectors,
         other_pens=found.doubtful,
+        others=found.others,
         frame_guessed=found.frame_guessed,
         of_file=found,
     )

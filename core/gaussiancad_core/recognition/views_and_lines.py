@@ -3,21 +3,25 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.evidence.projection_choice import opposite
 from gaussiancad_core.geometry.arcs import CircularArc
+from gaussiancad_core.geometry.chains import LineSegment
 from gaussiancad_core.messages import Message
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.unseen_extent import Unseen
-from gaussiancad_core.model.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.model.views import Arc, Linetype, Stroke
 from gaussiancad_core.recognition.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.recognition.one_view import shown_extents, unseen_extent_of
+from gaussiancad_core.recognition.sheet_tangents import (
+    SheetWithoutTangents,
+    sheet_without_tangents,
+)
 from gaussiancad_core.recognition.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.report.job import Job
 from gaussiancad_core.report.report_entries import NoteReport, Unused, ViewReport
 from gaussiancad_core.report.run_notes import RunNotes
-from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.annotation_marks import Mark, Mask
 from gaussiancad_core.sheet.image.deskew import Turn
 from gaussiancad_core.sheet.image.opened_sheet import OpenedSheet
 from gaussiancad_core.sheet.image.sheet_files import SheetImage
@@ -35,7 +39,7 @@ from gaussiancad_core.sheet.special_views.special_view_notes import (
     special_view_messages,
     why_unused,
 )
-from gaussiancad_core.sheet.special_views.tangent_edges import without_tangent_edges
+from gaussiancad_core.sheet.special_views.tangent_policy import UNKNOWN_TANGENTS, SheetTangents
 from gaussiancad_core.sheet.special_views.thread_symbols import arcs_of, without_threads
 from gaussiancad_core.sheet.special_views.view_kinds import SECTIONS
 from gaussiancad_core.sheet.views.sheet_layout import Layout, may_be_views
@@ -76,6 +80,7 @@ class SheetLines:
         labels: what the lines of the sheet were taken for; nothing where no labels told it.
         unseen: what is known of the axis that the only view does not show; None of several views,
             and until :func:`with_unseen` asks.
+        tangents: what the sheet does with tangent edges.
     """
 
     layout: Layout
@@ -89,6 +94,7 @@ class SheetLines:
     adjacent_sections: tuple[ReadView, ...] = ()
     labels: SheetLabels = NO_LABELS
     unseen: Unseen | None = None
+    tangents: SheetTangents = UNKNOWN_TANGENTS
 
 
 def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
@@ -108,7 +114,11 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         found = _views(sheet, reading, notes)
         tell_marks(notes, found.separated.marks, turn)
     with notes.stage("lines"):
-        found, drawn, hatched = _strokes_in(sheet, found, reading, notes)
+        without, hatched = _strokes_in(sheet, found, reading, notes)
+        found, drawn = without.found, without.drawn
+        tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, turn)
+        _tell_doubtful(notes, found.other_pens)
+        notes.tell(tangent_edges=without.tangents)
         layout, separated = found.layout, found.separated
         scale = _sheet_scale(job, sheet, (found, drawn), notes)
         sections = _sections(sheet, scale, layout) if scale is not None else ()
@@ -128,7 +138,14 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         options = tell_scale(reading, scale, drawn, notes)
         tell_notes(notes, said, turn)
     stated = separated.marks, scale, options, said, sections
-    return SheetLines(layout, drawn, *stated, adjacent_sections=views, labels=separated.labels)
+    return SheetLines(
+        layout,
+        drawn,
+        *stated,
+        adjacent_sections=views,
+        labels=separated.labels,
+        tangents=without.tangents,
+    )
 
 
 def with_unseen(lines: SheetLines, notes: RunNotes) -> SheetLines:
@@ -152,7 +169,7 @@ def boxed_views(job: Job, sheet: OpenedSheet, notes: RunNotes) -> tuple[ReadView
     """
     reading = in_worked_px(job.reading, sheet.turn)
     found = _views(sheet, reading, notes)
-    return _strokes_in(sheet, found, reading, notes)[1]
+    return _strokes_in(sheet, found, reading, notes)[0].drawn
 
 
 def _strokes_in(
@@ -160,7 +177,7 @@ def _strokes_in(
     found: SheetViews,
     reading: ReadingOptions,
     notes: RunNotes,
-) -> tuple[SheetViews, tuple[ReadView, ...], Mask | None]:
+) -> tuple[SheetWithoutTangents, Mask | None]:
     """What was found, with the strokes of its views, and what is hatched in them."""
     separated, layout = found.separated, found.layout
     drawn = read_views(separated.part, layout, notes.progress, found.vectors)
@@ -172,13 +189,12 @@ def _strokes_in(
         arcs = arcs_of(separated.strokes_known) if separated.strokes_known is not None else []
     drawn, threads = without_threads(drawn, arcs)
     layout = replace(layout, special=(*layout.special, *threads))
-    if found.vectors is not None:
-        drawn, smooth = without_tangent_edges(drawn)
-        separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
+    without = sheet_without_tangents(replace(found, layout=layout), drawn)
+    found, drawn, separated = without.found, without.drawn, without.found.separated
     drawn = weighed_views(drawn, separated.labels)
     hatched = to_middles(separated.hatched, separated.part.stroke_width)
-    found = replace(found, separated=separated, layout=layout)
-    return found, with_hatched_areas(drawn, layout, hatched), hatched
+    drawn = with_hatched_areas(drawn, layout, hatched)
+    return replace(without, found=found, drawn=drawn), hatched
 
 
 def _sections(sheet: OpenedSheet, scale: SheetScale, layout: Layout) -> tuple[NamedSection, ...]:
@@ -230,10 +246,6 @@ def _role_at(roles: dict[Box, Role], box: Box) -> Role | None:
         ),
         None,
     )
-
-
-def _tangent_mark(line: Segment) -> Mark:
-    return line_mark(AnnotationKind.TANGENT_EDGE, line.start, line.end)
 
 
 def _arcs(image: SheetImage, turn: Turn) -> list[Arc]:
@@ -325,14 +337,13 @@ def _views(sheet: OpenedSheet, reading: ReadingOptions, notes: RunNotes) -> Shee
     found = sheet_views(sheet, given, reading.projection)
     if found.labels_problem is not None:
         notes.warn(Code.LABELS_MISSING, found.labels_problem)
-    tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, sheet.turn)
-    _tell_doubtful(notes, found.other_pens)
     return found
 
 
-def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:
+def _tell_doubtful(notes: RunNotes, lines: Sequence[LineSegment]) -> None:
     """Say which lines of the views were not used for their pen alone."""
-    if boxes:
+    if lines:
+        boxes = [line.box for line in lines]
         places = ", ".join(
             f"({(box[0] + box[2]) / 2.0:.0f}, {(box[1] + box[3]) / 2.0:.0f})"
             for box in boxes[:_MOST_PLACES]

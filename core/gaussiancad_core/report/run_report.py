@@ -29,6 +29,7 @@ from gaussiancad_core.report.report_entries import (
     Unused,
     ViewReport,
 )
+from gaussiancad_core.sheet.special_views.tangent_policy import UNKNOWN_TANGENTS, SheetTangents
 from gaussiancad_core.sheet.special_views.view_kinds import SpecialView
 from gaussiancad_core.storage.versions import ENGINE_PACKAGES, installed_versions
 from gaussiancad_core.writing.scale_agreement import ReadDimension
@@ -46,6 +47,7 @@ class Report:
         settings: of the job, JSON values.
         stage: the last stage that was begun.
         projection, projection_source, projection_alternatives: reading of the arrangement.
+        tangent_edges: what the sheet does with tangent edges.
         views: by role.
         scale_mm_per_pixel, scale_source: of sheet pixels.
         dimensions: that were read from the sheet; boxes in px of it.
@@ -77,6 +79,7 @@ class Report:
     projection: Projection = Projection.THIRD
     projection_source: str = "default"
     projection_alternatives: tuple[Projection, ...] = ()
+    tangent_edges: SheetTangents = UNKNOWN_TANGENTS
     views: dict[Role, ViewReport] = field(default_factory=dict)
     annotations: dict[str, list[tuple[float, float, float, float]]] = field(default_factory=dict)
     strokes_source: str = "raster"
@@ -145,6 +148,7 @@ class Report:
             "projection": self.projection.value,
             "projection_source": self.projection_source,
             "projection_alternatives": [p.value for p in self.projection_alternatives],
+            "tangent_edges": self.tangent_edges.policy.value,
             "views": {role.value: view.as_json() for role, view in self.views.items()},
             "annotations": {
                 kind: [[round(value, 1) for value in box] for box in boxes]

@@ -79,6 +79,8 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
             found = SheetFindings(reading, None, (), ())
         found = _with_measures(found, lines.scale, notes)
         found = _with_cuts(found, lines)
+        policy = lines.tangents.policy
+        found = found.changed(lambda reading: replace(reading, tangent_policy=policy))
         found = _with_notes(found, lines, turn, notes)
         if found.other and job.result is ResultKind.SURFACE:
             found = weigh_readings(found, notes)

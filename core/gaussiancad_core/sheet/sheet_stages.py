@@ -70,6 +70,7 @@ class ReadView:
         hatched: of a section the outlines of what is cut: an odd number of them surrounds it.
         opened: corners of the region that is cut open; empty where that is all of the view.
         labels: what the lines of its ink were taken for; nothing where no labels told it.
+        tangents: lines that were taken off, for faces meet smoothly there.
     """
 
     role: Role
@@ -82,6 +83,7 @@ class ReadView:
     hatched: tuple[Ring, ...] = ()
     opened: Ring = ()
     labels: SheetLabels = NO_LABELS
+    tangents: tuple[Stroke, ...] = ()
 
     @property
     def closed(self) -> Outline:

@@ -32,6 +32,7 @@ from gaussiancad_core.lines.line_points import LinePoints, Lines, lines_of_strok
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Role
 from gaussiancad_core.model.views import Linetype, Segment
+from gaussiancad_core.solid.tangent_agreement import TangentAgreement
 
 LOOSE = 2.5
 """Tolerances of the views within which lines are the same."""
@@ -181,6 +182,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
             flaws += _area_flaws(role, section.areas, cut.areas, tolerance)
     drawn_views, relaxed_linetypes = with_unsure_kinds(views) or views, False
     askew = False
+    tangents = TangentAgreement(shape, views, drawn, tolerance)
     for role in views.roles:
         lines = lines_of_strokes(drawn[role], tolerance / STEPS_PER_TOLERANCE)
         strokes = as_drawn(drawn_views.strokes[role], lines, tolerance)
@@ -190,7 +192,8 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
             lines = Lines(
                 lines.visible, lines.hidden.only(np.zeros(len(lines.hidden.points), bool))
             )
-        found = matched[role] = match_lines(strokes, lines, tolerance)
+        found = match_lines(strokes, lines, tolerance)
+        found = matched[role] = tangents.with_smooth_edges(role, found)
         spread = max(spread, _spread(strokes, lines, tolerance, TELLING * tolerance))
         askew |= _is_askew(strokes, lines, _SHORT * tolerance)
         unread = max(least, _UNREAD * views.tolerance)
@@ -201,9 +204,13 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
             (found.result.visible, found.visible_explained, False, least, Linetype.VISIBLE),
             (found.result.hidden, found.hidden_explained, False, unread, Linetype.HIDDEN),
         ):
-            for place, length, ends in _places(points, ~agree, tolerance):
+            for place, length, ends in _places(points.only(~agree), tolerance):
                 if length >= shortest:
                     flaws.append(Flaw(role, place, length, missing, kind, ends))
+        unexplained = tangents.unexplained(role)
+        for place, length, ends in _places(unexplained, tolerance):
+            if length >= seen:
+                flaws.append(Flaw(role, place, length, True, Linetype.VISIBLE, ends))
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
@@ -308,11 +315,10 @@ def _off_lines(points: npt.NDArray[np.float64], tree: cKDTree) -> npt.NDArray[np
 
 
 def _places(
-    points: LinePoints, wrong: npt.NDArray[np.bool_], tolerance: float
+    chosen: LinePoints, tolerance: float
 ) -> list[tuple[Place, float, tuple[Place, Place] | None]]:
-    """Groups of neighbouring wrong points: a point of each, its length in mm, and its ends where
-    it is straight."""
-    chosen = points.only(wrong)
+    """Groups of neighbouring points: a point of each, its length in mm, and its ends where it is
+    straight."""
     if not len(chosen.points):
         return []
     from scipy.sparse import coo_matrix

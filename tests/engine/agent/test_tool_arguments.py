@@ -36,11 +36,11 @@ def operations() -> Iterator[Mapping[str, Any]]:
 
 def test_every_operation_has_an_example_that_is_taken() -> None:
     examples = list(operations())
-    assert len({example["op"] for example in examples}) == len(examples) == 12
+    assert len({example["op"] for example in examples}) == len(examples) == 13
     values = {"reading_id": "r", "operations": examples}
     Draft202012Validator(input_schema(CorrectArguments)).validate(values)
     found = decoded("correct", CorrectArguments, values)
-    assert len(found.operations) == 12
+    assert len(found.operations) == 13
     as_text = {"reading_id": "r", "operations": json.dumps(examples)}
     assert decoded("correct", CorrectArguments, as_text) == found
 

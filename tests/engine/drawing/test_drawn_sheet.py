@@ -6,11 +6,13 @@ import pytest
 from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.gp import gp_Trsf, gp_Vec
 
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.drawing.drawn_sheet import Sheet, compose_sheet, draw_sheet, part_lines
 from gaussiancad_core.drawing.sheet_style import PRESETS, SheetStyle, parse_style
 from gaussiancad_core.drawing.stroke_raster import rasterise
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.model.axes import Projection, Role
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Linetype
 from sample_parts import sample
 
@@ -165,7 +167,9 @@ def test_lines_drawn_once_serve_every_style(bracket: object, sheet: Sheet) -> No
 def test_tangent_edges_are_drawn_on_request() -> None:
     part = sample("filleted-block").build()
     plain = draw_sheet(part, ROLES, Projection.THIRD, SMALL)
-    tangent = draw_sheet(part, ROLES, Projection.THIRD, replace(SMALL, tangent_edges=True))
+    tangent = draw_sheet(
+        part, ROLES, Projection.THIRD, replace(SMALL, tangent_edges=TangentPolicy.DRAWN)
+    )
     front = {stroke.start[0] for stroke in plain[Role.FRONT].plane_strokes}
     assert not {12.0, 68.0} & {round(x, 6) for x in front}
     added = {
@@ -173,6 +177,36 @@ def test_tangent_edges_are_drawn_on_request() -> None:
         for stroke in tangent[Role.FRONT].plane_strokes
     }
     assert {(12.0, "visible"), (68.0, "visible")} <= added
+
+
+def test_thin_tangent_edges_are_the_visible_ones_and_no_strokes_of_views() -> None:
+    part = sample("filleted-block").build()
+    plain = draw_sheet(part, ROLES, Projection.THIRD, SMALL)
+    style = parse_style("clean,tangent-edges=thin,width=640,height=480,margin=30")
+    thin = draw_sheet(
+        part, ROLES, Projection.THIRD, replace(SMALL, tangent_edges=style.tangent_edges)
+    )
+    assert style.tangent_edges is TangentPolicy.THIN
+    assert thin.views == plain.views
+    assert {mark.kind for mark in thin.annotations} == {AnnotationKind.TANGENT_EDGE}
+    assert {mark.width for mark in thin.annotations} == {SMALL.annotation_width}
+    x0, y0, x1, _ = thin[Role.FRONT].box
+    in_front = sorted(
+        stroke.start[0]
+        for mark in thin.annotations
+        for stroke in mark.strokes
+        if x0 < stroke.start[0] < x1 and min(stroke.start[1], stroke.end[1]) >= y0 - 1e-6
+    )
+    px = (x1 - x0) / 80.0
+    assert in_front == pytest.approx([x0 + 12.0 * px, x0 + 68.0 * px])
+
+
+def test_a_view_that_is_cut_has_no_thin_tangent_edges() -> None:
+    part = sample("filleted-block").build()
+    style = replace(SMALL, tangent_edges=TangentPolicy.THIN, section=Role.FRONT)
+    marks = draw_sheet(part, ROLES, Projection.THIRD, style).annotations
+    thin = [mark for mark in marks if mark.kind is AnnotationKind.TANGENT_EDGE]
+    assert [len(mark.strokes) for mark in thin] == [2]
 
 
 def test_named_styles_draw_the_same_boxes_where_they_share_the_layout(bracket: object) -> None:

@@ -18,9 +18,10 @@ from gaussiancad_core.lines.hlr import LineDrawing
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.meshes import make_mesh
 from gaussiancad_core.model.section_planes import Cut, CutRegion
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Linetype, Segment
 from sample_parts import SAMPLES
-from sample_parts.modelling import box, cut, cylinder, fuse
+from sample_parts.modelling import box, cut, cylinder, edges_along, filleted, fuse
 
 Draw = Callable[..., DrawnViews]
 
@@ -103,6 +104,61 @@ def test_smooth_edges_may_be_drawn_or_not(drawn: Draw) -> None:
     misfit = _misfit(slot, replace(views, strokes={**views.strokes, Role.FRONT: front}))
     assert _kinds(misfit) == {Kind.TANGENT}
     assert total_mm(misfit, [Kind.TANGENT]) == pytest.approx(30.0)
+
+
+_ROUNDED = filleted(_BLOCK, edges_along(_BLOCK, Axis.Z, [(0.0, 0.0)]), 10.0)
+"""The front left corner of the block is round: from the front a smooth edge at 10 mm."""
+
+_SEAM = Segment((10.0, 0.0), (10.0, 30.0), Linetype.VISIBLE)
+
+
+@pytest.mark.parametrize("policy", list(TangentPolicy))
+def test_a_smooth_edge_among_edges_costs_only_where_the_sheet_may_draw_none(
+    drawn: Draw, policy: TangentPolicy
+) -> None:
+    views = replace(drawn(_ROUNDED), tangent_policy=policy)
+    assert _misfit(_ROUNDED, views).cost == pytest.approx(0.0)
+    front = {**views.strokes, Role.FRONT: (*views.strokes[Role.FRONT], _SEAM)}
+    misfit = _misfit(_ROUNDED, replace(views, strokes=front))
+    assert misfit.cost == pytest.approx(0.0 if policy.draws else 0.1 * 30.0)
+
+
+@pytest.mark.parametrize("policy", list(TangentPolicy))
+def test_a_tangent_edge_of_the_sheet_is_a_smooth_edge_of_the_solid(
+    drawn: Draw, policy: TangentPolicy
+) -> None:
+    tangents = {Role.FRONT: (_SEAM,)}
+    views = replace(drawn(_ROUNDED), tangents=tangents, tangent_policy=policy)
+    assert _misfit(_ROUNDED, views).cost == pytest.approx(0.0)
+    # The lines of a sheet are those of edges: what is thin adds nothing.
+    assert _misfit(_ROUNDED, views).drawn == _misfit(_ROUNDED, drawn(_ROUNDED)).drawn
+
+
+def test_a_tangent_edge_that_the_solid_lacks_costs_little(drawn: Draw) -> None:
+    views = replace(drawn(_BLOCK), tangents={Role.FRONT: (_SEAM,)})
+    misfit = _misfit(_BLOCK, views)
+    assert _kinds(misfit) == {Kind.TANGENT}
+    assert misfit.cost == pytest.approx(0.1 * 30.0)
+
+
+def test_a_sharp_edge_upon_a_tangent_edge_is_of_another_kind_and_not_undrawn(drawn: Draw) -> None:
+    step = cut(_BLOCK, box((-1.0, -1.0, -1.0), (10.0, 5.0, 31.0)))
+    views = drawn(step)
+    kept = tuple(
+        stroke
+        for stroke in views.strokes[Role.FRONT]
+        if {point[0] for point in (stroke.start, stroke.end)} != {10.0}
+    )
+    assert len(kept) == len(views.strokes[Role.FRONT]) - 1
+    seen = replace(
+        views,
+        strokes={**views.strokes, Role.FRONT: kept},
+        tangents={Role.FRONT: (_SEAM,)},
+        tangent_policy=TangentPolicy.THIN,
+    )
+    misfit = _misfit(step, seen)
+    assert _kinds(misfit) == {Kind.LINETYPE}
+    assert misfit.cost == pytest.approx(0.35 * 30.0)
 
 
 def test_faces_on_one_surface_are_one(drawn: Draw) -> None:

@@ -24,9 +24,9 @@ _PART = faceted_shape(
 
 
 def _differing(
-    *told: LengthDimension | RadiusDimension, digit: float = 0.1
+    *dimension: LengthDimension | RadiusDimension, digit: float = 0.1
 ) -> tuple[NumberDifference, ...]:
-    return differing_numbers(_PART, DimensionConstraints(told, 0.1, digit), _ROLES)
+    return differing_numbers(_PART, DimensionConstraints(dimension, 0.1, digit), _ROLES)
 
 
 def test_numbers_that_the_part_keeps_are_none() -> None:

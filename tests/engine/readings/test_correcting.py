@@ -12,6 +12,7 @@ from gaussiancad_core.readings.correction_operations import (
     CORRECTIONS_SCHEMA,
     Corrections,
     ScaleOperation,
+    TangentEdgesOperation,
 )
 from gaussiancad_core.readings.reading_schema import SheetReading
 from gaussiancad_protocol.reading_kinds import StrokeKind, ViewRole
@@ -83,6 +84,24 @@ def test_another_projection_names_the_views_beside_the_front_anew() -> None:
         ).ops,
     ).reading
     assert [view.role for view in again.views] == [view.role for view in _READING.views]
+
+
+def test_what_is_left_out_was_no_tangent_edge() -> None:
+    (taken,) = (item for item in _READING.strokes if item.id == "s1")
+    tangent = replace(taken, kind=StrokeKind.TANGENT, source="vector")
+    person = replace(tangent, id="p1", source="given")
+    outside = replace(tangent, id="s9", view=None)
+    reading = replace(_READING, strokes=(tangent, person, outside))
+    for value, kind in (("left-out", "visible"), ("drawn", "tangent"), ("thin", "tangent")):
+        ops = {"ops": [{"op": "tangent_edges", "value": value}]}
+        stated = msgspec.convert(
+            {"schema": CORRECTIONS_SCHEMA, "sheet_sha256": "0", **ops}, Corrections
+        )
+        found = corrected(reading, stated.ops).reading
+        assert (found.tangent_edges.policy, found.tangent_edges.source) == (value, "given")
+        assert [item.kind.value for item in found.strokes] == [kind, "tangent", "tangent"]
+    with pytest.raises(msgspec.ValidationError):
+        msgspec.convert({"op": "tangent_edges", "value": "unknown"}, TangentEdgesOperation)
 
 
 def test_another_projection_leaves_what_a_person_named() -> None:

@@ -16,7 +16,7 @@ from gaussiancad_core.files.vectors import (
 )
 from gaussiancad_core.geometry.arcs import CircularArc
 from gaussiancad_core.geometry.chains import LineSegment
-from gaussiancad_core.recognition.drawn_layout import doubtful_lines
+from gaussiancad_core.recognition.drawn_layout import doubtful_lines, strokes_of_other_pens
 from gaussiancad_core.sheet_model.labelled_strokes import Label
 from gaussiancad_core.views.drawn_groups import DrawingKind
 
@@ -187,8 +187,10 @@ def test_lines_of_another_pen_from_edge_to_edge_are_doubtful() -> None:
     dimension = _lines((300, 350, 500, 350), *heads, *backs, width=_THIN)
     reading, scale = reading_of(part + smooth + dimension)
     assert reading.ranking is not None
-    (box,) = doubtful_lines(reading, reading.ranking.best, scale)
-    assert box == pytest.approx((420, 300, 420, 400))
+    (line,) = doubtful_lines(reading, reading.ranking.best, scale)
+    assert line.box == pytest.approx((420, 300, 420, 400))
+    (other,) = strokes_of_other_pens(reading, reading.ranking.best, scale)
+    assert (other.start, other.end) == (line.start, line.end)
 
 
 def test_layers_that_close_outlines_with_the_parts_are_it_too() -> None:

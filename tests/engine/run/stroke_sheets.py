@@ -36,6 +36,7 @@ def reading(
         View(role, box, tuple(stroke), mask, colour, (0.0, 0.0), 1.0)
         for role, stroke in strokes.items()
     )
-    drawn = tuple(SimpleNamespace(dash=None, source=source, strokes=(), step=0.0) for _ in views)
+    stroke_facts = {"dash": None, "source": source, "strokes": (), "tangents": (), "step": 0.0}
+    drawn = tuple(SimpleNamespace(**stroke_facts) for _ in views)
     registered = RegisteredSheet(ViewSet(views, SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return ProjectedReading(registered, projection)

@@ -1,122 +1,106 @@
-"""Lines where faces meet smoothly: some programs draw them, though nothing is bent there.
+"""Tangent edges of views: lines where faces meet smoothly, though nothing is bent there.
 
 Such a line runs in its view from one place to another where an arc goes over into a line or an arc
-without a corner.  Or it stands where another view that shows the same axis has such a place; an
-edge stands where that one has a corner.
+without a corner.  Or it stands where another view that shows the same axis has such a place, as a
+whole circle does on all its sides; an edge stands where that view has a corner.  A curve that goes
+on smoothly from one such line to the next is one, too.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
-from gaussiancad_core.geometry.near_points import connected_groups, near_lists
+from gaussiancad_core.geometry.near_points import near_lists
 from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.tangent_policies import TangentPolicy
 from gaussiancad_core.model.views import Arc, Ellipse, Segment, Stroke
-from gaussiancad_core.sheet.picture_noise import ONE_PLACE
-from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource
 from gaussiancad_core.sheet.sheet_stages import ReadView
-from gaussiancad_core.sheet.votes import MOST
+from gaussiancad_core.sheet.special_views.smooth_junctions import (
+    ends_and_ways,
+    goes_on,
+    junctions_along,
+    meeting_px,
+    places_along,
+)
+from gaussiancad_core.sheet.special_views.tangent_policy import (
+    SheetTangents,
+    SmoothPlaces,
+    axes_of,
+    place_across,
+    policy_of_views,
+)
 
-_SMOOTH = 0.03
-"""Sine of the angle between two strokes that go over into each other, at most."""
 
-_NEAR, _NEAR_STEPS, _NEAR_COARSE = 0.3, 1.8, 1.0
-"""px within which ends meet, and coordinates of two views are one, of exact strokes; steps of the
-grid of a file that was rounded by which that is more; px of strokes of pictures, and at most."""
-
-_LEVEL = 0.3
-"""px by which the ends of a line along the sheet may differ across."""
-
-Floats = npt.NDArray[np.float64]
-Flags = npt.NDArray[np.bool_]
-
-
-@dataclass(frozen=True)
-class _Junctions:
-    """Coordinates along an axis of the part, px from its lower end.
+@dataclass(frozen=True, eq=False)
+class TangentEdges:
+    """Views, and the tangent edges that were among their strokes.
 
     Attributes:
-        smooth: where an arc goes over into a line, or another arc, along the axis or at a slant.
-        corners: where strokes end otherwise, or go over into each other square to the axis.
-        outer: those of the smooth ones that the view's outline has.
+        views: without them; each with those of it.
+        sheet: what the sheet does with tangent edges.
     """
 
-    smooth: Floats
-    corners: Floats
-    outer: Floats
-
-    def tells(self, at: float, near: float) -> bool | None:
-        """Whether faces meet smoothly there; None where the view does not tell."""
-        if _has(self.corners, at, near):
-            return False
-        return True if _has(self.smooth, at, near) else None
+    views: tuple[ReadView, ...]
+    sheet: SheetTangents
 
 
-def _near(view: ReadView) -> float:
-    """px within which ends of strokes of a view meet."""
-    if view.source is StrokesSource.RASTER:
-        return _NEAR_COARSE
-    return min(_NEAR + _NEAR_STEPS * view.step, _NEAR_COARSE)
+def _is_wide(_view: ReadView, _stroke: Stroke) -> bool:
+    return False
 
 
 def without_tangent_edges(
     drawn: Sequence[ReadView],
-) -> tuple[tuple[ReadView, ...], tuple[Segment, ...]]:
-    """Views without the lines where faces meet smoothly, and these, px of the upright sheet."""
-    near = max(_near(view) for view in drawn)
-    between = [_between_smooth(view, near) for view in drawn]
-    plain = [_less(view, segments) for view, segments in zip(drawn, between, strict=True)]
-    known = {
-        (view.role, axis): _junctions(view, axis, near)
-        for view in plain
-        for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0])
-    }
-    across = [
-        [
-            stroke
-            for stroke in view.strokes
-            if isinstance(stroke, Segment) and _is_tangent(stroke, view, known, near)
-        ]
-        for view in plain
+    other_pens: Mapping[Role, Sequence[Stroke]] | None = None,
+    is_thin: Callable[[ReadView, Stroke], bool] = _is_wide,
+    given: TangentPolicy | None = None,
+) -> TangentEdges:
+    """Views without their tangent edges, px of the upright sheet.
+
+    Args:
+        drawn: the views.
+        other_pens: what views show besides their strokes, in pens that draw no edges.
+        is_thin: whether a stroke of a view is in a clearly thinner pen than its edges.
+        given: what a person says that the sheet does with tangent edges; None to infer it.
+    """
+    near = max(meeting_px(view) for view in drawn)
+    pens = [tuple((other_pens or {}).get(view.role, ())) for view in drawn]
+    every = [
+        replace(view, strokes=(*view.strokes, *strokes))
+        for view, strokes in zip(drawn, pens, strict=True)
     ]
-    if not _are_drawn(plain, across, known, near):
-        across = [[] for _ in plain]
-    views = tuple(_less(view, items) for view, items in zip(plain, across, strict=True))
-    return views, tuple(stroke for item in (*between, *across) for stroke in item)
+    between = [_between_smooth(view, near) for view in every]
+    plain = [_less(view, lines) for view, lines in zip(drawn, between, strict=True)]
+    places = SmoothPlaces(
+        {
+            (view.role, axis): junctions_along(view, axis, near)
+            for view in plain
+            for axis in axes_of(view)
+        },
+        near,
+    )
+    wide, thin = [], []
+    for view, strokes in zip(plain, pens, strict=True):
+        found = [stroke for stroke in view.strokes if _is_tangent(stroke, view, places)]
+        thin.append([stroke for stroke in found if is_thin(view, stroke)])
+        thin[-1] += [stroke for stroke in strokes if _is_tangent(stroke, view, places)]
+        wide.append(found)
+    sheet = policy_of_views(plain, wide, thin, places)
+    if given is not None:
+        sheet = replace(sheet, policy=given, source="given")
+    views = []
+    for number, (view, whole) in enumerate(zip(plain, every, strict=True)):
+        lines = _once([*between[number], *wide[number], *thin[number]])
+        if not sheet.policy.draws:
+            of_view = set(map(id, view.strokes))
+            lines = [line for line in lines if id(line) not in of_view]
+        lines += _going_on(whole, lines, near)
+        views.append(replace(_less(view, lines), tangents=(*view.tangents, *lines)))
+    return TangentEdges(tuple(views), sheet)
 
 
-def _are_drawn(
-    views: Sequence[ReadView],
-    found: Sequence[Sequence[Segment]],
-    known: dict[tuple[Role, Axis], _Junctions],
-    near: float,
-) -> bool:
-    """Whether a sheet draws such lines: then most places have theirs, or it was an edge."""
-    drawn = places = 0
-    for view, segments in zip(views, found, strict=True):
-        for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0]):
-            wanted = [
-                at
-                for (role, shown), junctions in known.items()
-                if shown is axis and role is not view.role
-                for at in _distinct(junctions.outer, near)
-                if near < at < _extent(view, axis) - near and junctions.tells(at, near)
-            ]
-            seen = [place for line in segments if (place := _place(line, view, axis)) is not None]
-            places += len(wanted)
-            drawn += sum(_has(np.array(seen), at, near) for at in wanted)
-    return drawn >= MOST * max(places, 1)
-
-
-def _distinct(places: Floats, near: float) -> list[float]:
-    """Places that are apart, in order."""
-    found: list[float] = []
-    for place in np.sort(places).tolist():
-        if not found or place - found[-1] > near:
-            found.append(place)
-    return found
+def _once(strokes: Iterable[Stroke]) -> list[Stroke]:
+    return list({id(stroke): stroke for stroke in strokes}.values())
 
 
 def _less(view: ReadView, gone: Sequence[Stroke]) -> ReadView:
@@ -128,7 +112,7 @@ def _less(view: ReadView, gone: Sequence[Stroke]) -> ReadView:
 
 def _between_smooth(view: ReadView, near: float) -> list[Segment]:
     """Lines from one place to another where, without them, an arc goes over into what follows."""
-    ends, ways = _ends(view.strokes)
+    ends, ways = ends_and_ways(view.strokes)
     if not len(ends):
         return []
     groups = near_lists(ends, ends, near)
@@ -137,8 +121,8 @@ def _between_smooth(view: ReadView, near: float) -> list[Segment]:
         others = [item for item in groups[end] if item // 2 != end // 2]
         return (
             len(others) == 2
-            and not any(_goes_on(ways[end], ways[other]) for other in others)
-            and _goes_on(ways[others[0]], ways[others[1]])
+            and not any(goes_on(ways[end], ways[other]) for other in others)
+            and goes_on(ways[others[0]], ways[others[1]])
             and any(_is_round(view.strokes, other) for other in others)
         )
 
@@ -149,132 +133,55 @@ def _between_smooth(view: ReadView, near: float) -> list[Segment]:
     ]
 
 
-def _is_tangent(
-    stroke: Segment, view: ReadView, known: dict[tuple[Role, Axis], _Junctions], near: float
-) -> bool:
-    for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0]):
-        at = _place(stroke, view, axis)
-        if at is None or not near < at < _extent(view, axis) - near:
-            continue
-        tellses = [
-            junctions.tells(at, near)
-            for (role, shown), junctions in known.items()
-            if shown is axis and role is not view.role
-        ]
-        if True in tellses and False not in tellses:
-            return True
-    return False
-
-
-def _place(stroke: Segment, view: ReadView, axis: Axis) -> float | None:
-    """px along an axis at which a line stands that runs square to it; None if it does not."""
-    (x0, y0), (x1, y1) = stroke.start, stroke.end
-    upright, level = abs(x1 - x0) <= _LEVEL, abs(y1 - y0) <= _LEVEL
-    is_right = view.role.frame.right_axis[0] is axis
-    if upright == level or upright is not is_right:
-        return None
-    point = np.array([[(x0 + x1) / 2.0, (y0 + y1) / 2.0]])
-    return float(_along(view, axis, point)[0])
-
-
-def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
-    """Where strokes of a view end, along an axis that it shows."""
-    ends, ways = _ends(view.strokes)
-    if not len(ends):
-        return _Junctions(*(np.empty(0) for _ in range(3)))
-    groups = near_lists(ends, ends, near)
-    places = _along(view, axis, ends)
-    is_right = view.role.frame.right_axis[0] is axis
-    outline = _on_outline(view, groups, near)
-    smooth, corners, outer = [], [], []
-    for number, group in enumerate(groups):
-        strokes = [view.strokes[member // 2] for member in group]
-        if not _is_smooth(number, group, ways):
-            corners.append(places[number])
-        elif abs(ways[number][0 if is_right else 1]) <= _SMOOTH:
-            # Seen from the side the face turns away there: that is an outline.
-            corners.append(places[number])
-        elif any(isinstance(stroke, Arc | Ellipse) for stroke in strokes) and not _is_one(strokes):
-            smooth.append(places[number])
-            if outline[number // 2]:
-                outer.append(places[number])
-    return _Junctions(np.array(smooth), np.array(corners), np.array(outer))
-
-
-def _on_outline(view: ReadView, groups: Sequence[Sequence[int]], near: float) -> Flags:
-    """(n,) which strokes hang together with one that reaches the border of the view."""
-    pairs = [(number // 2, other // 2) for number, group in enumerate(groups) for other in group]
-    labels = connected_groups(np.array(pairs), len(view.strokes))
-    low, high = np.array(view.box[:2]) + near, np.array(view.box[2:]) - near
-    reach = [
-        bool((points < low).any() or (points > high).any())
-        for points in (stroke.sample(max(stroke.length / 16.0, near)) for stroke in view.strokes)
-    ]
-    return np.isin(labels, labels[np.array(reach, dtype=bool)])
-
-
-def _is_one(strokes: Sequence[Stroke]) -> bool:
-    """Whether strokes are pieces of one circle."""
-    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
-    if len(arcs) < len(strokes):
-        return False
-    first = arcs[0]
-    return all(
-        np.hypot(*np.subtract(arc.centre, first.centre)) <= ONE_PLACE
-        and abs(arc.radius - first.radius) <= ONE_PLACE
-        for arc in arcs
+def _is_tangent(stroke: Stroke, view: ReadView, places: SmoothPlaces) -> bool:
+    if isinstance(stroke, Arc) and stroke.is_full:
+        return _is_tangent_circle(stroke, view, places)
+    return any(
+        places.is_smooth(view, axis, at)
+        for axis in axes_of(view)
+        if (at := place_across(stroke, view, axis)) is not None
     )
 
 
-def _ends(strokes: Sequence[Stroke]) -> tuple[Floats, Floats]:
-    """(2n, 2) ends of strokes, and directions of length 1 that lead on beyond them; whole circles
-    have none of either: (nan, nan)."""
-    ends: list[Floats] = []
-    ways: list[Floats] = []
-    for stroke in strokes:
-        if isinstance(stroke, Segment):
-            first, last = np.array(stroke.start), np.array(stroke.end)
-            pairs = [(first, first - last), (last, last - first)]
-        elif stroke.sweep >= 2.0 * np.pi * (1.0 - 1e-6):
-            far = np.full(2, 1e9) + len(ends)
-            pairs = [(far, np.array([1.0, 0.0])), (far + 1e6, np.array([1.0, 0.0]))]
-        else:
-            points = stroke.sample(max(stroke.length / 2000.0, 1e-3))
-            pairs = [(points[0], points[0] - points[1]), (points[-1], points[-1] - points[-2])]
-        for place, way in pairs:
-            ends.append(place)
-            ways.append(way / max(float(np.hypot(*way)), 1e-12))
-    return np.array(ends).reshape(-1, 2), np.array(ways).reshape(-1, 2)
+def _is_tangent_circle(circle: Arc, view: ReadView, places: SmoothPlaces) -> bool:
+    """Whether another view has smooth places where a circle is outermost, on both sides."""
+    return any(
+        all(places.is_smooth(view, axis, at) for at in _outermost(circle, view, axis))
+        for axis in axes_of(view)
+    )
 
 
-def _is_smooth(number: int, group: Sequence[int], ways: Floats) -> bool:
-    """Whether just one other stroke begins at an end, and goes on in its direction."""
-    others = [index for index in group if index != number]
-    return len(others) == 1 and _goes_on(ways[number], ways[others[0]])
+def _outermost(circle: Arc, view: ReadView, axis: Axis) -> list[float]:
+    """px along an axis of both sides of a circle."""
+    sides = np.array(circle.centre) + circle.radius * np.array([[-1.0, -1.0], [1.0, 1.0]])
+    return [float(at) for at in places_along(view, axis, sides)]
 
 
-def _goes_on(one: Floats, two: Floats) -> bool:
-    cross = abs(float(one[0] * two[1] - one[1] * two[0]))
-    return float(one @ two) < 0.0 and cross <= _SMOOTH
+def _going_on(view: ReadView, lines: Sequence[Stroke], near: float) -> list[Stroke]:
+    """Arcs that go on smoothly, at both ends, from tangent edges or from each other."""
+    dropped = set(map(id, lines))
+    ends, ways = ends_and_ways(view.strokes)
+    groups = near_lists(ends, ends, near) if len(ends) else []
+    found: list[Stroke] = []
+    while True:
+        more = [
+            stroke
+            for number, stroke in enumerate(view.strokes)
+            if id(stroke) not in dropped
+            and isinstance(stroke, Arc | Ellipse)
+            and all(
+                any(
+                    id(view.strokes[other // 2]) in dropped and goes_on(ways[end], ways[other])
+                    for other in groups[end]
+                )
+                for end in (2 * number, 2 * number + 1)
+            )
+        ]
+        if not more:
+            return found
+        found += more
+        dropped |= set(map(id, more))
 
 
 def _is_round(strokes: Sequence[Stroke], end: int) -> bool:
     return isinstance(strokes[end // 2], Arc | Ellipse)
-
-
-def _along(view: ReadView, axis: Axis, points: Floats) -> Floats:
-    """(n,) px along an axis of the part from its lower end, of points of a view."""
-    x0, y0, x1, y1 = view.box
-    frame = view.role.frame
-    if frame.right_axis[0] is axis:
-        return points[:, 0] - x0 if frame.right_axis[1] > 0 else x1 - points[:, 0]
-    return y1 - points[:, 1] if frame.up_axis[1] > 0 else points[:, 1] - y0
-
-
-def _extent(view: ReadView, axis: Axis) -> float:
-    x0, y0, x1, y1 = view.box
-    return x1 - x0 if view.role.frame.right_axis[0] is axis else y1 - y0
-
-
-def _has(places: Floats, at: float, near: float) -> bool:
-    return bool((np.abs(places - at) <= near).any())
