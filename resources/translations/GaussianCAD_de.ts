@@ -3190,6 +3190,18 @@
         <source>A short line of the drawing runs in a direction that no line of the part near it has: a small rounding or chamfer may be missing.</source>
         <translation>Eine kurze Linie der Zeichnung verläuft in einer Richtung, die keine Linie des Teils in ihrer Nähe hat: eine kleine Rundung oder Fase kann fehlen.</translation>
     </message>
+    <message>
+        <source>Features put together by what they explain</source>
+        <translation>Merkmale, zusammengesetzt nach dem, was sie erklären</translation>
+    </message>
+    <message>
+        <source>No solid has all lines as they were read. This part, put together of {count} features, explains {percent} % of them. Check {canvas} which lines are wrong.</source>
+        <translation>Kein Festkörper hat alle Linien, wie sie gelesen wurden. Dieses Bauteil, aus {count} Merkmalen zusammengesetzt, erklärt {percent} % davon. Prüfen Sie {canvas}, welche Linien falsch sind.</translation>
+    </message>
+    <message>
+        <source>This part, put together of {count} features, has all lines of the drawing, but nothing proves that no other part has them. Compare it with the sheet.</source>
+        <translation>Dieses Bauteil, aus {count} Merkmalen zusammengesetzt, hat alle Linien der Zeichnung, aber nichts beweist, dass kein anderes Bauteil sie hat. Vergleichen Sie es mit dem Blatt.</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

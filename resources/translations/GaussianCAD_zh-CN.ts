@@ -3190,6 +3190,18 @@
         <source>A short line of the drawing runs in a direction that no line of the part near it has: a small rounding or chamfer may be missing.</source>
         <translation>图纸上有一条短线，其方向与零件附近的任何线都不一致：可能缺少小圆角或倒角。</translation>
     </message>
+    <message>
+        <source>Features put together by what they explain</source>
+        <translation>按解释效果组合的特征</translation>
+    </message>
+    <message>
+        <source>No solid has all lines as they were read. This part, put together of {count} features, explains {percent} % of them. Check {canvas} which lines are wrong.</source>
+        <translation>没有实体具有所读取的全部线条。此零件由 {count} 个特征组合而成，可解释其中的 {percent} %。请{canvas}检查哪些线条有误。</translation>
+    </message>
+    <message>
+        <source>This part, put together of {count} features, has all lines of the drawing, but nothing proves that no other part has them. Compare it with the sheet.</source>
+        <translation>此零件由 {count} 个特征组合而成，具有图纸的全部线条，但无法证明没有其他零件也具有这些线条。请与图纸对照。</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

@@ -1,4 +1,4 @@
-"""Which features are worth a trial: those on whose outlines, in all views, most of the misfit lies."""
+"""Which features are worth a trial: those on whose outlines most of the misfit lies."""
 
 from collections.abc import Sequence
 
@@ -62,7 +62,7 @@ class EditHints:
             score[facing] += sums[self._outline[facing]]
             boxes = self._boxes[~facing][:, :, list(IN_PLANE[axis])]
             score[~facing] += _on_sides(values.reshape(RASTER, RASTER), boxes, size)
-        return np.bincount(self._owner, score, self._count)
+        return np.bincount(self._owner, score, self._count).astype(np.float64)
 
     def reach(self, part: PlannedPart) -> Floats:
         """(n,) mm of misfit that each feature can explain at most."""

@@ -19,7 +19,7 @@ _DIGITS = 6
 
 def patterns_of(sheet: PlaneSheet, loops: Mapping[Axis, Sequence[Loop]]) -> Iterator[Pattern]:
     """Areas of equal size in a plane, between each two places that all of them have."""
-    for axis, of_axis in loops.items():
+    for of_axis in loops.values():
         groups: dict[tuple[int, int], list[Loop]] = defaultdict(list)
         for loop in of_axis:
             if loop.kind in _PLAIN:

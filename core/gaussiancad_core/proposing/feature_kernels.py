@@ -12,6 +12,7 @@ import numpy as np
 from numba import njit
 
 from gaussiancad_core.judging.difference_kinds import PRICES, Kind
+from gaussiancad_core.judging.sight_pairs import Drawn
 
 MOST = 24
 """Crossings of a line of sight with a part at most."""
@@ -36,13 +37,14 @@ _MISSING, _MISSING_HIDDEN = PRICES[Kind.MISSING], PRICES[Kind.MISSING_HIDDEN]
 _EXTRA, _EXTRA_HIDDEN = PRICES[Kind.EXTRA], PRICES[Kind.EXTRA_HIDDEN]
 _LINETYPE, _TANGENT = PRICES[Kind.LINETYPE], PRICES[Kind.TANGENT]
 
-_VISIBLE, _HIDDEN = 1, 2
+_VISIBLE, _HIDDEN = int(Drawn.VISIBLE), int(Drawn.HIDDEN)
+_SMOOTH = int(Drawn.TANGENT)
 
 
 class Crossed(NamedTuple):
     """What lines of sight cross of a part: (n,) counts, (n, MOST) depths in mm and surfaces."""
 
-    count: np.ndarray
+    counts: np.ndarray
     depth: np.ndarray
     surface: np.ndarray
 
@@ -52,8 +54,9 @@ class Table(NamedTuple):
 
     Attributes:
         rows: (k,) numbers of the lines of sight.
-        count, depth, surface: of each, as of :class:`Crossed`; of a feature along whose axis the
-            view looks all are one, and these are not looked at.
+        where: (k,) rows of the three that follow, which lines of sight in a row share.
+        counts, depth, surface: as of :class:`Crossed`; of a feature along whose axis the view looks
+            all are one, and these are not looked at.
         at: (k,) mm along the feature's axis, of lines of sight across it.
         low, high: mm along its axis, of the feature.
         first, last: surfaces there.
@@ -61,7 +64,8 @@ class Table(NamedTuple):
     """
 
     rows: np.ndarray
-    count: np.ndarray
+    where: np.ndarray
+    counts: np.ndarray
     depth: np.ndarray
     surface: np.ndarray
     at: np.ndarray
@@ -101,12 +105,13 @@ class Scratch(NamedTuple):
 
 
 class Looks(NamedTuple):
-    """How a view looks: (s,) of each surface the first that it passes into smoothly, whether it sees
-    the least coordinate first, and whether it draws what is hidden."""
+    """How a view looks: (s,) of each surface the first that it passes into smoothly, whether it
+    sees the least coordinate first, and whether it draws what is hidden and what is smooth."""
 
     roots: np.ndarray
     looks_up: bool
     draws_hidden: bool
+    draws_tangents: bool
 
 
 @njit(cache=True)
@@ -256,12 +261,13 @@ def _sign(count, surface, looks):  # noqa: ANN001, ANN202
 @njit(cache=True)
 def _combined(crossed, i, table, q, operation, near, made, flat):  # noqa: ANN001, ANN202, PLR0917
     """What a line of sight crosses after an operation; -1 where it is untouched."""
-    part = crossed.count[i], crossed.depth[i], crossed.surface[i]
+    part = crossed.counts[i], crossed.depth[i], crossed.surface[i]
     if table.is_along:
         depth, surface = flat
         return _merge(part, (2, depth, surface), operation, near, made)
     if table.low < table.at[q] < table.high:
-        feature = table.count[q], table.depth[q], table.surface[q]
+        w = table.where[q]
+        feature = table.counts[w], table.depth[w], table.surface[w]
         return _merge(part, feature, operation, near, made)
     return 0 if operation == _MEET else -1
 
@@ -275,7 +281,7 @@ def combine(crossed, table, operation, near) -> None:  # noqa: ANN001
         i = table.rows[q]
         count = _combined(crossed, i, table, q, operation, near, made, flat)
         if count >= 0:
-            crossed.count[i] = count
+            crossed.counts[i] = count
             for k in range(count):
                 crossed.depth[i, k], crossed.surface[i, k] = made[0][k], made[1][k]
 
@@ -283,46 +289,68 @@ def combine(crossed, table, operation, near) -> None:  # noqa: ANN001
 @njit(cache=True)
 def sign(crossed, looks, signs) -> None:  # noqa: ANN001
     """Put what all lines of sight are compared by into a table."""
-    for i in range(len(crossed.count)):
-        found = _sign(crossed.count[i], crossed.surface[i], looks)
+    for i in range(len(crossed.counts)):
+        found = _sign(crossed.counts[i], crossed.surface[i], looks)
         signs.every[i], signs.sharp[i], signs.first[i] = found
 
 
 @njit(cache=True)
-def _price(drawn, weight, one, other, draws_hidden):  # noqa: ANN001, ANN202
-    """What a pair costs."""
+def _price(drawn, weight, one, other, looks):  # noqa: ANN001, ANN202
+    """What a pair costs: as of :func:`.difference_kinds.kinds_between`."""
     if one[1] == other[1]:
-        if drawn == _VISIBLE or drawn == _HIDDEN:
-            if one[0] != other[0]:
-                return _TANGENT * weight
-            return (_MISSING if drawn == _VISIBLE else _MISSING_HIDDEN) * weight
-        return 0.0
-    if one[2] != other[2]:
-        if drawn == _VISIBLE:
-            return 0.0
-        return (_LINETYPE if drawn == _HIDDEN else _EXTRA) * weight
-    if drawn == _HIDDEN:
-        return 0.0
-    if drawn == _VISIBLE:
-        return _LINETYPE * weight
-    return _EXTRA_HIDDEN * weight if draws_hidden else 0.0
+        share = _price_alike(drawn, one[0] != other[0], looks.draws_tangents)
+    else:
+        share = _price_apart(drawn, one[2] != other[2], looks.draws_hidden)
+    return share * weight
 
 
 @njit(cache=True)
-def price(pairs, signs, draws_hidden):  # noqa: ANN001, ANN201
+def _price_alike(drawn, is_smooth, draws_tangents):  # noqa: ANN001, ANN202
+    """The price of a mm where a part has no sharp edge."""
+    price = 0.0
+    if is_smooth:
+        if (drawn == _VISIBLE or drawn == _HIDDEN) and not draws_tangents:  # noqa: SIM109, PLR1714
+            price = _TANGENT
+    elif drawn == _VISIBLE:
+        price = _MISSING
+    elif drawn == _HIDDEN:
+        price = _MISSING_HIDDEN
+    elif drawn == _SMOOTH:
+        price = _TANGENT
+    return price
+
+
+@njit(cache=True)
+def _price_apart(drawn, is_shown, draws_hidden):  # noqa: ANN001, ANN202
+    """The price of a mm where a part has an edge."""
+    price = 0.0
+    if is_shown:
+        if drawn == _HIDDEN or drawn == _SMOOTH:  # noqa: SIM109, PLR1714
+            price = _LINETYPE
+        elif drawn != _VISIBLE:
+            price = _EXTRA
+    elif drawn == _VISIBLE:
+        price = _LINETYPE
+    elif drawn != _HIDDEN and drawn != _SMOOTH and draws_hidden:  # noqa: PLR1714
+        price = _EXTRA_HIDDEN
+    return price
+
+
+@njit(cache=True)
+def price(pairs, signs, looks):  # noqa: ANN001, ANN201
     """What all pairs cost, and put it into their table."""
     total = 0.0
     for p in range(len(pairs.one)):
         i, j = pairs.one[p], pairs.other[p]
         one = signs.every[i], signs.sharp[i], signs.first[i]
         other = signs.every[j], signs.sharp[j], signs.first[j]
-        pairs.cost[p] = _price(pairs.drawn[p], pairs.weight[p], one, other, draws_hidden)
+        pairs.cost[p] = _price(pairs.drawn[p], pairs.weight[p], one, other, looks)
         total += pairs.cost[p]
     return total
 
 
 @njit(cache=True)
-def _changed(signs, scratch, mark, pairs, draws_hidden):  # noqa: ANN001, ANN202
+def _changed(signs, scratch, mark, pairs, looks):  # noqa: ANN001, ANN202
     """By how much the cost changes with a trial, and what of that are new costs."""
     gain = broken = 0.0
     for p in range(len(pairs.one)):
@@ -335,7 +363,7 @@ def _changed(signs, scratch, mark, pairs, draws_hidden):  # noqa: ANN001, ANN202
                 one = scratch.every[i], scratch.sharp[i], scratch.first[i]
             if is_other:
                 other = scratch.every[j], scratch.sharp[j], scratch.first[j]
-            cost = _price(pairs.drawn[p], pairs.weight[p], one, other, draws_hidden)
+            cost = _price(pairs.drawn[p], pairs.weight[p], one, other, looks)
             gain += cost - pairs.cost[p]
             if cost > pairs.cost[p]:
                 broken += cost - pairs.cost[p]
@@ -372,7 +400,7 @@ def tried(state, table, operation, near, trial, looks):  # noqa: ANN001, ANN201,
             scratch.every[i], scratch.sharp[i], scratch.first[i] = every, sharp, first
     if count == 0:
         return 0.0, 0.0, 0
-    gain, broken = _changed(signs, scratch, mark, pairs, looks.draws_hidden)
+    gain, broken = _changed(signs, scratch, mark, pairs, looks)
     return gain, broken, count
 
 
@@ -388,23 +416,24 @@ def set_slab(crossed, table, is_inside, near) -> None:  # noqa: ANN001
     """
     made = np.zeros(MOST), np.zeros(MOST, np.int64)
     flat = np.array([table.low, table.high]), np.array([table.first, table.last])
-    for i in range(len(crossed.count)):
+    for i in range(len(crossed.counts)):
         operation = (_ADD if is_inside[i] else _CUT) if table.is_along else _SET
         count = _in_slab(crossed, i, table, operation, near, made, flat)
         if count >= 0:
-            crossed.count[i] = count
+            crossed.counts[i] = count
             for k in range(count):
                 crossed.depth[i, k], crossed.surface[i, k] = made[0][k], made[1][k]
 
 
 @njit(cache=True)
 def _in_slab(crossed, i, table, operation, near, made, flat):  # noqa: ANN001, ANN202, PLR0917
-    part = crossed.count[i], crossed.depth[i], crossed.surface[i]
+    part = crossed.counts[i], crossed.depth[i], crossed.surface[i]
     if table.is_along:
         depth, surface = flat
         return _merge(part, (2, depth, surface), operation, near, made)
     if table.low < table.at[i] < table.high:
-        feature = table.count[i], table.depth[i], table.surface[i]
+        w = table.where[i]
+        feature = table.counts[w], table.depth[w], table.surface[w]
         return _merge(part, feature, operation, near, made)
     return -1
 
@@ -426,7 +455,7 @@ def tried_slab(state, table, is_inside, near, trial, looks):  # noqa: ANN001, AN
     made = np.zeros(MOST), np.zeros(MOST, np.int64)
     flat = np.array([table.low, table.high]), np.array([table.first, table.last])
     count = 0
-    for i in range(len(crossed.count)):
+    for i in range(len(crossed.counts)):
         operation = (_ADD if is_inside[i] else _CUT) if table.is_along else _SET
         crossings = _in_slab(crossed, i, table, operation, near, made, flat)
         if crossings < 0:
@@ -438,4 +467,4 @@ def tried_slab(state, table, is_inside, near, trial, looks):  # noqa: ANN001, AN
             scratch.every[i], scratch.sharp[i], scratch.first[i] = every, sharp, first
     if count == 0:
         return 0.0
-    return _changed(signs, scratch, mark, pairs, looks.draws_hidden)[0]
+    return _changed(signs, scratch, mark, pairs, looks)[0]

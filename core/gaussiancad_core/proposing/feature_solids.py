@@ -1,7 +1,8 @@
-"""The exact solid of features in order; one that the kernel gets wrong is built alone, or left out."""
+"""The exact solid of features in order; what the kernel gets wrong is built alone, or left out."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from itertools import pairwise
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
@@ -10,10 +11,13 @@ from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_MakeWire,
 )
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
+from OCP.collections import Array1_gp_Pnt
 from OCP.GC import GC_MakeArcOfCircle
+from OCP.GeomAbs import GeomAbs_Shape
+from OCP.GeomAPI import GeomAPI_PointsToBSpline
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.ShapeFix import ShapeFix_Face
-from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.kernel.booleans import common, fused, unified, without
 from gaussiancad_core.kernel.brep import is_valid, volume
@@ -30,6 +34,9 @@ _ON_CIRCLE = 5.0
 
 _STRAIGHT = 1e-2
 """Tolerances within which corners lie on one line."""
+
+_FEW = 4
+"""Corners up to which a run of edges stays edges."""
 
 _SPECK = 1e-7
 """mm: shorter edges are none."""
@@ -206,7 +213,10 @@ def _wire(
         if _is_straight(corners, sheet.tolerance):
             made.Add(BRepBuilderAPI_MakeEdge(place(corners[0]), place(corners[-1])).Edge())
             continue
-        for start, end in zip(corners, corners[1:], strict=False):
+        if len(corners) > _FEW:
+            made.Add(_curve(corners, place, sheet.tolerance))
+            continue
+        for start, end in pairwise(corners):
             made.Add(BRepBuilderAPI_MakeEdge(place(start), place(end)).Edge())
     return made.Wire()
 
@@ -235,19 +245,28 @@ def _is_straight(corners: Floats, tolerance: float) -> bool:
     return bool(np.abs(across).max() < _STRAIGHT * tolerance + _SPECK)
 
 
-def _whole_circle(circle: Circle, place: Place, normal: Axis):  # noqa: ANN202
+def _whole_circle(circle: Circle, place: Place, normal: Axis) -> TopoDS_Edge:
     way = [0.0, 0.0, 0.0]
     way[normal.value] = 1.0
     about = gp_Ax2(place(np.array(circle[:2])), gp_Dir(*way))
     return BRepBuilderAPI_MakeEdge(gp_Circ(about, circle[2])).Edge()
 
 
-def _arc(corners: Floats, circle: Circle, place: Place):  # noqa: ANN202
+def _arc(corners: Floats, circle: Circle, place: Place) -> TopoDS_Edge:
     centre = np.array(circle[:2])
     away = corners[len(corners) // 2] - centre
     middle = centre + away / np.hypot(*away) * circle[2]
     arc = GC_MakeArcOfCircle(place(corners[0]), place(middle), place(corners[-1]))
     return BRepBuilderAPI_MakeEdge(arc.Value()).Edge()
+
+
+def _curve(corners: Floats, place: Place, tolerance: float) -> TopoDS_Edge:
+    """A free curve through corners, from the first to the last."""
+    points = Array1_gp_Pnt(1, len(corners))
+    for number, corner in enumerate(corners, 1):
+        points.SetValue(number, place(corner))
+    curve = GeomAPI_PointsToBSpline(points, 3, 8, GeomAbs_Shape.GeomAbs_C2, tolerance).Curve()
+    return BRepBuilderAPI_MakeEdge(curve).Edge()
 
 
 def _fixed(face: TopoDS_Face) -> TopoDS_Face:

@@ -23,9 +23,6 @@ from gaussiancad_core.proposing.feature_kernels import (
 from gaussiancad_core.proposing.plane_lines import Circle, Floats
 from gaussiancad_core.proposing.plane_loops import Loop, Numbers
 
-_ALWAYS = {"low": -1.0, "high": 1.0, "first": 0, "last": 0, "is_along": False}
-"""Of a table all of whose rows count, at height 0."""
-
 
 @dataclass(frozen=True, eq=False)
 class Sights:
@@ -153,8 +150,7 @@ class Turned:
             )
             depth = depth + centre[IN_PLANE[self.axis].index(sights.axis.value)]
         met = count > 0
-        zeros = np.zeros(int(met.sum()))
-        return Table(near[met], count[met], depth[met], surface[met], zeros, **_ALWAYS)
+        return _always(near[met], count[met], depth[met], surface[met])
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,9 +187,8 @@ class Pattern:
         crossed = nothing_crossed(len(sights.places))
         for part in self.parts:
             combine(crossed, part.table(sights), int(Operation.ADD), 0.0)
-        met = np.flatnonzero(crossed.count)
-        found = (table[met] for table in crossed)
-        return Table(met, *found, np.zeros(len(met)), **_ALWAYS)
+        met = np.flatnonzero(crossed.counts)
+        return _always(met, crossed.counts[met], crossed.depth[met], crossed.surface[met])
 
 
 Feature = Prism | Turned | Pattern
@@ -220,23 +215,20 @@ def loop_table(loop: Loop, sights: Sights) -> Table:
         near = np.flatnonzero((x > x0) & (x < x1) & (y > y0) & (y < y1))
         rows = near[inside(loop.edges, x[near], y[near])]
         none = np.zeros((0, FEW))
-        nothing = Table(
-            rows, np.zeros(0, np.int64), none, none.astype(np.int64), np.zeros(0), **_ALWAYS
-        )
-        return nothing._replace(is_along=True)
+        nothing = np.zeros(0, np.int64), none, none.astype(np.int64)
+        return _always(rows, *nothing)._replace(at=np.zeros(0), is_along=True)
     along = IN_PLANE[sights.axis].index(loop.axis.value)
     column = _column(loop.axis, sights.axis, along)
     fixed = places[:, 1 - along]
     low, high = loop.edges[:, [column, column + 2]].min(), loop.edges[:, [column, column + 2]].max()
     near = np.flatnonzero((fixed > low) & (fixed < high))
     values, where = np.unique(fixed[near], return_inverse=True)
-    count, depth, surface = (
-        table[where] for table in across(loop.edges, loop.surfaces, values, 1 - column)
-    )
-    met = count > 0
+    count, depth, surface = across(loop.edges, loop.surfaces, values, 1 - column)
+    met = count[where] > 0
     rows = near[met]
     heights = np.ascontiguousarray(places[rows, along])
-    return Table(rows, count[met], depth[met], surface[met], heights, **_ALWAYS)
+    table = _always(rows, count, depth, surface)
+    return table._replace(where=where[met], at=heights)
 
 
 def every_sight(loop: Loop, sights: Sights) -> tuple[Table, npt.NDArray[np.bool_]]:
@@ -247,14 +239,23 @@ def every_sight(loop: Loop, sights: Sights) -> tuple[Table, npt.NDArray[np.bool_
     is_inside[table.rows] = True
     if table.is_along:
         return table._replace(at=np.zeros(count)), is_inside
-    counts = np.zeros(count, np.int64)
-    depth, surface = np.zeros((count, FEW)), np.zeros((count, FEW), np.int64)
-    counts[table.rows], depth[table.rows] = table.count, table.depth
-    surface[table.rows] = table.surface
+    # One more row for what does not cross it.
+    where = np.full(count, len(table.counts))
+    where[table.rows] = table.where
+    counts, depth, surface = (
+        np.concatenate([each, np.zeros((1, *each.shape[1:]), each.dtype)])
+        for each in (table.counts, table.depth, table.surface)
+    )
     along = IN_PLANE[sights.axis].index(loop.axis.value)
     at = np.ascontiguousarray(sights.places[:, along])
-    rows = np.arange(count)
-    return table._replace(rows=rows, count=counts, depth=depth, surface=surface, at=at), is_inside
+    full = table._replace(rows=np.arange(count), where=where, counts=counts)
+    return full._replace(depth=depth, surface=surface, at=at), is_inside
+
+
+def _always(rows: Numbers, count: Numbers, depth: Floats, surface: Numbers) -> Table:
+    """A table all of whose rows count, whatever the places."""
+    where, at = np.arange(len(rows)), np.zeros(len(rows))
+    return Table(rows, where, count, depth, surface, at, -1.0, 1.0, 0, 0, False)
 
 
 def _boxed(

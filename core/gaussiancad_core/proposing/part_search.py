@@ -37,7 +37,7 @@ _AT_ONCE = 400
 """Features that are tried before the best of them are taken."""
 
 _HARDLY, _SOME = 0.04, 0.2
-"""Shares of what an edit explains that it breaks of it, for it to break hardly anything, or some."""
+"""Shares of what an edit explains that it breaks, for it to break hardly anything, or some."""
 
 _LATE = 4
 """Times so many features that are tried before an edit may break more."""
@@ -139,7 +139,7 @@ class PartSearch:
             x0, y0, x1, y1 = plane.outline.bounds
             width, height = self.sheet.size[list(IN_PLANE[axis])].tolist()
             if x1 - x0 > _ALL_OF_SIDE * width and y1 - y0 > _ALL_OF_SIDE * height:
-                outline = next(l for l in self._loops[axis] if l.kind is LoopKind.OUTLINE)
+                outline = next(each for each in self._loops[axis] if each.kind is LoopKind.OUTLINE)
                 yield whole_prism(self.sheet, outline)
 
     def _all_starts(self, outlines: Sequence[Prism], turned: Sequence[Turned]) -> Iterator[Start]:
@@ -151,9 +151,7 @@ class PartSearch:
                 yield Start("main region", met.copy().do(Operation.MEET, main))
         for axis, plane in self._planes.items():
             until = time.process_time() + _SLAB_SHARE * self._seconds
-            slabs = slab_start(
-                self.judge, plane, self._loops[axis], lambda end=until: time.process_time() > end
-            )
+            slabs = slab_start(self.judge, plane, self._loops[axis], until)
             if slabs is not None:
                 yield Start("slabs", slabs)
                 yield Start("slabs", self._met(slabs.copy(), outlines, first=Operation.MEET))

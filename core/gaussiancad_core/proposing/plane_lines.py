@@ -15,7 +15,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
-from gaussiancad_core.model.views import Arc, Linetype, Segment
+from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 from gaussiancad_core.proposing.edge_on_surfaces import SurfaceKind, SurfaceTable
 
 Floats = npt.NDArray[np.float64]
@@ -28,7 +28,7 @@ ROUND = 96
 _FINEST = 1e-5
 """Share of the longest extent that the tolerance is at least."""
 
-_FREE_STEP = 1.0 / 400.0
+_FREE_STEP = 1.0 / 150.0
 """Chords of a free curve as a share of the longest extent."""
 
 _SMOOTH, _CHORDS = np.cos(np.radians(12.0)), np.cos(np.radians(28.0))
@@ -136,7 +136,7 @@ def plane_sheet(views: DrawnViews) -> PlaneSheet:
     longest = float(size.max())
     tolerance = max(views.tolerance, _FINEST * longest)
     drawn = [
-        _view(role, strokes, longest)
+        _view(role, strokes, (longest, tolerance))
         for role, strokes in views.strokes.items()
         if role not in views.cuts
     ]
@@ -146,14 +146,26 @@ def plane_sheet(views: DrawnViews) -> PlaneSheet:
     return PlaneSheet(named, size, tolerance, levels, surfaces)
 
 
-def _view(role: Role, strokes: Iterable[DrawnStroke], longest: float) -> PlaneView:
+def _view(role: Role, strokes: Iterable[DrawnStroke], scale: tuple[float, float]) -> PlaneView:
     plane = role_plane(role)
-    lines = tuple(_lines(strokes, np.array(plane.signs, np.float64), longest))
+    lines = tuple(_lines(strokes, np.array(plane.signs, np.float64), scale))
     return PlaneView(role, plane.normal, plane.looks_up, lines)
 
 
-def _lines(strokes: Iterable[DrawnStroke], signs: Floats, longest: float) -> Iterator[PlaneLine]:
-    for stroke in strokes:
+def _as_arc(stroke: DrawnStroke, tolerance: float) -> DrawnStroke:
+    """A circle that was read as an ellipse, as a circle; all else as it is."""
+    if not isinstance(stroke, Ellipse) or stroke.semi_major - stroke.semi_minor > 2.0 * tolerance:
+        return stroke
+    radius = (stroke.semi_major + stroke.semi_minor) / 2.0
+    start = stroke.rotation + stroke.start
+    return Arc(stroke.centre, radius, start, stroke.sweep, stroke.linetype, stroke.confidence)
+
+
+def _lines(
+    strokes: Iterable[DrawnStroke], signs: Floats, scale: tuple[float, float]
+) -> Iterator[PlaneLine]:
+    longest, tolerance = scale
+    for stroke in (_as_arc(each, tolerance) for each in strokes):
         circle, is_full = None, False
         if isinstance(stroke, Arc):
             points = _corners(stroke)

@@ -6,6 +6,7 @@ nearest are bridged, and others to the line that they all but meet.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
@@ -166,7 +167,7 @@ def areas_between(
     curves: Sequence[shapely.LineString], tolerance: float
 ) -> tuple[shapely.Polygon, ...]:
     """The areas that curves divide their plane into, without specks and slivers."""
-    noded = shapely.union_all(list(curves), grid_size=_GRID * tolerance)
+    noded = _noded(curves, _GRID * tolerance)
     found = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
     least = (_SPECK * tolerance) ** 2
     return tuple(
@@ -174,6 +175,13 @@ def areas_between(
         for area in found
         if area.area > least and 2.0 * area.area / area.length > _SLIVER * tolerance
     )
+
+
+def _noded(curves: Sequence[shapely.LineString], grid: float) -> shapely.Geometry:
+    """Curves parted where they meet; on a coarser grid where that of their corners does not do."""
+    with suppress(shapely.errors.GEOSException):
+        return shapely.union_all(list(curves), grid_size=grid)
+    return shapely.union_all(list(curves), grid_size=2.0 * grid)
 
 
 def _enclosed(

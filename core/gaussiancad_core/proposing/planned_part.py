@@ -1,19 +1,20 @@
 """A part that is only planned, before the judge: what every line of sight crosses of its features.
 
-The pairs of lines of sight are the judge's (:mod:`gaussiancad_core.judging.sight_pairs`), and so are
-the prices of what differs between them.  One more is asked of a part that is put together: outside
-of a closed outline there is nothing.
+The pairs of lines of sight are the judge's (:mod:`gaussiancad_core.judging.sight_pairs`), and so
+are the prices of what differs between them.  One more is asked of a part that is put together:
+outside of a closed outline there is nothing.
 """
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
+import numpy.typing as npt
 import shapely
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
-from gaussiancad_core.judging.sight_pairs import sight_pairs
+from gaussiancad_core.judging.sight_pairs import Drawn, SightPairs, sight_pairs
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points
 from gaussiancad_core.proposing.feature_kernels import (
@@ -22,6 +23,7 @@ from gaussiancad_core.proposing.feature_kernels import (
     Pairs,
     Scratch,
     Signs,
+    Table,
     combine,
     price,
     set_slab,
@@ -56,9 +58,9 @@ class PlannedView:
     Attributes:
         sights: its lines of sight.
         one, other, drawn, weight: of its pairs, as of :class:`SightPairs`.
-        at: (p, 2) mm in the plane, where each pair is.
         looks_up: whether it sees the least coordinate along its axis first.
         draws_hidden: whether what is hidden is drawn.
+        draws_tangents: whether lines where faces meet smoothly are.
         squares: (n,) of the raster that lines of sight lie in.
         pair_squares: (p,) the same of the pairs.
     """
@@ -68,9 +70,9 @@ class PlannedView:
     other: Numbers
     drawn: Numbers
     weight: Floats
-    at: Floats
     looks_up: bool
     draws_hidden: bool
+    draws_tangents: bool
     squares: Numbers
     pair_squares: Numbers
 
@@ -101,7 +103,7 @@ class PlannedJudge:
     def looks(self, number: int) -> Looks:
         """How a view looks."""
         view = self.views[number]
-        return Looks(self.roots, view.looks_up, view.draws_hidden)
+        return Looks(self.roots, view.looks_up, view.draws_hidden, view.draws_tangents)
 
     def trial(self, number: int) -> tuple[Scratch, int]:
         """Tables for a trial in a view, and its number."""
@@ -163,9 +165,9 @@ class PlannedPart:
         for view, crossed in zip(self.judge.views, self._crossed, strict=True):
             table = feature.table(view.sights)
             if operation is Operation.MEET:
-                rest = np.ones(len(crossed.count), bool)
+                rest = np.ones(len(crossed.counts), bool)
                 rest[table.rows] = False
-                crossed.count[rest] = 0
+                crossed.counts[rest] = 0
             combine(crossed, table, int(operation), self.judge.near)
         self.features.append((operation, feature))
         self._sign()
@@ -210,7 +212,8 @@ class PlannedPart:
     def misfits(self, number: int) -> Floats:
         """(RASTER^2,) mm of misfit in each square of a view."""
         squares = self.judge.views[number].pair_squares
-        return np.bincount(squares, self._pairs[number].cost, RASTER * RASTER)
+        costs = self._pairs[number].cost
+        return np.bincount(squares, costs, RASTER * RASTER).astype(np.float64)
 
     def _sign(self) -> None:
         self.cost = 0.0
@@ -219,11 +222,11 @@ class PlannedPart:
             before = signs.every.copy()
             looks = self.judge.looks(number)
             sign(self._crossed[number], looks, signs)
-            self.cost += price(self._pairs[number], signs, view.draws_hidden)
+            self.cost += price(self._pairs[number], signs, looks)
             self.touched[number][view.squares[before != signs.every]] = True
 
 
-def _slab_table(prism: Prism, sights: Sights):  # noqa: ANN202
+def _slab_table(prism: Prism, sights: Sights) -> tuple[Table, npt.NDArray[np.bool_]]:
     key = ("every", sights.number)
     found = prism.loop.tables.get(key)
     if found is None:
@@ -233,42 +236,61 @@ def _slab_table(prism: Prism, sights: Sights):  # noqa: ANN202
     return table._replace(low=prism.low, high=prism.high, first=first, last=last), is_inside
 
 
-def _planned_views(views: DrawnViews, sheet: PlaneSheet, closed: dict[Axis, shapely.Polygon]):  # noqa: ANN202
+def _planned_views(
+    views: DrawnViews, sheet: PlaneSheet, closed: Mapping[Axis, shapely.Polygon]
+) -> Iterator[PlannedView]:
     drawn = drawn_sheet(views)
+    by_role = {view.role: view for view in drawn.views}
     for number, plane_view in enumerate(sheet.views):
-        view = next(each for each in drawn.views if each.role is plane_view.role)
+        axis, view = plane_view.axis, by_role[plane_view.role]
         pairs = sight_pairs(drawn, view)
-        axis = plane_view.axis
         places, at = (
             plane_points(points, plane_view.role, 1.0) for points in (pairs.places, pairs.at)
         )
-        columns = [pairs.one, pairs.other, pairs.drawn, pairs.weight, at]
-        if axis in closed:
-            aside = float(drawn.aside)
-            beyond = np.flatnonzero(
-                ~shapely.contains_xy(closed[axis].buffer(aside / 2.0), *places.T)
-            )
-            weights = np.full(
-                len(places), float(np.median(pairs.cells)) if len(pairs.cells) else 1.0
-            )
-            beside = pairs.drawn != 0
-            for column in (pairs.one, pairs.other):
-                weights[column[beside]] = _BEYOND * pairs.weight[beside]
-            far = np.full(len(beyond), len(places))
-            more = [beyond, far, np.zeros(len(beyond), np.int64), weights[beyond], places[beyond]]
-            columns = [
-                np.concatenate([one, other]) for one, other in zip(columns, more, strict=True)
-            ]
-            places = np.vstack([places, [[-sheet.longest, -sheet.longest]]])
         size = sheet.size[list(IN_PLANE[axis])]
-        yield PlannedView(
+        made = PlannedView(
             Sights(number, axis, np.ascontiguousarray(places)),
-            *(np.ascontiguousarray(column) for column in columns),
+            pairs.one,
+            pairs.other,
+            pairs.drawn,
+            pairs.weight,
             plane_view.looks_up,
             view.draws_hidden,
+            view.draws_tangents,
             squares_of(places, size),
-            squares_of(columns[4], size),
+            squares_of(at, size),
         )
+        if axis in closed:
+            made = _with_nothing_beyond(made, pairs, closed[axis], (drawn.aside, size))
+        yield made
+
+
+def _with_nothing_beyond(
+    view: PlannedView,
+    pairs: SightPairs,
+    outline: shapely.Polygon,
+    scale: tuple[float, Floats],
+) -> PlannedView:
+    """A view with pairs of what lies beyond its outline and a line of sight far from any part."""
+    aside, size = scale
+    places = view.sights.places
+    beyond = np.flatnonzero(~shapely.contains_xy(outline.buffer(aside / 2.0), *places.T))
+    weights = np.full(len(places), float(np.median(pairs.cells)) if len(pairs.cells) else 1.0)
+    beside = pairs.drawn != Drawn.NOTHING
+    for ends in (pairs.one, pairs.other):
+        weights[ends[beside]] = _BEYOND * pairs.weight[beside]
+    far = np.array([[-size.max(), -size.max()]])
+    count = len(beyond)
+    return replace(
+        view,
+        sights=replace(view.sights, places=np.ascontiguousarray(np.vstack([places, far]))),
+        one=np.concatenate([view.one, beyond]),
+        other=np.concatenate([view.other, np.full(count, len(places))]),
+        drawn=np.concatenate([view.drawn, np.zeros(count, view.drawn.dtype)]),
+        weight=np.concatenate([view.weight, weights[beyond]]),
+        squares=np.append(view.squares, 0),
+        pair_squares=np.concatenate([view.pair_squares, squares_of(places[beyond], size)]),
+    )
 
 
 def squares_of(places: Floats, size: Floats) -> Numbers:
@@ -298,8 +320,3 @@ def within_boxes(sums: Floats, boxes: Floats, size: Floats, margin: float) -> Fl
         - sums[high[:, 0], low[:, 1]]
         + sums[low[:, 0], low[:, 1]]
     )
-
-
-def best_of(parts: Sequence[PlannedPart]) -> PlannedPart:
-    """The one with the least misfit."""
-    return min(parts, key=lambda part: part.cost)

@@ -1,6 +1,7 @@
 """A part to start from: slabs along an axis, each with the closed area that explains most."""
 
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Sequence
 from itertools import pairwise
 
 from gaussiancad_core.model.axes import Axis
@@ -35,7 +36,7 @@ def slab_start(
     judge: PlannedJudge,
     plane: PlaneLoops,
     loops: Sequence[Loop],
-    is_over: Callable[[], bool],
+    until: float,
 ) -> PlannedPart | None:
     """The part as slabs across a plane's axis; None where there are too many places.
 
@@ -43,7 +44,7 @@ def slab_start(
         judge: before which it is planned.
         plane: across the axis.
         loops: of it.
-        is_over: whether it is time to end.
+        until: s of the processor's time at which it ends.
     """
     sheet, axis = judge.sheet, plane.axis
     places = _places(sheet, axis)
@@ -67,9 +68,9 @@ def slab_start(
             if best is not None and gains[best] < -_WORTH * judge.length:
                 part.set_slab(others[best])
                 picked[slab], is_moved = others[best].loop, True
-            if is_over():
+            if time.process_time() > until:
                 break
-        if is_over() or not is_moved:
+        if time.process_time() > until or not is_moved:
             break
     part.features = [(Operation.ADD, each) for each in _stacked(sheet, picked, spans)]
     return part

@@ -37,6 +37,7 @@ _NO_ONE_SCALE = (Code.PHOTOGRAPHED_AT_A_SLANT, Code.VIEWS_DISAGREE)
 _MODELS = {
     "as-drawn": "the lines as they are drawn",
     "sketch": "slabs that explain the lines best, none of which has to hold",
+    "features": "features put together, each by what it explains",
     "open-linetypes": "the same where a line no longer than a dash may be of either kind",
     "closed-outline": "the same with the outline that is open closed by a straight line",
     "lone-bodies": "with bodies of revolution that one view alone speaks of",

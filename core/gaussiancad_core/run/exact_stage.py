@@ -5,10 +5,11 @@ which, the solid decides: the reading is right whose lines a solid has.  If both
 two differ, nobody can tell from the sheet which is meant.
 
 Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
-Only where that leaves much unexplained, or a solid could be certain, are lines given up, of the
-likelier reading, and for a short while: a solid that is found so takes the sketch's place where it
-shows the sheet's lines better.  On a sheet without hidden lines nothing can be certain: a sketch
-that has all lines is taken at once.  A sheet of one view is sketched alone.
+Where that leaves some unexplained it is put together of features, too, and the judge takes the
+better of both.  Only where that leaves much unexplained, or a solid could be certain, are lines
+given up, of the likelier reading, and for a short while: a solid that is found so takes its place
+where it shows the sheet's lines better.  On a sheet without hidden lines nothing can be certain:
+what was put together and has all lines is taken at once.  A sheet of one view is sketched alone.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -19,6 +20,7 @@ from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 from gaussiancad_core.labelling.cell_labelling import Effort
 from gaussiancad_core.messages import Message
+from gaussiancad_core.run.proposed_model import proposed_result
 from gaussiancad_core.sketch.projection_by_sketch import Weighed, weigh
 from gaussiancad_core.sketch.sketch_check import checked
 from gaussiancad_core.sketch.sketching import Sketch
@@ -63,7 +65,12 @@ _BESIDE_FIRM = 0.1
 """The same beside a sketch that explains nearly all."""
 
 _FIRM = 0.05
-"""Share of the lines that a sketch leaves unexplained at most for little to be tried beside it."""
+"""Share of the lines that a sketch leaves unexplained at most for little to be tried beside it, and
+for nothing else to be put together."""
+
+_CLEARLY = 0.7
+"""Share of what a sketch leaves unexplained that something else leaves at most to take its
+place."""
 
 _ALIKE = 1e-3
 """Share of the lines within which two solids explain them alike."""
@@ -126,9 +133,9 @@ def find_exact(
         return readings.sketched or ExactModel(this_reading, failed, False)
     if not has_hidden_lines(this_reading.drawn):
         # Nothing can be certain of such a sheet.
-        sketched = _best_sketch(readings)
-        if sketched is not None:
-            return sketched
+        together = _best_sketch(readings) or _with_all_lines(readings)
+        if together is not None:
+            return together
     strict = replace(limits, relaxed=False)
     result, model = _solved(this_reading, strict)
     if result.explains and (other is None or by_symbol):
@@ -142,6 +149,26 @@ def find_exact(
     loser = contrary if result.explains else result
     reading, winner = (this_reading, result) if result.explains else (other, contrary)
     return ExactModel(reading, winner if loser.is_settled else winner.doubted(_UNSETTLED), True)
+
+
+@dataclass(frozen=True, eq=False)
+class _PutTogether:
+    """A part that was put together.
+
+    Attributes:
+        model: of it.
+        misfit: mm of line that it leaves unexplained.
+        drawn: mm of all lines.
+    """
+
+    model: ExactModel
+    misfit: float
+    drawn: float
+
+    @property
+    def share(self) -> float:
+        """The misfit as a share of the lines."""
+        return self.misfit / self.drawn if self.drawn else 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,6 +216,31 @@ class _Readings:
         """The sketch of that, drawn again; None where there is none."""
         return self.sketch_of(self.likelier)
 
+    @property
+    def is_told(self) -> bool:
+        """Whether it is known which reading is right."""
+        return self.other is None or self.by_symbol or self.is_decided
+
+    @cached_property
+    def put_together(self) -> _PutTogether | None:
+        """What explains more of the reading that is taken: its sketch, or what is put together of
+        features where the sketch leaves some unexplained."""
+        found, sketched, reading = None, self.sketched, self.taken
+        if sketched is not None:
+            misfit = solid_misfit(sketched.result.shape, reading.drawn)
+            found = _PutTogether(sketched, misfit.cost, misfit.drawn)
+        if (found is not None and found.share <= _FIRM) or reading.is_alone:
+            return found
+        proposed = proposed_result(reading.numbered, reading.grid)
+        if proposed is None:
+            return found
+        result, cost = proposed
+        if found is not None and cost > _CLEARLY * found.misfit:
+            return found
+        drawn = solid_misfit(result.shape, reading.drawn).drawn
+        model = ExactModel(reading, result, self.is_decided, contradicted=self.is_contradicted)
+        return _PutTogether(model, cost, drawn)
+
     def sketch_of(self, number: int) -> ExactModel | None:
         """The sketch of a reading, drawn again; None where there is none."""
         sketch = self.weighed.sketches[number]
@@ -215,6 +267,14 @@ def _best_sketch(readings: _Readings) -> ExactModel | None:
         return replace(found[0], decided=is_told) if found else None
     first, second = ((model.reading, model.result) for model in found)
     return replace(_with_other(first, second), sketched=found[0].sketched)
+
+
+def _with_all_lines(readings: _Readings) -> ExactModel | None:
+    """What was put together, where it is known which reading is right and it has all lines."""
+    found = readings.put_together if readings.is_told else None
+    if found is None or not found.model.result.explains:
+        return None
+    return replace(found.model, decided=found.model.decided or readings.by_symbol)
 
 
 def _distinguished(
@@ -267,26 +327,25 @@ def _is_likelier(
 def _not_strictly(
     readings: _Readings, limits: Limits, models: tuple[Modelled | None, Modelled | None]
 ) -> ExactModel:
-    """Where no reading has a solid that has all lines: the sketch, or what has more of them.
+    """Where no reading has a solid that has all lines: what was put together, or what has more.
 
     Args:
         readings: of the sheet.
         limits: of the search.
         models: of both readings, as the search for such solids made them.
     """
-    sketched, reading = readings.sketched, readings.taken
-    misfit = solid_misfit(sketched.result.shape, reading.drawn) if sketched is not None else None
-    is_firm = misfit is not None and misfit.share <= _FIRM
+    found, reading = readings.put_together, readings.taken
+    is_firm = found is not None and found.share <= _FIRM
     share = _BESIDE_FIRM if is_firm else _RELAXED
     less = replace(limits, work=share * limits.work)
     relaxed, _ = _solved(reading, less, models[readings.likelier])
     stated = readings.is_decided, None, readings.is_contradicted
-    if sketched is None or misfit is None or relaxed.status is Status.VERIFIED:
+    if found is None or relaxed.status is Status.VERIFIED:
         return ExactModel(reading, relaxed, *stated)
-    result = sketched.result
+    result = found.model.result
     if relaxed.shape is not None:
         other = solid_misfit(relaxed.shape, reading.drawn)
-        if other.cost < misfit.cost - _ALIKE * misfit.drawn or (
+        if other.cost < found.misfit - _ALIKE * found.drawn or (
             relaxed.explains and not result.explains
         ):
             return ExactModel(reading, relaxed, *stated)
@@ -296,7 +355,7 @@ def _not_strictly(
         trace=(*(replace(each, taken=False) for each in relaxed.trace), *result.trace),
         seconds=relaxed.seconds,
     )
-    return replace(sketched, result=result)
+    return replace(found.model, result=result)
 
 
 def find_for_hull(reading: ProjectedReading, other: ProjectedReading | None) -> ExactModel | None:

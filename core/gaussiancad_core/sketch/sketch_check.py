@@ -1,19 +1,16 @@
-"""A sketched part, drawn again and compared with the sheet: it is never more than approximate."""
+"""A sketched part, drawn again and compared with the sheet."""
 
-from dataclasses import replace
+from functools import partial
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
-from gaussiancad_core.kernel.brep import is_valid, soundness
-from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.solid.exact import ExactResult
-from gaussiancad_core.solid.measure_bounds import measures_of
-from gaussiancad_core.solid.reasons import Reason, has_hidden_lines, reasons_of
-from gaussiancad_core.solid.search_trace import Attempt, ModelKind, Outcome
-from gaussiancad_core.solid.verify import Verification, verify
+from gaussiancad_core.solid.put_together import drawn_again
+from gaussiancad_core.solid.reasons import Reason
+from gaussiancad_core.solid.search_trace import ModelKind
+from gaussiancad_core.solid.verify import Verification
 from gaussiancad_protocol.codes import Code
-from gaussiancad_protocol.modes import Status
 
 
 def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
@@ -26,47 +23,8 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
     Returns:
         None where the kernel made no part, or cannot draw it.
     """
-    # Drawing what is not valid may end the process.
-    if sketch.shape is None or not is_valid(sketch.shape):
-        return None
-    if not has_hidden_lines(views):
-        # What no view draws hidden is not to be found hidden.
-        views = replace(views, undrawn=views.roles)
-    try:
-        verification = verify(sketch.shape, views)
-        measures = measures_of(sketch.shape, sketch.carriers, views, verification)
-    except KERNEL_FAILURES:
-        return None
-    facts = soundness(sketch.shape)
-    is_one_body = facts.solids == 1
-    if not facts.solids:
-        return None
-    reasons = [_sketched(sketch, verification)]
-    if facts.valid and facts.closed and not is_one_body:
-        reasons.append(
-            (Code.SEVERAL_BODIES, Message("the part is {count} bodies", count=facts.solids))
-        )
-    stated_reasons = reasons_of(verification, 1, True, views)
-    reasons += [pair for pair in stated_reasons if is_one_body or pair[0] != Code.SOLID_UNSOUND]
-    outcome = Outcome.ALL_LINES if verification.explains else Outcome.DEVIATES
-    attempt = Attempt(
-        ModelKind.SKETCH,
-        outcome,
-        faces=facts.faces,
-        share=verification.share,
-        flaws=len(verification.flaws),
-    )
-    return ExactResult(
-        Status.APPROXIMATE,
-        sketch.shape,
-        verification,
-        (),
-        tuple(reasons),
-        {},
-        relaxed=True,
-        measures=measures,
-        trace=(attempt,),
-    )
+    reason = partial(_sketched, sketch)
+    return drawn_again(sketch.shape, sketch.carriers, views, ModelKind.SKETCH, reason)
 
 
 def _sketched(sketch: Sketch, verification: Verification) -> Reason:

@@ -19,6 +19,7 @@ class ModelKind(Enum):
 
     AS_DRAWN = "as-drawn"
     SKETCH = "sketch"
+    FEATURES = "features"
     OPEN_LINETYPES = "open-linetypes"
     CLOSED_OUTLINE = "closed-outline"
     LONE_BODIES = "lone-bodies"

@@ -14,6 +14,7 @@ _MOST = 6
 MODELS = {
     "as-drawn": QT_TRANSLATE_NOOP("GaussianCAD", "The lines as they are drawn"),
     "sketch": QT_TRANSLATE_NOOP("GaussianCAD", "Slabs that explain the lines best"),
+    "features": QT_TRANSLATE_NOOP("GaussianCAD", "Features put together by what they explain"),
     "open-linetypes": QT_TRANSLATE_NOOP(
         "GaussianCAD", "Short lines as visible or hidden, whichever fits"
     ),

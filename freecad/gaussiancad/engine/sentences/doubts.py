@@ -39,6 +39,16 @@ REASONS = {
         "This part, a stack of slabs along {axis}, has all lines of the drawing, but nothing "
         "proves that no other part has them. Compare it with the sheet.",
     ),
+    "sketched:features": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "No solid has all lines as they were read. This part, put together of {count} features, "
+        "explains {percent} % of them. Check {canvas} which lines are wrong.",
+    ),
+    "sketched:features-all": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "This part, put together of {count} features, has all lines of the drawing, but nothing "
+        "proves that no other part has them. Compare it with the sheet.",
+    ),
     "several-bodies": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The part is {count} bodies: the sheet shows several, or a line is missing that joins "
