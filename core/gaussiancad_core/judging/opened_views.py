@@ -23,10 +23,10 @@ def opened(met: Met, view: DrawnView, places: Floats, cut: int) -> Met:
     """What is met in a view where it is cut open; ``cut`` is the number of what is cut."""
     if view.cut is None:
         return met
-    return cut_open(met, _cut_depths(view, places), cut)
+    return cut_open(met, cut_depths(view, places), cut)
 
 
-def _cut_depths(view: DrawnView, places: Floats) -> Floats:
+def cut_depths(view: DrawnView, places: Floats) -> Floats:
     """(n,) mm along the look where a view is cut at places; NaN where it is not."""
     depths = np.full(len(places), np.nan)
     if view.cut is None:

@@ -105,10 +105,12 @@ class Scratch(NamedTuple):
 
 
 class Looks(NamedTuple):
-    """How a view looks: (s,) of each surface the first that it passes into smoothly, whether it
-    sees the least coordinate first, and whether it draws what is hidden and what is smooth."""
+    """How a view looks: (s,) of each surface the first that it passes into smoothly, (n,) mm along
+    the axis at which each line of sight is cut open, NaN where it is not, whether it sees the least
+    coordinate first, and whether it draws what is hidden and what is smooth."""
 
     roots: np.ndarray
+    cut_at: np.ndarray
     looks_up: bool
     draws_hidden: bool
     draws_tangents: bool
@@ -246,15 +248,37 @@ def _merge(one, other, operation, near, made):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _sign(count, surface, looks):  # noqa: ANN001, ANN202
-    """What a line of sight is compared by."""
+def _sign(count, depth, surface, cut_at, looks):  # noqa: ANN001, ANN202
+    """What a line of sight is compared by.
+
+    Args:
+        count: of its crossings.
+        depth, surface: of them.
+        cut_at: mm along the axis where it is cut open; NaN where it is not.
+        looks: of the view.
+    """
+    start, end, is_cut = 0, count, False
+    if not np.isnan(cut_at):
+        if looks.looks_up:
+            while start < count and depth[start] < cut_at:
+                start += 1
+            is_cut = start % 2 == 1
+        else:
+            while end > 0 and depth[end - 1] > cut_at:
+                end -= 1
+            is_cut = end % 2 == 1
     every = sharp = 1469598103934665603
-    for q in range(count):
+    for q in range(start, end):
         every = (every * 1099511628211) ^ (surface[q] + 7)
         sharp = (sharp * 1099511628211) ^ (looks.roots[surface[q]] + 7)
     first = -1
-    if count > 0:
-        first = looks.roots[surface[0 if looks.looks_up else count - 1]]
+    if is_cut:
+        # The cut is a surface of its own.
+        first = len(looks.roots)
+        every = (every * 1099511628211) ^ (first + 7)
+        sharp = (sharp * 1099511628211) ^ (first + 7)
+    elif end > start:
+        first = looks.roots[surface[start if looks.looks_up else end - 1]]
     return every, sharp, first
 
 
@@ -290,7 +314,8 @@ def combine(crossed, table, operation, near) -> None:  # noqa: ANN001
 def sign(crossed, looks, signs) -> None:  # noqa: ANN001
     """Put what all lines of sight are compared by into a table."""
     for i in range(len(crossed.counts)):
-        found = _sign(crossed.counts[i], crossed.surface[i], looks)
+        count = crossed.counts[i]
+        found = _sign(count, crossed.depth[i], crossed.surface[i], looks.cut_at[i], looks)
         signs.every[i], signs.sharp[i], signs.first[i] = found
 
 
@@ -393,7 +418,7 @@ def tried(state, table, operation, near, trial, looks):  # noqa: ANN001, ANN201,
         crossings = _combined(crossed, i, table, q, operation, near, made, flat)
         if crossings < 0:
             continue
-        every, sharp, first = _sign(crossings, made[1], looks)
+        every, sharp, first = _sign(crossings, made[0], made[1], looks.cut_at[i], looks)
         if every != signs.every[i]:
             count += 1
             scratch.stamp[i] = mark
@@ -460,7 +485,7 @@ def tried_slab(state, table, is_inside, near, trial, looks):  # noqa: ANN001, AN
         crossings = _in_slab(crossed, i, table, operation, near, made, flat)
         if crossings < 0:
             continue
-        every, sharp, first = _sign(crossings, made[1], looks)
+        every, sharp, first = _sign(crossings, made[0], made[1], looks.cut_at[i], looks)
         if every != signs.every[i]:
             count += 1
             scratch.stamp[i] = mark

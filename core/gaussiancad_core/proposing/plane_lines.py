@@ -94,7 +94,7 @@ class PlaneSheet:
     """All strokes of a sheet in their planes.
 
     Attributes:
-        views: those that are no sections.
+        views: of it, sections among them.
         size: (3,) mm, the part's extent; it starts at the origin.
         tolerance: mm by which strokes may miss where they belong.
         levels: places along each axis, from the least.
@@ -135,11 +135,7 @@ def plane_sheet(views: DrawnViews) -> PlaneSheet:
     size = np.array(views.size, dtype=np.float64)
     longest = float(size.max())
     tolerance = max(views.tolerance, _FINEST * longest)
-    drawn = [
-        _view(role, strokes, (longest, tolerance))
-        for role, strokes in views.strokes.items()
-        if role not in views.cuts
-    ]
+    drawn = [_view(role, strokes, (longest, tolerance)) for role, strokes in views.strokes.items()]
     levels = {axis: _levels(drawn, axis, float(size[axis.value]), tolerance) for axis in Axis}
     surfaces = SurfaceTable(tolerance)
     named = tuple(_named(view, levels, surfaces, (longest, tolerance)) for view in drawn)

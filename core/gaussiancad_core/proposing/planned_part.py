@@ -14,6 +14,7 @@ import shapely
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
+from gaussiancad_core.judging.opened_views import cut_depths
 from gaussiancad_core.judging.sight_pairs import Drawn, SightPairs, sight_pairs
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points
@@ -58,6 +59,7 @@ class PlannedView:
     Attributes:
         sights: its lines of sight.
         one, other, drawn, weight: of its pairs, as of :class:`SightPairs`.
+        cut_at: (n,) mm along its axis at which each line of sight is cut open; NaN where it is not.
         looks_up: whether it sees the least coordinate along its axis first.
         draws_hidden: whether what is hidden is drawn.
         draws_tangents: whether lines where faces meet smoothly are.
@@ -70,6 +72,7 @@ class PlannedView:
     other: Numbers
     drawn: Numbers
     weight: Floats
+    cut_at: Floats
     looks_up: bool
     draws_hidden: bool
     draws_tangents: bool
@@ -103,7 +106,8 @@ class PlannedJudge:
     def looks(self, number: int) -> Looks:
         """How a view looks."""
         view = self.views[number]
-        return Looks(self.roots, view.looks_up, view.draws_hidden, view.draws_tangents)
+        shown = view.looks_up, view.draws_hidden, view.draws_tangents
+        return Looks(self.roots, view.cut_at, *shown)
 
     def trial(self, number: int) -> tuple[Scratch, int]:
         """Tables for a trial in a view, and its number."""
@@ -254,6 +258,7 @@ def _planned_views(
             pairs.other,
             pairs.drawn,
             pairs.weight,
+            plane_view.role.frame.look_axis[1] * cut_depths(view, pairs.places),
             plane_view.looks_up,
             view.draws_hidden,
             view.draws_tangents,
@@ -288,6 +293,7 @@ def _with_nothing_beyond(
         other=np.concatenate([view.other, np.full(count, len(places))]),
         drawn=np.concatenate([view.drawn, np.zeros(count, view.drawn.dtype)]),
         weight=np.concatenate([view.weight, weights[beyond]]),
+        cut_at=np.append(view.cut_at, np.nan),
         squares=np.append(view.squares, 0),
         pair_squares=np.concatenate([view.pair_squares, squares_of(places[beyond], size)]),
     )
