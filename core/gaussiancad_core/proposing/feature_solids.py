@@ -41,6 +41,9 @@ _FEW = 4
 _SPECK = 1e-7
 """mm: shorter edges are none."""
 
+_TOUCHING = 1.0
+"""Tolerances within which faces of two features are one: their corners lie on a grid."""
+
 _WORSE = 0.01
 """Share of the lines that a solid may explain less than what was planned."""
 
@@ -63,31 +66,35 @@ def solid_of(
     Returns:
         None where the kernel makes none.
     """
-    at_once = None
-    with suppress(*KERNEL_FAILURES):
-        at_once = _built(features, sheet)
-        if is_valid(at_once) and cost(at_once) <= planned + _WORSE:
-            return at_once
-    one_by_one = _one_by_one(features, sheet)
-    made = [each for each in (at_once, one_by_one) if each is not None and is_valid(each)]
-    return min(made, key=cost, default=None)
+    made: list[tuple[float, TopoDS_Shape]] = []
+    for build in (_built, _one_by_one):
+        for near in (_TOUCHING * sheet.tolerance, 0.0):
+            with suppress(*KERNEL_FAILURES):
+                shape = build(features, sheet, near)
+                if shape is not None and is_valid(shape):
+                    made.append((cost(shape), shape))
+            if made and min(made, key=_first)[0] <= planned + _WORSE:
+                break
+    return min(made, key=_first)[1] if made else None
 
 
-def _built(features: Features, sheet: PlaneSheet) -> TopoDS_Shape:
-    """Features one after another, those of one kind at once."""
+def _first(pair: tuple[float, TopoDS_Shape]) -> float:
+    return pair[0]
+
+
+def _built(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
+    """Features one after another, those of one kind at once; what almost touches touches."""
     shape: TopoDS_Shape | None = None
     for operation, tools in _runs(features, sheet):
         if shape is None:
-            shape = fused(tools)
+            shape = fused(tools, near)
         elif operation is Operation.ADD:
-            shape = fused([shape, *tools])
+            shape = fused([shape, *tools], near)
         elif operation is Operation.CUT:
-            shape = without(shape, tools)
+            shape = without(shape, tools, near)
         else:
-            shape = common(shape, tools[0])
-    if shape is None:
-        raise RuntimeError("a part of no features")
-    return unified(shape)
+            shape = common(shape, tools[0], near)
+    return None if shape is None else unified(shape)
 
 
 def _runs(features: Features, sheet: PlaneSheet) -> Iterator[tuple[Operation, list[TopoDS_Shape]]]:
@@ -104,14 +111,14 @@ def _runs(features: Features, sheet: PlaneSheet) -> Iterator[tuple[Operation, li
         yield before, run
 
 
-def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
+def _one_by_one(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
     """Features alone, without those that the kernel cannot make."""
     shape: TopoDS_Shape | None = None
     for operation, feature in features:
         for single in single_features(feature):
             with suppress(*KERNEL_FAILURES):
                 tool = _tool(single, sheet)
-                made = tool if shape is None else _after(shape, operation, tool)
+                made = tool if shape is None else _after(shape, operation, tool, near)
                 if is_valid(made) and volume(made) > 0.0:
                     shape = made
     if shape is not None:
@@ -120,10 +127,14 @@ def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
     return shape
 
 
-def _after(shape: TopoDS_Shape, operation: Operation, tool: TopoDS_Shape) -> TopoDS_Shape:
+def _after(
+    shape: TopoDS_Shape, operation: Operation, tool: TopoDS_Shape, near: float
+) -> TopoDS_Shape:
     if operation is Operation.ADD:
-        return fused([shape, tool])
-    return without(shape, [tool]) if operation is Operation.CUT else common(shape, tool)
+        return fused([shape, tool], near)
+    if operation is Operation.CUT:
+        return without(shape, [tool], near)
+    return common(shape, tool, near)
 
 
 def _tool(feature: Prism | Turned, sheet: PlaneSheet) -> TopoDS_Shape:

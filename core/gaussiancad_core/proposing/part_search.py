@@ -147,14 +147,16 @@ class PartSearch:
         if met.features:
             yield Start("outlines", met)
             for loop in self._mains():
-                main = whole_prism(self.sheet, loop)
-                yield Start("main region", met.copy().do(Operation.MEET, main))
+                rest = [outline for outline in outlines if outline.axis is not loop.axis]
+                main = [whole_prism(self.sheet, loop), *rest]
+                yield Start("main region", self._met(PlannedPart(self.judge), main, Operation.ADD))
         for axis, plane in self._planes.items():
             until = time.process_time() + _SLAB_SHARE * self._seconds
             slabs = slab_start(self.judge, plane, self._loops[axis], until)
             if slabs is not None:
                 yield Start("slabs", slabs)
-                yield Start("slabs", self._met(slabs.copy(), outlines, first=Operation.MEET))
+                rest = [outline for outline in outlines if outline.axis is not axis]
+                yield Start("slabs", self._met(slabs.copy(), rest, first=Operation.MEET))
         for made in [each for each in turned if self._is_whole(each)][:_MOST_TURNED]:
             yield Start("turned", PlannedPart(self.judge).do(Operation.ADD, made))
 

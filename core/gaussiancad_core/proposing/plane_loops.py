@@ -7,14 +7,16 @@ nearest are bridged, and others to the line that they all but meet.
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import shapely
+from scipy.spatial import cKDTree
 
+from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.plane_lines import Floats, PlaneLine, PlaneSheet
@@ -23,6 +25,9 @@ Numbers = npt.NDArray[np.int64]
 
 _GRID = 0.5
 """Tolerances of the grid on which corners of areas lie."""
+
+_ONE_END = 2.0
+"""Tolerances within which ends of lines are one."""
 
 _LONGER = 3.0
 """Tolerances by which lines are made longer where their outline is open, and within which an end is
@@ -148,11 +153,11 @@ def plane_loops(sheet: PlaneSheet, axis: Axis) -> PlaneLoops | None:
 
 
 def stretched(
-    lines: Iterable[PlaneLine], stretch: float, tolerance: float
+    lines: Sequence[PlaneLine], stretch: float, tolerance: float
 ) -> list[shapely.LineString]:
-    """Lines, longer at both ends, on the grid of corners."""
+    """Lines, longer at both ends, on the grid of corners; ends that are near each other are one."""
     found = []
-    for line in lines:
+    for line in _meeting(lines, _ONE_END * tolerance):
         points = line.points
         if stretch > 0.0 and not line.is_full:
             first, last = points[0] - points[1], points[-1] - points[-2]
@@ -160,7 +165,27 @@ def stretched(
             end = points[-1] + stretch * last / np.hypot(*last)
             points = np.vstack([start, points[1:-1], end])
         found.append(shapely.LineString(points))
-    return list(shapely.set_precision(found, _GRID * tolerance))
+    on_grid = shapely.set_precision(found, _GRID * tolerance)
+    return [curve if curve.length > 0.0 else shapely.LineString() for curve in on_grid]
+
+
+def _meeting(lines: Sequence[PlaneLine], near: float) -> list[PlaneLine]:
+    """Lines whose ends that are near each other are one: the mean of these."""
+    open_lines = [number for number, line in enumerate(lines) if not line.is_full]
+    if not open_lines:
+        return list(lines)
+    ends = np.array([lines[number].points[[0, -1]] for number in open_lines]).reshape(-1, 2)
+    pairs = cKDTree(ends).query_pairs(near, output_type="ndarray")
+    groups = connected_groups(pairs, len(ends))
+    sums = np.zeros((len(ends), 2))
+    np.add.at(sums, groups, ends)
+    means = sums / np.maximum(np.bincount(groups, minlength=len(ends)), 1)[:, None]
+    met = list(lines)
+    for row, number in enumerate(open_lines):
+        points = lines[number].points.copy()
+        points[0], points[-1] = means[groups[2 * row]], means[groups[2 * row + 1]]
+        met[number] = replace(lines[number], points=points)
+    return met
 
 
 def areas_between(
@@ -193,7 +218,8 @@ def _enclosed(
     if not kept:
         return None
     bridges = shapely.set_precision(list(_bridges(lines, sheet)), _GRID * tolerance)
-    regions = areas_between([curve for curve, _ in kept] + list(bridges), tolerance)
+    curves = [curve for curve, _ in kept] + [each for each in bridges if each.length > 0.0]
+    regions = areas_between(curves, tolerance)
     if not regions:
         return None
     outline = _outline(regions, tolerance)
