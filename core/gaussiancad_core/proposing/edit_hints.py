@@ -113,7 +113,7 @@ def _on_sides(values: Floats, boxes: Floats, size: Floats) -> Floats:
     """(n,) misfit on the four sides of boxes (n, 2, 2) mm, a square to either side of each."""
     wide = np.pad(values, 1)
     inner = wide[1:-1, 1:-1]
-    beside = (
+    near_sides = (
         wide[:-2, 1:-1] + inner + wide[2:, 1:-1],
         wide[1:-1, :-2] + inner + wide[1:-1, 2:],
     )
@@ -121,7 +121,7 @@ def _on_sides(values: Floats, boxes: Floats, size: Floats) -> Floats:
     total = np.zeros(len(boxes))
     for fixed in (0, 1):
         sums = np.zeros((RASTER + 1, RASTER))
-        sums[1:] = (beside[fixed] if fixed == 1 else beside[fixed].T).cumsum(axis=0)
+        sums[1:] = (near_sides[fixed] if fixed == 1 else near_sides[fixed].T).cumsum(axis=0)
         low, high = cells[:, 0, 1 - fixed], cells[:, 1, 1 - fixed] + 1
         for end in (0, 1):
             at = cells[:, end, fixed]

@@ -166,14 +166,14 @@ def across(edges, surfaces, fixed, along):  # noqa: ANN001, ANN201
 
 
 @njit(cache=True)
-def across_turned(edges, surfaces, height, beside):  # noqa: ANN001, ANN201
+def across_turned(edges, surfaces, height, off_axis):  # noqa: ANN001, ANN201
     """Where lines across a turned body cross it.
 
     Args:
         edges: (m, 4) of its profile: radius and height, twice.
         surfaces: (m,) behind them.
         height: (n,) of each line.
-        beside: (n,) mm by which each passes the axis.
+        off_axis: (n,) mm by which each passes the axis.
     """
     n = len(height)
     count = np.zeros(n, np.int64)
@@ -181,7 +181,7 @@ def across_turned(edges, surfaces, height, beside):  # noqa: ANN001, ANN201
     surface = np.zeros((n, FEW), np.int64)
     radii, behind = np.zeros(FEW), np.zeros(FEW, np.int64)
     for i in range(n):
-        aside, k = abs(beside[i]), 0
+        aside, k = abs(off_axis[i]), 0
         for e in range(len(edges)):
             low, high = edges[e, 1], edges[e, 3]
             if (low <= height[i]) != (high <= height[i]) and k < FEW // 2:

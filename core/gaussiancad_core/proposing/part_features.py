@@ -140,13 +140,13 @@ class Turned:
             count, depth, surface = across(self.edges, self.surfaces, radii[near], 1)
         else:
             along = IN_PLANE[sights.axis].index(self.axis.value)
-            beside = places[:, 1 - along] - centre[_column(self.axis, sights.axis, along)]
+            off_axis = places[:, 1 - along] - centre[_column(self.axis, sights.axis, along)]
             height = places[:, along]
             near = np.flatnonzero(
-                (np.abs(beside) < self.radius) & (height > self.low) & (height < self.high)
+                (np.abs(off_axis) < self.radius) & (height > self.low) & (height < self.high)
             )
             count, depth, surface = across_turned(
-                self.edges, self.surfaces, height[near], beside[near]
+                self.edges, self.surfaces, height[near], off_axis[near]
             )
             depth = depth + centre[IN_PLANE[self.axis].index(sights.axis.value)]
         met = count > 0

@@ -260,9 +260,9 @@ def _bridges(lines: Sequence[PlaneLine], sheet: PlaneSheet) -> Iterator[shapely.
             if number < other:
                 yield shapely.LineString([point, points[other]])
             continue
-        others = shapely.union_all([curve for k, curve in enumerate(curves) if k != owner])
-        line = shapely.shortest_line(shapely.Point(point), others)
-        if 0.0 < line.length < _TO_LINE * sheet.longest:
+        others = [curve for k, curve in enumerate(curves) if k != owner]
+        line = shapely.shortest_line(shapely.Point(point), shapely.MultiLineString(others))
+        if line is not None and 0.0 < line.length < _TO_LINE * sheet.longest:
             yield line
 
 

@@ -281,9 +281,9 @@ def _with_nothing_beyond(
     places = view.sights.places
     beyond = np.flatnonzero(~shapely.contains_xy(outline.buffer(aside / 2.0), *places.T))
     weights = np.full(len(places), float(np.median(pairs.cells)) if len(pairs.cells) else 1.0)
-    beside = pairs.drawn != Drawn.NOTHING
+    at_strokes = pairs.drawn != Drawn.NOTHING
     for ends in (pairs.one, pairs.other):
-        weights[ends[beside]] = _BEYOND * pairs.weight[beside]
+        weights[ends[at_strokes]] = _BEYOND * pairs.weight[at_strokes]
     far = np.array([[-size.max(), -size.max()]])
     count = len(beyond)
     return replace(

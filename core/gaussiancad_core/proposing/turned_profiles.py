@@ -127,12 +127,12 @@ def _leaning_ends(
         return None
     along = IN_PLANE[view.axis].index(axis.value)
     middle = centre.at[IN_PLANE[axis].index(IN_PLANE[view.axis][1 - along])]
-    beside = line.points[:, 1 - along] - middle
-    if float(beside.prod()) < -(tolerance**2):
+    away = line.points[:, 1 - along] - middle
+    if float(away.prod()) < -(tolerance**2):
         return None
     known = np.array([0.0, *centre.radii])
-    radii = [float(known[np.abs(known - radius).argmin()]) for radius in np.abs(beside)]
-    if float(np.abs(np.abs(beside) - radii).max()) > _ONE_CENTRE * tolerance:
+    radii = [float(known[np.abs(known - radius).argmin()]) for radius in np.abs(away)]
+    if float(np.abs(np.abs(away) - radii).max()) > _ONE_CENTRE * tolerance:
         return None
     if abs(radii[0] - radii[1]) < tolerance:
         return None
@@ -171,10 +171,10 @@ def _one_side(
 ) -> shapely.Polygon | None:
     """An area beside an axis, or the half of one that is symmetrical about it; None of others."""
     corners = np.array(area.exterior.coords)
-    beside = corners[:, column] - middle
-    if beside.min() >= -tolerance:
+    away = corners[:, column] - middle
+    if away.min() >= -tolerance:
         return area
-    if abs(beside.min() + beside.max()) > _ONE_CENTRE * tolerance:
+    if abs(away.min() + away.max()) > _ONE_CENTRE * tolerance:
         return None
     flipped = corners.copy()
     flipped[:, column] = 2.0 * middle - flipped[:, column]

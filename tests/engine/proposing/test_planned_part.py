@@ -1,0 +1,150 @@
+"""A planned part before the judge: what an edit is said to change is what it changes."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+import shapely
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.judging.misfits import solid_misfit
+from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.section_planes import Cut, CutRegion
+from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.loop_places import prism, whole_prism
+from gaussiancad_core.proposing.loop_shapes import loops_of
+from gaussiancad_core.proposing.part_features import Feature, Pattern, Prism
+from gaussiancad_core.proposing.plane_lines import PlaneSheet, plane_sheet
+from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, PlaneLoops, plane_loops
+from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
+from gaussiancad_core.proposing.turned_profiles import turned_of
+from sample_parts.modelling import box, cone, cut, cylinder
+
+Draw = Callable[[TopoDS_Shape], DrawnViews]
+
+_BLOCK = box((0.0, 0.0, 0.0), (60.0, 40.0, 30.0))
+_STEP = box((40.0, -1.0, 18.0), (61.0, 41.0, 31.0))
+
+
+def _bore(x: float) -> TopoDS_Shape:
+    return cylinder(Axis.Z, (x, 12.0), 5.0, -1.0, 31.0)
+
+
+class _Plan:
+    """A sheet with its loops, its judge, and the outlines met."""
+
+    def __init__(self, views: DrawnViews) -> None:
+        self.sheet: PlaneSheet = plane_sheet(views)
+        self.planes: dict[Axis, PlaneLoops] = {}
+        for axis in Axis:
+            found = plane_loops(self.sheet, axis)
+            if found is not None:
+                self.planes[axis] = found
+        self.loops = {axis: loops_of(self.sheet, each) for axis, each in self.planes.items()}
+        self.turned = list(turned_of(self.sheet, self.planes, self.loops))
+        self.judge = PlannedJudge(views, self.sheet, self.planes.values())
+
+    def outlines(self) -> PlannedPart:
+        part = PlannedPart(self.judge)
+        for number, loops in enumerate(self.loops.values()):
+            outline = next(loop for loop in loops if loop.kind is LoopKind.OUTLINE)
+            part.do(Operation.ADD if number == 0 else Operation.MEET, self.whole(outline))
+        return part
+
+    def whole(self, loop: Loop) -> Prism:
+        return whole_prism(self.sheet, loop)
+
+    def discs(self) -> list[Loop]:
+        return [loop for loop in self.loops[Axis.Z] if 70.0 < loop.polygon.area < 80.0]
+
+
+def _plan(drawn: Draw, *tools: TopoDS_Shape) -> _Plan:
+    return _Plan(drawn(cut(_BLOCK, _STEP, *tools)))
+
+
+def test_outlines_met_are_a_part_without_holes(drawn: Draw) -> None:
+    assert _plan(drawn).outlines().share == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_gain_is_what_the_edit_then_changes(drawn: Draw) -> None:
+    plan = _plan(drawn, _bore(15.0), _bore(30.0))
+    part = plan.outlines()
+    one, other = (plan.whole(disc) for disc in plan.discs())
+    edits: list[tuple[Operation, Feature]] = [
+        (Operation.CUT, one),
+        (Operation.ADD, one),
+        (Operation.CUT, Pattern((one, other))),
+        (Operation.CUT, prism(plan.sheet, one.loop, 0.0, 18.0)),
+    ]
+    for operation, feature in edits:
+        gain, before = part.gain(operation, feature), part.cost
+        changed = part.copy().do(operation, feature)
+        assert changed.cost - before == pytest.approx(gain.mm, abs=1e-9)
+        assert part.cost == before
+    both = part.copy().do(Operation.CUT, Pattern((one, other)))
+    assert both.share == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_slab_costs_what_it_is_said_to(drawn: Draw) -> None:
+    plan = _plan(drawn, _bore(15.0))
+    part = plan.outlines()
+    (loop,) = (
+        each
+        for each in plan.loops[Axis.Z]
+        if each.kind is LoopKind.REGION and each.polygon.interiors
+    )
+    for low, high in ((0.0, 18.0), (18.0, 30.0), (0.0, 30.0)):
+        slab = prism(plan.sheet, loop, low, high)
+        gain, before = part.slab_gain(slab), part.cost
+        assert part.copy().set_slab(slab).cost - before == pytest.approx(gain, abs=1e-9)
+
+
+def test_what_is_planned_costs_what_its_solid_does(drawn: Draw) -> None:
+    views = drawn(cut(_BLOCK, _STEP, _bore(15.0)))
+    part = _Plan(views).outlines()
+    solid = solid_misfit(cut(_BLOCK, _STEP), views)
+    assert part.share == pytest.approx(solid.share, rel=0.05)
+
+
+def test_a_cone_is_proposed_by_a_leaning_line_between_radii(drawn: Draw) -> None:
+    sunk = cut(_BLOCK, _bore(15.0), cone(Axis.Z, (15.0, 12.0), (5.0, 9.0), 26.0, 30.0))
+    plan = _Plan(drawn(sunk))
+    part = plan.outlines().do(Operation.CUT, plan.whole(plan.discs()[0]))
+    gains = [part.gain(Operation.CUT, each).mm for each in plan.turned]
+    best = plan.turned[gains.index(min(gains))]
+    assert (best.low, best.high, best.radius) == pytest.approx((26.0, 30.0, 9.0))
+    assert part.do(Operation.CUT, best).share == pytest.approx(0.0, abs=1e-9)
+
+
+def test_nothing_lies_beyond_a_closed_outline(drawn: Draw) -> None:
+    plan = _plan(drawn)
+    part = plan.outlines()
+    outside = plan.planes[Axis.Z].loop(shapely.box(5.0, 45.0, 55.0, 50.0), LoopKind.BOX)
+    # No line of sight beside a stroke meets it, and the raster ends with the sheet's box.
+    assert part.gain(Operation.ADD, plan.whole(outside)).mm >= 0.0
+    notched = plan.planes[Axis.Y].loop(shapely.box(40.0, 18.0, 60.0, 30.0), LoopKind.BOX)
+    assert part.gain(Operation.ADD, plan.whole(notched)).mm > 10.0
+
+
+def test_a_section_shows_what_is_behind_its_plane(drawn: Draw) -> None:
+    # A blind bore from the front, through which only the section along its middle shows.
+    blind = cut(_BLOCK, cylinder(Axis.Z, (15.0, 12.0), 5.0, 10.0, 31.0))
+    half = cut(blind, box((-1.0, -1.0, -1.0), (61.0, 12.0, 31.0)))
+    whole, opened = drawn(blind), drawn(half)
+    section = Cut((CutRegion(12.0),))
+    views = replace(
+        whole,
+        strokes={Role.FRONT: opened.strokes[Role.FRONT], Role.TOP: whole.strokes[Role.TOP]},
+        cuts={Role.FRONT: section},
+    )
+    plan = _Plan(views)
+    part = plan.outlines()
+    (disc,) = plan.discs()
+    floors = [(0.0, 30.0), (10.0, 30.0)]
+    through, to_floor = (
+        part.gain(Operation.CUT, prism(plan.sheet, disc, *floor)).mm for floor in floors
+    )
+    assert to_floor < through
+    found = part.do(Operation.CUT, prism(plan.sheet, disc, 10.0, 30.0))
+    assert found.share == pytest.approx(0.0, abs=1e-9)
