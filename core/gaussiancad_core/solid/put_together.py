@@ -68,6 +68,7 @@ def drawn_again(
         faces=facts.faces,
         share=verification.share,
         flaws=len(verification.flaws),
+        taken=True,
     )
     return ExactResult(
         Status.APPROXIMATE,
