@@ -11,7 +11,7 @@ from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import FacetedSolid
 from gaussiancad_core.judging.laying import Laid, as_it_lies, lay
 from gaussiancad_core.judging.misfits import Judge
-from gaussiancad_core.judging.model_edits import Edit, tried_edits
+from gaussiancad_core.judging.model_edits import Edit, TriedEdits, tried_edits
 from gaussiancad_core.judging.note_tally import Tally, tally
 from gaussiancad_core.judging.number_tally import NumberDifference, differing_numbers
 from gaussiancad_core.judging.sheet_ink import SheetInk
@@ -80,23 +80,28 @@ def judge_solid(solid: FacetedSolid, readings: Sequence[SheetEvidence]) -> Sheet
     laid, judge, evidence = min(tried, key=lambda each: each[0].least)
     # Under the other projection a part looks much like its mirror image under this one.
     mirrored = min(_mirrored_cost(solid, each) for each in judges)
-    return _judged(laid, judge, evidence, mirrored)
+    edits = tried_edits(laid, judge, evidence.ink, mirrored)
+    return _judged(laid, judge, evidence, edits)
 
 
-def judge_in_place(solid: FacetedSolid, evidence: SheetEvidence) -> SheetJudgement:
+def judge_in_place(
+    solid: FacetedSolid, evidence: SheetEvidence, *, tries_edits: bool
+) -> SheetJudgement:
     """A solid against the sheet that it was made from.
 
     Args:
         solid: in mm of the sheet, on its axes.
         evidence: of the sheet, under the projection under which the solid was made.
+        tries_edits: whether single changes of the solid are tried, which takes the longest.
     """
     judge = Judge(drawn_sheet(evidence.views))
-    return _judged(as_it_lies(solid, judge), judge, evidence, np.inf)
+    laid = as_it_lies(solid, judge)
+    edits = tried_edits(laid, judge, evidence.ink, np.inf) if tries_edits else TriedEdits((), ())
+    return _judged(laid, judge, evidence, edits)
 
 
-def _judged(laid: Laid, judge: Judge, evidence: SheetEvidence, mirrored: float) -> SheetJudgement:
+def _judged(laid: Laid, judge: Judge, evidence: SheetEvidence, edits: TriedEdits) -> SheetJudgement:
     differing = differences(laid.misfit, evidence.ink)
-    edits = tried_edits(laid, judge, evidence.ink, mirrored)
     kept = tally(laid.solid, evidence.views.holes)
     numbers = differing_numbers(laid.solid, evidence.views.dimensions, evidence.views.roles)
     return SheetJudgement(

@@ -60,7 +60,10 @@ def judged_model(model: ExactModel, sheet: OpenedSheet) -> ExactModel:
     reading = model.reading
     ink = SheetInk(distance_to_ink(sheet.clean.ink), placements_of(reading))
     evidence = SheetEvidence(reading.numbered, ink, reading.projection)
-    judged = judge_in_place(faceted_shape(model.result.shape), evidence)
+    # Only of what is certain so far is more to be known than where it differs.
+    is_certain = model.result.status is Status.VERIFIED
+    solid = faceted_shape(model.result.shape)
+    judged = judge_in_place(solid, evidence, tries_edits=is_certain)
     result = _with_judgement(model.result, judged, sheet.turn)
     return replace(model, result=result, judged=judged)
 
