@@ -174,6 +174,7 @@ def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     from gaussiancad_core.cells import sight_lines
     from gaussiancad_core.lines import mesh_crossings, mesh_rays
     from gaussiancad_core.pictures import preview
+    from gaussiancad_core.proposing import kernel_warm_up
     from gaussiancad_core.sheet.tracing import shape_growth
 
     sight_lines.warm_up()
@@ -181,6 +182,7 @@ def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     mesh_crossings.warm_up()
     mesh_rays.warm_up()
     preview.warm_up()
+    kernel_warm_up.warm_up()
     if not lacking(Extra.SURFACE):
         from gaussiancad_core.splatting import tiles
 

@@ -81,9 +81,11 @@ class ProjectedReading:
 
     def _dropped(self, view: ReadView) -> tuple[DroppedLine, ...]:
         """Lines of a view that were taken for annotation and may be edges."""
-        place = self.registered.placements[view.role]
+        places = self.registered.placements
         return tuple(
-            DroppedLine(place.to_plane(line.points), _linetype(line), 1.0 - line.confidence)
+            DroppedLine(
+                places[view.role].to_plane(line.points), _linetype(line), 1.0 - line.confidence
+            )
             for line in view.labels.lines
             if not line.is_part and line.confidence <= 1.0 - _LEAST_ODDS
         )

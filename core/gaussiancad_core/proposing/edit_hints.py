@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.proposing.lines_by_plane import Floats
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
-from gaussiancad_core.proposing.plane_lines import Floats
 from gaussiancad_core.proposing.plane_loops import Numbers
 from gaussiancad_core.proposing.planned_part import (
     RASTER,

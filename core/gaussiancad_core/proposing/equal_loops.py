@@ -4,9 +4,9 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
 from gaussiancad_core.proposing.loop_places import prism, prisms_of
 from gaussiancad_core.proposing.part_features import Pattern
-from gaussiancad_core.proposing.plane_lines import PlaneSheet
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind
 
 _PLAIN = (LoopKind.REGION, LoopKind.FILLED, LoopKind.CIRCLE)

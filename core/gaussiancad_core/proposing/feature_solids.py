@@ -27,8 +27,8 @@ from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
 from gaussiancad_core.proposing.edge_on_surfaces import SurfaceKind
 from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.lines_by_plane import Circle, Floats, PlaneSheet
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
-from gaussiancad_core.proposing.plane_lines import Circle, Floats, PlaneSheet
 
 _ON_CIRCLE = 5.0
 """Tolerances within which corners lie on the circle that their edges are chords of."""

@@ -8,8 +8,8 @@ import numpy as np
 
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.proposing.lines_by_plane import PlaneLine, PlaneSheet
 from gaussiancad_core.proposing.part_features import Prism
-from gaussiancad_core.proposing.plane_lines import PlaneLine, PlaneSheet
 from gaussiancad_core.proposing.plane_loops import Loop
 
 MOST_PLACES = 8

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import shapely
 
-from gaussiancad_core.proposing.plane_lines import ROUND, Circle, PlaneLine, PlaneSheet
+from gaussiancad_core.proposing.lines_by_plane import ROUND, Circle, PlaneLine, PlaneSheet
 from gaussiancad_core.proposing.plane_loops import (
     Loop,
     LoopKind,

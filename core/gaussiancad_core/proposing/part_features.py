@@ -20,7 +20,7 @@ from gaussiancad_core.proposing.feature_kernels import (
     combine,
     inside,
 )
-from gaussiancad_core.proposing.plane_lines import Circle, Floats
+from gaussiancad_core.proposing.lines_by_plane import Circle, Floats
 from gaussiancad_core.proposing.plane_loops import Loop, Numbers
 
 

@@ -17,10 +17,10 @@ from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.edit_hints import EditHints
 from gaussiancad_core.proposing.equal_loops import patterns_of
 from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.lines_by_plane import Floats, plane_sheet
 from gaussiancad_core.proposing.loop_places import prisms_of, whole_prism
 from gaussiancad_core.proposing.loop_shapes import loops_of
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned
-from gaussiancad_core.proposing.plane_lines import Floats, plane_sheet
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
 from gaussiancad_core.proposing.slab_starts import slab_start

@@ -19,7 +19,7 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-from gaussiancad_core.proposing.plane_lines import Floats, PlaneLine, PlaneSheet
+from gaussiancad_core.proposing.lines_by_plane import Floats, PlaneLine, PlaneSheet
 
 Numbers = npt.NDArray[np.int64]
 

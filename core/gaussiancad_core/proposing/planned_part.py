@@ -32,6 +32,7 @@ from gaussiancad_core.proposing.feature_kernels import (
     tried,
     tried_slab,
 )
+from gaussiancad_core.proposing.lines_by_plane import Floats, PlaneSheet
 from gaussiancad_core.proposing.part_features import (
     Feature,
     Prism,
@@ -39,7 +40,6 @@ from gaussiancad_core.proposing.part_features import (
     every_sight,
     nothing_crossed,
 )
-from gaussiancad_core.proposing.plane_lines import Floats, PlaneSheet
 from gaussiancad_core.proposing.plane_loops import Numbers, PlaneLoops
 
 RASTER = 48

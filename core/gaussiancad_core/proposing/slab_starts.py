@@ -7,9 +7,9 @@ from itertools import pairwise
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
 from gaussiancad_core.proposing.loop_places import prism
 from gaussiancad_core.proposing.part_features import Prism
-from gaussiancad_core.proposing.plane_lines import PlaneSheet
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, PlaneLoops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
 

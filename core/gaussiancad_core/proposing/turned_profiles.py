@@ -14,8 +14,14 @@ import shapely
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.edge_on_surfaces import SurfaceKind
+from gaussiancad_core.proposing.lines_by_plane import (
+    Circle,
+    Floats,
+    PlaneLine,
+    PlaneSheet,
+    PlaneView,
+)
 from gaussiancad_core.proposing.part_features import Turned
-from gaussiancad_core.proposing.plane_lines import Circle, Floats, PlaneLine, PlaneSheet, PlaneView
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, PlaneLoops
 
 _MOST_CENTRES = 12

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.geometry.points import Box
@@ -80,6 +79,9 @@ def _without_lines_along(labels: SheetLabels, tangents: Sequence[Stroke]) -> She
     """The labels but for those of tangent edges: no doubt is left whether these are edges."""
     if not tangents or not labels.lines:
         return labels
+    # A sheet without such lines has no need of it.
+    from scipy.spatial import cKDTree
+
     tree = cKDTree(np.concatenate([stroke.sample(1.0) for stroke in tangents]))
     reach = labels.stroke_width + _MARGIN
     kept = tuple(line for line in labels.lines if tree.query(line.points)[0].max() > reach)

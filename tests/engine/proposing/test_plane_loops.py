@@ -10,9 +10,9 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
+from gaussiancad_core.proposing.lines_by_plane import PlaneSheet, plane_sheet
 from gaussiancad_core.proposing.loop_places import prisms_of
 from gaussiancad_core.proposing.loop_shapes import loops_of
-from gaussiancad_core.proposing.plane_lines import PlaneSheet, plane_sheet
 from gaussiancad_core.proposing.plane_loops import LoopKind, PlaneLoops, plane_loops
 from sample_parts.modelling import box, cut, cylinder
 

@@ -12,10 +12,10 @@ from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.section_planes import Cut, CutRegion
 from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.lines_by_plane import PlaneSheet, plane_sheet
 from gaussiancad_core.proposing.loop_places import prism, whole_prism
 from gaussiancad_core.proposing.loop_shapes import loops_of
 from gaussiancad_core.proposing.part_features import Feature, Pattern, Prism
-from gaussiancad_core.proposing.plane_lines import PlaneSheet, plane_sheet
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, PlaneLoops, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
 from gaussiancad_core.proposing.turned_profiles import turned_of

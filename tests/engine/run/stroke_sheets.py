@@ -8,6 +8,7 @@ import numpy as np
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.views import Linetype, Segment, View, ViewSet
+from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS
 from gaussiancad_core.sheet.registration.view_registration import AxisExtents
 from gaussiancad_core.sheet.sheet_stages import RegisteredSheet, StrokesSource
 
@@ -36,7 +37,7 @@ def reading(
         View(role, box, tuple(stroke), mask, colour, (0.0, 0.0), 1.0)
         for role, stroke in strokes.items()
     )
-    stroke_facts = {"dash": None, "source": source, "strokes": (), "tangents": (), "step": 0.0}
-    drawn = tuple(SimpleNamespace(**stroke_facts) for _ in views)
+    facts = {"dash": None, "source": source, "strokes": (), "tangents": (), "step": 0.0}
+    drawn = tuple(SimpleNamespace(role=role, labels=NO_LABELS, **facts) for role in strokes)
     registered = RegisteredSheet(ViewSet(views, SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return ProjectedReading(registered, projection)

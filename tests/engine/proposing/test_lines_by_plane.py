@@ -10,7 +10,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 from gaussiancad_core.proposing.edge_on_surfaces import SurfaceKind, SurfaceTable
-from gaussiancad_core.proposing.plane_lines import plane_sheet
+from gaussiancad_core.proposing.lines_by_plane import plane_sheet
 from sample_parts.modelling import box, cut, cylinder
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]
