@@ -1,9 +1,8 @@
 """The exact solid of features in order; what the kernel gets wrong is built alone, or left out."""
 
-import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from itertools import pairwise, product
+from itertools import pairwise
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
@@ -45,9 +44,6 @@ _SPECK = 1e-7
 _TOUCHING = 1.0
 """Tolerances within which faces of two features are one: their corners lie on a grid."""
 
-_SECONDS = 5.0
-"""Of the processor, after which what was built is taken as it is."""
-
 _WORSE = 0.01
 """Share of the lines that a solid may explain less than what was planned."""
 
@@ -71,16 +67,17 @@ def solid_of(
         None where the kernel makes none.
     """
     made: list[tuple[float, TopoDS_Shape]] = []
-    until = time.process_time() + _SECONDS
-    for build, near in product((_built, _one_by_one), (_TOUCHING * sheet.tolerance, 0.0)):
-        with suppress(*KERNEL_FAILURES):
-            shape = build(features, sheet, near)
-            if shape is not None and is_valid(shape):
-                made.append((cost(shape), shape))
-        is_good = made and min(made, key=_first)[0] <= planned + _WORSE
-        if is_good or (made and time.process_time() > until):
-            break
-    return min(made, key=_first)[1] if made else None
+    for build in (_built, _one_by_one):
+        for near in (_TOUCHING * sheet.tolerance, 0.0):
+            with suppress(*KERNEL_FAILURES):
+                shape = build(features, sheet, near)
+                if shape is not None and is_valid(shape):
+                    made.append((cost(shape), shape))
+            if made and made[-1][0] <= planned + _WORSE:
+                break
+        if made:
+            return min(made, key=_first)[1]
+    return None
 
 
 def _first(pair: tuple[float, TopoDS_Shape]) -> float:

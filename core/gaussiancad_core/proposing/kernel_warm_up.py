@@ -9,13 +9,14 @@ from gaussiancad_core.judging.sheet_judgement import SheetEvidence, judge_solid
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Projection, Role
 from gaussiancad_core.model.meshes import make_mesh
+from gaussiancad_core.model.section_planes import SectionRole
 from gaussiancad_core.model.views import Arc, Linetype, Segment
 from gaussiancad_core.proposing.part_search import PartSearch
-from gaussiancad_core.sheet.registration.view_registration import placement
+from gaussiancad_core.sheet.registration.view_registration import Placement, placement
 
 _SIZE = (60.0, 40.0, 30.0)
 
-_SECONDS = 0.5
+_WORK = 1e6
 
 _CORNERS = np.array([[x, y, z] for x in (0.0, 60.0) for y in (0.0, 40.0) for z in (0.0, 30.0)])
 
@@ -30,9 +31,11 @@ _TRIANGLES = np.array(
 def warm_up() -> None:
     """Compile the kernels, or load them from numba's cache, so that the first part is quick."""
     views = _views()
-    PartSearch(views, _SECONDS).best()
+    PartSearch(views, _WORK).best()
     ink = np.zeros((8, 8), np.float32)
-    places = {role: placement(role, (0.0, 0.0, 1.0, 1.0), _SIZE) for role in views.roles}
+    places: dict[Role | SectionRole, Placement] = {
+        role: placement(role, (0.0, 0.0, 1.0, 1.0), _SIZE) for role in views.roles
+    }
     evidence = SheetEvidence(views, SheetInk(ink, places), Projection.THIRD)
     judge_solid(faceted_mesh(make_mesh(_CORNERS, _TRIANGLES)), [evidence])
 

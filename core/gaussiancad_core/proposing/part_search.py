@@ -5,7 +5,6 @@ and explains all holes at once.  So edits that break hardly anything of what the
 first, by how much they explain; only where none is left one that breaks more.
 """
 
-import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -46,7 +45,7 @@ _GOOD, _DONE = 4e-3, 5e-4
 """Shares of the lines left unexplained with which no other start is tried, and no other edit."""
 
 _FIRST_SHARE, _SLAB_SHARE = 0.2, 0.06
-"""Shares of the time for each family of starts, and for slabs along one axis."""
+"""Shares of the work for each family of starts, and for slabs along one axis."""
 
 _FAMILIES = 4
 """Families of starts that are tried before the best goes on."""
@@ -78,11 +77,11 @@ class PartSearch:
 
     Args:
         views: of the part.
-        seconds: of the processor, once it is known what there is to try.
+        work: steps of the kernels, as the judge counts them, for all of it.
     """
 
-    def __init__(self, views: DrawnViews, seconds: float) -> None:
-        self._seconds = seconds
+    def __init__(self, views: DrawnViews, work: float) -> None:
+        self._work = work
         self.sheet = plane_sheet(views)
         found = {axis: plane_loops(self.sheet, axis) for axis in Axis}
         self._planes = {axis: plane for axis, plane in found.items() if plane is not None}
@@ -97,8 +96,6 @@ class PartSearch:
         self._pool += turned
         self._pool += patterns_of(self.sheet, self._loops)
         outlines = list(self._outlines())
-        # What there is to try is known: the time counts from here.
-        self._began = time.process_time()
         self.judge = PlannedJudge(views, self.sheet, self._planes.values())
         whole = float(np.prod(self.sheet.size))
         sizes = np.array([feature.volume / whole for feature in self._pool])
@@ -111,7 +108,7 @@ class PartSearch:
         """The part that explains most; None where nothing tells a start."""
         tried: list[PlannedPart] = []
         for start in self._starts[:_FAMILIES]:
-            tried.append(self._edited(start.part, _FIRST_SHARE * self._seconds))
+            tried.append(self._edited(start.part, _FIRST_SHARE * self._work))
             if self._is_good(tried[-1]):
                 break
         if not tried:
@@ -120,15 +117,12 @@ class PartSearch:
         best = tried[0]
         rest = [start.part for start in self._starts[_FAMILIES:]]
         for part in tried + rest:
-            if self._is_good(best) or self._left() < 0.0:
+            if self._is_good(best) or self.judge.work > self._work:
                 break
-            further = self._edited(part, self._seconds)
+            further = self._edited(part, self._work)
             if further.cost < best.cost:
                 best = further
         return best
-
-    def _left(self) -> float:
-        return self._seconds - (time.process_time() - self._began)
 
     def _is_good(self, part: PlannedPart) -> bool:
         return part.cost < _GOOD * self.judge.length
@@ -151,7 +145,7 @@ class PartSearch:
                 main = [whole_prism(self.sheet, loop), *rest]
                 yield Start("main region", self._met(PlannedPart(self.judge), main, Operation.ADD))
         for axis, plane in self._planes.items():
-            until = time.process_time() + _SLAB_SHARE * self._seconds
+            until = self.judge.work + _SLAB_SHARE * self._work
             slabs = slab_start(self.judge, plane, self._loops[axis], until)
             if slabs is not None:
                 yield Start("slabs", slabs)
@@ -191,9 +185,9 @@ class PartSearch:
             first.setdefault(start.family, start)
         return [*first.values(), *(start for start in starts if start not in first.values())]
 
-    def _edited(self, part: PlannedPart, seconds: float) -> PlannedPart:
+    def _edited(self, part: PlannedPart, work: float) -> PlannedPart:
         """A part with edits, as long as one explains more."""
-        until = min(self._began + self._seconds, time.process_time() + seconds)
+        until = min(self._work, self.judge.work + work)
         if self._hints is None:
             return part
         edits = _Edits(part, self._pool, self._price, self._least, until)
@@ -214,7 +208,7 @@ class _Edits:
         pool: features to edit it with.
         price: (n,) mm that each costs.
         least: mm that an edit has to explain.
-        until: of the processor's time.
+        until: work of the judge at which it ends.
     """
 
     def __init__(
@@ -233,8 +227,8 @@ class _Edits:
 
     @property
     def is_over(self) -> bool:
-        """Whether the time has passed."""
-        return time.process_time() > self._until
+        """Whether the work is done."""
+        return self._part.judge.work > self._until
 
     def forget(self, stale: np.ndarray) -> None:
         """Try again, where it is asked for, what (n, views) says."""

@@ -96,6 +96,8 @@ class PlannedJudge:
         self.views = tuple(_planned_views(views, sheet, closed))
         self.length = sheet.length
         self.trials = 0
+        self.work = 0
+        """Steps of the kernels so far: what a search is limited by, the same on every machine."""
         self.roots = sheet.surfaces.roots()
         self._scratch = tuple(_scratch(len(view.sights.places)) for view in self.views)
 
@@ -193,7 +195,9 @@ class PlannedPart:
         state = self._crossed[number], self._signs[number], self._pairs[number]
         table = feature.table(self.judge.views[number].sights)
         trial, looks = self.judge.trial(number), self.judge.looks(number)
-        return Gain(*tried(state, table, int(operation), self.judge.near, trial, looks))
+        gain = Gain(*tried(state, table, int(operation), self.judge.near, trial, looks))
+        self.judge.work += len(table.rows) + (len(self._pairs[number].one) if gain.changed else 0)
+        return gain
 
     def slab_gain(self, prism: Prism) -> float:
         """mm of misfit that change where the part becomes a prism between its places."""
@@ -203,6 +207,7 @@ class PlannedPart:
             state = self._crossed[number], self._signs[number], self._pairs[number]
             trial, looks = self.judge.trial(number), self.judge.looks(number)
             total += tried_slab(state, table, is_inside, self.judge.near, trial, looks)
+            self.judge.work += len(table.rows) + len(self._pairs[number].one)
         return total
 
     def set_slab(self, prism: Prism) -> "PlannedPart":
@@ -227,6 +232,7 @@ class PlannedPart:
             looks = self.judge.looks(number)
             sign(self._crossed[number], looks, signs)
             self.cost += price(self._pairs[number], signs, looks)
+            self.judge.work += len(view.squares) + len(self._pairs[number].one)
             self.touched[number][view.squares[before != signs.every]] = True
 
 

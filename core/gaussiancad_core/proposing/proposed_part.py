@@ -13,6 +13,9 @@ from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.part_features import Feature
 from gaussiancad_core.proposing.part_search import PartSearch
 
+WORK = 1.2e8
+"""Steps of the search's kernels: about ten seconds of a processor."""
+
 
 @dataclass(frozen=True, eq=False)
 class ProposedPart:
@@ -31,17 +34,17 @@ class ProposedPart:
     cost: float
 
 
-def proposed_part(views: DrawnViews, seconds: float) -> ProposedPart | None:
+def proposed_part(views: DrawnViews, work: float = WORK) -> ProposedPart | None:
     """The part that explains views best among those that are put together of what they show.
 
     Args:
         views: of the part.
-        seconds: of the processor, for the search.
+        work: steps of the search's kernels at most.
 
     Returns:
         None where nothing tells a start.
     """
-    search = PartSearch(views, seconds)
+    search = PartSearch(views, work)
     part = search.best()
     if part is None:
         return None

@@ -1,6 +1,5 @@
 """A part to start from: slabs along an axis, each with the closed area that explains most."""
 
-import time
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -44,7 +43,7 @@ def slab_start(
         judge: before which it is planned.
         plane: across the axis.
         loops: of it.
-        until: s of the processor's time at which it ends.
+        until: work of the judge at which it ends.
     """
     sheet, axis = judge.sheet, plane.axis
     places = _places(sheet, axis)
@@ -68,9 +67,9 @@ def slab_start(
             if best is not None and gains[best] < -_WORTH * judge.length:
                 part.set_slab(others[best])
                 picked[slab], is_moved = others[best].loop, True
-            if time.process_time() > until:
+            if judge.work > until:
                 break
-        if time.process_time() > until or not is_moved:
+        if judge.work > until or not is_moved:
             break
     part.features = [(Operation.ADD, each) for each in _stacked(sheet, picked, spans)]
     return part

@@ -17,9 +17,6 @@ from gaussiancad_core.solid.search_trace import ModelKind
 from gaussiancad_core.solid.verify import Verification
 from gaussiancad_protocol.codes import Code
 
-SECONDS = 10.0
-"""Of the processor, for the search once it is known what there is to try."""
-
 
 def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, float] | None:
     """The part that is put together of what views show, drawn again, and mm of line that it leaves
@@ -32,7 +29,7 @@ def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, float]
     if max(map(len, views.strokes.values())) > MOST_STROKES:
         return None
     try:
-        found = proposed_part(views, SECONDS)
+        found = proposed_part(views)
     except (*KERNEL_FAILURES, GEOSException):
         return None
     if found is None or found.shape is None:

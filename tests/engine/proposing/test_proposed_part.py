@@ -16,7 +16,7 @@ from sample_parts.modelling import box, cone, cut, cylinder, fuse
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]
 
-_SECONDS = 6.0
+_WORK = 1e8
 
 
 def _iou(one: TopoDS_Shape, other: TopoDS_Shape) -> float:
@@ -58,7 +58,7 @@ def test_a_part_is_found_from_its_three_views(
     made: Callable[[], TopoDS_Shape], drawn: Draw
 ) -> None:
     part = made()
-    found = proposed_part(drawn(part), _SECONDS)
+    found = proposed_part(drawn(part), _WORK)
     assert found is not None
     assert found.shape is not None
     assert soundness(found.shape).valid
@@ -76,7 +76,7 @@ def test_a_lost_piece_of_the_outline_costs_nothing_else(drawn: Draw) -> None:
         key=lambda each: each.length,
     )
     kept = tuple(each for each in front if each is not top)
-    found = proposed_part(replace(views, strokes={**views.strokes, Role.FRONT: kept}), _SECONDS)
+    found = proposed_part(replace(views, strokes={**views.strokes, Role.FRONT: kept}), _WORK)
     assert found is not None
     assert found.shape is not None
     assert _iou(found.shape, part) > 0.98
@@ -85,4 +85,4 @@ def test_a_lost_piece_of_the_outline_costs_nothing_else(drawn: Draw) -> None:
 def test_where_nothing_is_enclosed_nothing_is_proposed() -> None:
     line = Segment((0.0, 0.0), (40.0, 0.0), Linetype.VISIBLE)
     views = DrawnViews({Role.FRONT: (line,)}, (40.0, 1.0, 1.0), 0.01)
-    assert proposed_part(views, 1.0) is None
+    assert proposed_part(views, _WORK) is None

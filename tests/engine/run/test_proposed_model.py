@@ -13,6 +13,7 @@ from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.run.exact_stage import find_exact
 from gaussiancad_core.run.proposed_model import proposed_result
+from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.search_trace import ModelKind
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import Status
@@ -74,13 +75,14 @@ def test_a_part_is_put_together_and_told_as_that(views: DrawnViews) -> None:
 
 
 def test_it_takes_the_place_of_a_sketch_that_explains_less(views: DrawnViews) -> None:
-    model = find_exact(_Lines(views), None)
+    # With as little work as this no solid is found whose lines are given up.
+    model = find_exact(_Lines(views), None, Limits(work=1.0))
     assert model.sketched is None
     taken = [attempt.model for attempt in model.result.trace if attempt.taken]
     assert taken == [ModelKind.FEATURES]
     part = _corner()
     both = volume(common(model.result.shape, part))
-    assert both / (volume(model.result.shape) + volume(part) - both) > 0.999
+    assert both / (volume(model.result.shape) + volume(part) - both) > 0.98
 
 
 def test_sheets_of_too_many_lines_are_left_alone(views: DrawnViews) -> None:
