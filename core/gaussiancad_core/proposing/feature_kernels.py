@@ -297,12 +297,20 @@ def _combined(crossed, i, table, q, operation, near, made, flat):  # noqa: ANN00
 
 
 @njit(cache=True)
-def combine(crossed, table, operation, near) -> None:  # noqa: ANN001
-    """Do an operation for the lines of sight of a table, in place."""
+def combine(crossed, table, operations, near) -> None:  # noqa: ANN001
+    """Do operations for the lines of sight of a table, in place.
+
+    Args:
+        crossed: of the part, changed.
+        table: of the feature.
+        operations: one for all lines of sight, or (k,) one for each row.
+        near: mm within which two crossings are one.
+    """
     made = np.zeros(MOST), np.zeros(MOST, np.int64)
     flat = np.array([table.low, table.high]), np.array([table.first, table.last])
     for q in range(len(table.rows)):
         i = table.rows[q]
+        operation = operations[q if len(operations) > 1 else 0]
         count = _combined(crossed, i, table, q, operation, near, made, flat)
         if count >= 0:
             crossed.counts[i] = count
@@ -396,14 +404,14 @@ def _changed(signs, scratch, mark, pairs, looks):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def tried(state, table, operation, near, trial, looks):  # noqa: ANN001, ANN201, PLR0917
-    """By how much the cost changes with an operation, what of that is new, and how many lines of
+def tried(state, table, operations, near, trial, looks):  # noqa: ANN001, ANN201, PLR0917
+    """By how much the cost changes with operations, what of that is new, and how many lines of
     sight change; nothing else is changed.
 
     Args:
         state: what is crossed, the signs, and the pairs.
         table: of the feature.
-        operation: that is tried.
+        operations: that are tried, as of :func:`combine`.
         near: mm within which two crossings are one.
         trial: scratch tables and the number of the trial.
         looks: of the view.
@@ -415,6 +423,7 @@ def tried(state, table, operation, near, trial, looks):  # noqa: ANN001, ANN201,
     count = 0
     for q in range(len(table.rows)):
         i = table.rows[q]
+        operation = operations[q if len(operations) > 1 else 0]
         crossings = _combined(crossed, i, table, q, operation, near, made, flat)
         if crossings < 0:
             continue
@@ -427,69 +436,3 @@ def tried(state, table, operation, near, trial, looks):  # noqa: ANN001, ANN201,
         return 0.0, 0.0, 0
     gain, broken = _changed(signs, scratch, mark, pairs, looks)
     return gain, broken, count
-
-
-@njit(cache=True)
-def set_slab(crossed, table, is_inside, near) -> None:  # noqa: ANN001
-    """Make a part a feature between its two places, for all lines of sight of a view.
-
-    Args:
-        crossed: of the part, changed.
-        table: of the feature, with a row for each line of sight.
-        is_inside: (n,) whether each passes through the feature, where the view looks along it.
-        near: mm within which two crossings are one.
-    """
-    made = np.zeros(MOST), np.zeros(MOST, np.int64)
-    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
-    for i in range(len(crossed.counts)):
-        operation = (_ADD if is_inside[i] else _CUT) if table.is_along else _SET
-        count = _in_slab(crossed, i, table, operation, near, made, flat)
-        if count >= 0:
-            crossed.counts[i] = count
-            for k in range(count):
-                crossed.depth[i, k], crossed.surface[i, k] = made[0][k], made[1][k]
-
-
-@njit(cache=True)
-def _in_slab(crossed, i, table, operation, near, made, flat):  # noqa: ANN001, ANN202, PLR0917
-    part = crossed.counts[i], crossed.depth[i], crossed.surface[i]
-    if table.is_along:
-        depth, surface = flat
-        return _merge(part, (2, depth, surface), operation, near, made)
-    if table.low < table.at[i] < table.high:
-        w = table.where[i]
-        feature = table.counts[w], table.depth[w], table.surface[w]
-        return _merge(part, feature, operation, near, made)
-    return -1
-
-
-@njit(cache=True)
-def tried_slab(state, table, is_inside, near, trial, looks):  # noqa: ANN001, ANN201, PLR0917
-    """By how much the cost changes where a part becomes a feature between its two places.
-
-    Args:
-        state: what is crossed, the signs, and the pairs.
-        table: of the feature, with a row for each line of sight.
-        is_inside: (n,) whether each passes through the feature, where the view looks along it.
-        near: mm within which two crossings are one.
-        trial: scratch tables and the number of the trial.
-        looks: of the view.
-    """
-    crossed, signs, pairs = state
-    scratch, mark = trial
-    made = np.zeros(MOST), np.zeros(MOST, np.int64)
-    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
-    count = 0
-    for i in range(len(crossed.counts)):
-        operation = (_ADD if is_inside[i] else _CUT) if table.is_along else _SET
-        crossings = _in_slab(crossed, i, table, operation, near, made, flat)
-        if crossings < 0:
-            continue
-        every, sharp, first = _sign(crossings, made[0], made[1], looks.cut_at[i], looks)
-        if every != signs.every[i]:
-            count += 1
-            scratch.stamp[i] = mark
-            scratch.every[i], scratch.sharp[i], scratch.first[i] = every, sharp, first
-    if count == 0:
-        return 0.0
-    return _changed(signs, scratch, mark, pairs, looks)[0]

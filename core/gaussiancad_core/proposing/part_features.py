@@ -186,7 +186,7 @@ class Pattern:
     def _table(self, sights: Sights) -> Table:
         crossed = nothing_crossed(len(sights.places))
         for part in self.parts:
-            combine(crossed, part.table(sights), int(Operation.ADD), 0.0)
+            combine(crossed, part.table(sights), np.array([int(Operation.ADD)]), 0.0)
         met = np.flatnonzero(crossed.counts)
         return _always(met, crossed.counts[met], crossed.depth[met], crossed.surface[met])
 
@@ -238,7 +238,8 @@ def every_sight(loop: Loop, sights: Sights) -> tuple[Table, npt.NDArray[np.bool_
     is_inside = np.zeros(count, bool)
     is_inside[table.rows] = True
     if table.is_along:
-        return table._replace(at=np.zeros(count)), is_inside
+        rows, none = np.arange(count), np.zeros(count, np.int64)
+        return table._replace(rows=rows, where=none, at=np.zeros(count)), is_inside
     # One more row for what does not cross it.
     where = np.full(count, len(table.counts))
     where[table.rows] = table.where

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 import shapely
 
 from gaussiancad_core.evidence.drawn_views import DrawnViews
@@ -27,10 +26,8 @@ from gaussiancad_core.proposing.feature_kernels import (
     Table,
     combine,
     price,
-    set_slab,
     sign,
     tried,
-    tried_slab,
 )
 from gaussiancad_core.proposing.lines_by_plane import Floats, PlaneSheet
 from gaussiancad_core.proposing.part_features import (
@@ -174,7 +171,7 @@ class PlannedPart:
                 rest = np.ones(len(crossed.counts), bool)
                 rest[table.rows] = False
                 crossed.counts[rest] = 0
-            combine(crossed, table, int(operation), self.judge.near)
+            combine(crossed, table, np.array([int(operation)]), self.judge.near)
         self.features.append((operation, feature))
         self._sign()
         return self
@@ -195,7 +192,8 @@ class PlannedPart:
         state = self._crossed[number], self._signs[number], self._pairs[number]
         table = feature.table(self.judge.views[number].sights)
         trial, looks = self.judge.trial(number), self.judge.looks(number)
-        gain = Gain(*tried(state, table, int(operation), self.judge.near, trial, looks))
+        operations = np.array([int(operation)])
+        gain = Gain(*tried(state, table, operations, self.judge.near, trial, looks))
         self.judge.work += len(table.rows) + (len(self._pairs[number].one) if gain.changed else 0)
         return gain
 
@@ -203,18 +201,18 @@ class PlannedPart:
         """mm of misfit that change where the part becomes a prism between its places."""
         total = 0.0
         for number, view in enumerate(self.judge.views):
-            table, is_inside = _slab_table(prism, view.sights)
+            table, operations = _slab_table(prism, view.sights)
             state = self._crossed[number], self._signs[number], self._pairs[number]
             trial, looks = self.judge.trial(number), self.judge.looks(number)
-            total += tried_slab(state, table, is_inside, self.judge.near, trial, looks)
+            total += tried(state, table, operations, self.judge.near, trial, looks)[0]
             self.judge.work += len(table.rows) + len(self._pairs[number].one)
         return total
 
     def set_slab(self, prism: Prism) -> "PlannedPart":
         """Become a prism between its places; the same part, without a word in its features."""
         for view, crossed in zip(self.judge.views, self._crossed, strict=True):
-            table, is_inside = _slab_table(prism, view.sights)
-            set_slab(crossed, table, is_inside, self.judge.near)
+            table, operations = _slab_table(prism, view.sights)
+            combine(crossed, table, operations, self.judge.near)
         self._sign()
         return self
 
@@ -236,14 +234,19 @@ class PlannedPart:
             self.touched[number][view.squares[before != signs.every]] = True
 
 
-def _slab_table(prism: Prism, sights: Sights) -> tuple[Table, npt.NDArray[np.bool_]]:
+def _slab_table(prism: Prism, sights: Sights) -> tuple[Table, Numbers]:
+    """A prism's table with a row for each line of sight, and what is done along each for the part
+    to be the prism between its places."""
     key = ("every", sights.number)
     found = prism.loop.tables.get(key)
     if found is None:
-        found = prism.loop.tables[key] = every_sight(prism.loop, sights)
-    table, is_inside = found
+        table, is_inside = every_sight(prism.loop, sights)
+        along = np.where(is_inside, int(Operation.ADD), int(Operation.CUT))
+        operations = along if table.is_along else np.array([int(Operation.SET)])
+        found = prism.loop.tables[key] = table, operations
+    table, operations = found
     first, last = prism.ends
-    return table._replace(low=prism.low, high=prism.high, first=first, last=last), is_inside
+    return table._replace(low=prism.low, high=prism.high, first=first, last=last), operations
 
 
 def _planned_views(

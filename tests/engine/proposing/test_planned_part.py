@@ -98,6 +98,9 @@ def test_a_slab_costs_what_it_is_said_to(drawn: Draw) -> None:
         slab = prism(plan.sheet, loop, low, high)
         gain, before = part.slab_gain(slab), part.cost
         assert part.copy().set_slab(slab).cost - before == pytest.approx(gain, abs=1e-9)
+    # All of a part made a slab is that slab alone.
+    alone = PlannedPart(plan.judge).do(Operation.ADD, plan.whole(loop))
+    assert part.set_slab(plan.whole(loop)).cost == pytest.approx(alone.cost, abs=1e-9)
 
 
 def test_what_is_planned_costs_what_its_solid_does(drawn: Draw) -> None:
