@@ -86,6 +86,7 @@ class Panel(WindowCase):
         self.check()
         self.assertEqual(self.graph.getNumChildren(), self.children + 1)
         table = widget(QtWidgets.QTableWidget, "differences")
+        # A note is shown at its hole.
         table.selectRow(0)
 
         def seen(place: FreeCAD.Vector) -> bool:
@@ -93,10 +94,12 @@ class Panel(WindowCase):
             width, tall = self.view.getSize()
             return abs(across / width - 0.5) < 0.02 and abs(up / tall - 0.5) < 0.02
 
+        self.wait_for(lambda: seen(FreeCAD.Vector(50, 30, 30)))
+        table.selectRow(1)
         self.wait_for(lambda: seen(FreeCAD.Vector(40, 15, 30)))
         self.wait_for(lambda: self.view.getViewDirection().z < -0.999)
         self.picture("check-difference")
-        table.selectRow(5)
+        table.selectRow(6)
         self.wait_for(lambda: seen(FreeCAD.Vector(22, 0, 10)))
         self.wait_for(lambda: self.view.getViewDirection().y > 0.999)
         widget(QtWidgets.QTabWidget, "checkTabs").setCurrentIndex(1)
