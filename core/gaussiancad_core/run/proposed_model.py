@@ -37,7 +37,10 @@ def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, float]
     carriers = find_places(views, grid).carriers
     reason = partial(_put_together, found)
     result = drawn_again(found.shape, carriers, views, ModelKind.FEATURES, reason)
-    return None if result is None else (result, found.cost)
+    if result is None or any(code == Code.SOLID_UNSOUND for code, _ in result.reasons):
+        # What is not closed is no part to go on with.
+        return None
+    return result, found.cost
 
 
 def _put_together(found: ProposedPart, verification: Verification) -> Reason:
