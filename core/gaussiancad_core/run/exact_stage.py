@@ -16,6 +16,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
+from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 from gaussiancad_core.labelling.cell_labelling import Effort
@@ -237,9 +238,8 @@ class _Readings:
         result, cost = proposed
         if found is not None and cost > _CLEARLY * found.misfit:
             return found
-        drawn = solid_misfit(result.shape, reading.drawn).drawn
         model = ExactModel(reading, result, self.is_decided, contradicted=self.is_contradicted)
-        return _PutTogether(model, cost, drawn)
+        return _PutTogether(model, cost, drawn_sheet(reading.numbered).length)
 
     def sketch_of(self, number: int) -> ExactModel | None:
         """The sketch of a reading, drawn again; None where there is none."""
