@@ -1,6 +1,8 @@
 """DXF files of three views, as programs write them that know kinds of lines."""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 import ezdxf
 import numpy as np
@@ -14,13 +16,29 @@ _GAP = 0.25
 """Between views, as a share of the longest extent."""
 
 
-def write_dxf(lines: PartLines, projection: Projection, path: Path) -> None:
-    """A DXF file in mm: views in their places, kinds of lines as layers and linetypes."""
+_HATCHING = "HATCHING"
+
+
+def write_dxf(
+    lines: PartLines,
+    projection: Projection,
+    path: Path,
+    hatching: Mapping[Role, Sequence[Segment]] = MappingProxyType({}),
+) -> None:
+    """A DXF file in mm: views in their places, kinds of lines as layers and linetypes.
+
+    Args:
+        lines: of the views.
+        projection: which tells their places.
+        path: of the file.
+        hatching: of views that are cut open, mm of their planes.
+    """
     document = ezdxf.new("R2010", setup=True)
     document.header["$INSUNITS"] = 4
     document.linetypes.add("DASHED4", [4.5, 3.0, -1.5])
     document.layers.add(Linetype.VISIBLE.name)
     document.layers.add(Linetype.HIDDEN.name, linetype="DASHED4")
+    document.layers.add(_HATCHING, lineweight=13)
     space = document.modelspace()
     wide, deep, high = (float(extent) for extent in lines.size)
     gap = _GAP * max(wide, deep, high)
@@ -47,4 +65,7 @@ def write_dxf(lines: PartLines, projection: Projection, path: Path) -> None:
             elif isinstance(stroke, Polyline):
                 points = [(px + x, py + y) for px, py in stroke.points]
                 space.add_lwpolyline(points, dxfattribs=layer)
+        for line in hatching.get(role, ()):
+            ends = ((px + x, py + y) for px, py in (line.start, line.end))
+            space.add_line(*ends, dxfattribs={"layer": _HATCHING})
     document.saveas(path)

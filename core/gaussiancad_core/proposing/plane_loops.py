@@ -112,6 +112,8 @@ class PlaneLoops:
         regions: that no line divides.
         outline: of everything that is enclosed, without holes.
         is_closed: whether the outline reaches all sides of the part's box.
+        levels: along each of the plane's coordinates, at which corners lie that are near one.
+        near: mm to a level, at most.
         stretch: mm by which lines were made longer at their ends.
         owners: the lines, as they are looked up by place.
         surfaces: (n,) of these.
@@ -121,13 +123,15 @@ class PlaneLoops:
     regions: tuple[shapely.Polygon, ...]
     outline: shapely.Polygon
     is_closed: bool
+    levels: tuple[Floats, Floats]
+    near: float
     stretch: float
     owners: shapely.STRtree
     surfaces: Numbers
 
     def loop(self, polygon: shapely.Polygon, kind: LoopKind) -> Loop:
         """A closed area whose edges have the surfaces of the lines that they lie on."""
-        polygon = shapely.orient_polygons(polygon)
+        polygon = shapely.orient_polygons(self._levelled(polygon))
         edges, rings, at = [], [], 0
         for ring in (polygon.exterior, *polygon.interiors):
             corners = np.array(ring.coords)
@@ -138,6 +142,21 @@ class PlaneLoops:
         middles = shapely.points((found[:, :2] + found[:, 2:]) / 2.0)
         surfaces = self.surfaces[self.owners.nearest(middles)]
         return Loop(self.axis, polygon, found, surfaces, tuple(rings), kind)
+
+    def _levelled(self, polygon: shapely.Polygon) -> shapely.Polygon:
+        """A closed area whose corners lie at the levels that they are near to: what two areas have
+        between them is nothing, not a film."""
+
+        def moved(corners: Floats) -> Floats:
+            places = corners.copy()
+            for column, levels in enumerate(self.levels):
+                nearest = levels[np.abs(levels - corners[:, column, None]).argmin(axis=1)]
+                is_near = np.abs(nearest - corners[:, column]) <= self.near
+                places[is_near, column] = nearest[is_near]
+            return places
+
+        found = shapely.remove_repeated_points(shapely.transform(polygon, moved))
+        return found if found.is_valid and not found.is_empty else polygon
 
 
 def plane_loops(sheet: PlaneSheet, axis: Axis) -> PlaneLoops | None:
@@ -230,10 +249,17 @@ def _enclosed(
         regions,
         outline,
         apart < _WHOLE * tolerance,
+        _levels_of(sheet, axis),
+        _ONE_END * tolerance,
         stretch,
         shapely.STRtree([curve for curve, _ in kept]),
         np.array([line.surface for _, line in kept], np.int64),
     )
+
+
+def _levels_of(sheet: PlaneSheet, axis: Axis) -> tuple[Floats, Floats]:
+    first, second = (sheet.levels[Axis(shown)] for shown in IN_PLANE[axis])
+    return first, second
 
 
 def _outline(regions: Iterable[shapely.Polygon], tolerance: float) -> shapely.Polygon:
