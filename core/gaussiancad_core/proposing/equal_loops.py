@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
-from gaussiancad_core.proposing.loop_places import prism, prisms_of
+from gaussiancad_core.proposing.loop_places import places_of, prism, prisms_of
 from gaussiancad_core.proposing.part_features import Pattern
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind
 
@@ -37,3 +37,16 @@ def patterns_of(sheet: PlaneSheet, loops: Mapping[Axis, Sequence[Loop]]) -> Iter
             ]
             for low, high in sorted(set.intersection(*spans)):
                 yield Pattern(tuple(prism(sheet, loop, low, high) for loop in group))
+
+
+def places_of_all(sheet: PlaneSheet, pattern: Pattern) -> list[float]:
+    """Places at which each of a pattern's prisms may end, mm, the least first."""
+    found = [
+        {round(place, _DIGITS) for place in places_of(sheet, part.loop)} for part in pattern.parts
+    ]
+    return sorted(set.intersection(*found))
+
+
+def pattern_between(sheet: PlaneSheet, pattern: Pattern, low: float, high: float) -> Pattern:
+    """The same areas between other places, mm along their axis."""
+    return Pattern(tuple(prism(sheet, part.loop, low, high) for part in pattern.parts))

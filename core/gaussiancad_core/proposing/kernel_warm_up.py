@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.judging.faceted_solids import faceted_mesh
 from gaussiancad_core.judging.sheet_ink import SheetInk
@@ -31,7 +32,7 @@ _TRIANGLES = np.array(
 def warm_up() -> None:
     """Compile the kernels, or load them from numba's cache, so that the first part is quick."""
     views = _views()
-    PartSearch(views, _WORK).best()
+    PartSearch(views, find_places(views, views.tolerance), _WORK).best()
     ink = np.zeros((8, 8), np.float32)
     places: dict[Role | SectionRole, Placement] = {
         role: placement(role, (0.0, 0.0, 1.0, 1.0), _SIZE) for role in views.roles

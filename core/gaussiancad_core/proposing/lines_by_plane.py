@@ -11,7 +11,9 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
+from gaussiancad_core.coordinates.agreed_places import Places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.geometry.whole_curves import Circle as WholeCircle
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
@@ -130,12 +132,20 @@ class PlaneSheet:
         return self.surfaces.number(SurfaceKind.ACROSS, axis, place)
 
 
-def plane_sheet(views: DrawnViews) -> PlaneSheet:
-    """The strokes of views in the planes of the part's axes."""
-    size = np.array(views.size, dtype=np.float64)
+def plane_sheet(views: DrawnViews, places: Places) -> PlaneSheet:
+    """The strokes of views in the planes of the part's axes.
+
+    Args:
+        views: of the part, with what the sheet's numbers say.
+        places: where their lines belong.
+    """
+    size = np.array(places.size, dtype=np.float64)
     longest = float(size.max())
     tolerance = max(views.tolerance, _FINEST * longest)
-    drawn = [_view(role, strokes, (longest, tolerance)) for role, strokes in views.strokes.items()]
+    drawn = [
+        _settled(_view(role, strokes, (longest, tolerance)), places)
+        for role, strokes in views.strokes.items()
+    ]
     levels = {axis: _levels(drawn, axis, float(size[axis.value]), tolerance) for axis in Axis}
     surfaces = SurfaceTable(tolerance)
     named = tuple(_named(view, levels, surfaces, (longest, tolerance)) for view in drawn)
@@ -146,6 +156,23 @@ def _view(role: Role, strokes: Iterable[DrawnStroke], scale: tuple[float, float]
     plane = role_plane(role)
     lines = tuple(_lines(strokes, np.array(plane.signs, np.float64), scale))
     return PlaneView(role, plane.normal, plane.looks_up, lines)
+
+
+def _settled(view: PlaneView, places: Places) -> PlaneView:
+    """A view whose circles and straight lines lie where all views have them."""
+    return replace(view, lines=tuple(_placed(line, places, view.axis) for line in view.lines))
+
+
+def _placed(line: PlaneLine, places: Places, normal: Axis) -> PlaneLine:
+    if line.circle is not None:
+        *centre, radius = line.circle
+        found = places.circle(WholeCircle((centre[0], centre[1]), radius), normal)
+        grown = (line.points - centre) * (found.radius / radius)
+        circle = *found.centre, found.radius
+        return replace(line, points=grown + np.array(found.centre), circle=circle)
+    if len(line.points) > 2:
+        return line
+    return replace(line, points=places.placed(line.points, normal))
 
 
 def _as_arc(stroke: DrawnStroke, tolerance: float) -> DrawnStroke:

@@ -27,12 +27,17 @@ _SIDE = 5.0
 
 def prisms_of(sheet: PlaneSheet, loop: Loop) -> Iterator[Prism]:
     """Prisms of a closed area between places that lines of other views show."""
+    for low, high in combinations(places_of(sheet, loop), 2):
+        if high - low > 2.0 * sheet.tolerance:
+            yield prism(sheet, loop, low, high)
+
+
+def places_of(sheet: PlaneSheet, loop: Loop) -> list[float]:
+    """Places along its axis at which a prism of a closed area may end, mm, the least first."""
     votes = _votes(sheet, loop)
     sides = 0.0, float(sheet.size[loop.axis.value])
     best = sorted(votes, key=lambda place: -(votes[place] + (_SIDE if place in sides else 0.0)))
-    for low, high in combinations(sorted(best[:MOST_PLACES]), 2):
-        if high - low > 2.0 * sheet.tolerance:
-            yield prism(sheet, loop, low, high)
+    return sorted(best[:MOST_PLACES])
 
 
 def prism(sheet: PlaneSheet, loop: Loop, low: float, high: float) -> Prism:

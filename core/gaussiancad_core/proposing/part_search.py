@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gaussiancad_core.coordinates.agreed_places import Places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
@@ -19,6 +20,7 @@ from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.lines_by_plane import Floats, plane_sheet
 from gaussiancad_core.proposing.loop_places import prisms_of, whole_prism
 from gaussiancad_core.proposing.loop_shapes import loops_of
+from gaussiancad_core.proposing.part_changes import improved
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
@@ -76,13 +78,14 @@ class PartSearch:
     """The search for the part of a sheet.
 
     Args:
-        views: of the part.
+        views: of the part, with what the sheet's numbers say.
+        places: where their lines belong.
         work: steps of the kernels, as the judge counts them, for all of it.
     """
 
-    def __init__(self, views: DrawnViews, work: float) -> None:
+    def __init__(self, views: DrawnViews, places: Places, work: float) -> None:
         self._work = work
-        self.sheet = plane_sheet(views)
+        self.sheet = plane_sheet(views, places)
         found = {axis: plane_loops(self.sheet, axis) for axis in Axis}
         self._planes = {axis: plane for axis, plane in found.items() if plane is not None}
         self._loops = {axis: loops_of(self.sheet, plane) for axis, plane in self._planes.items()}
@@ -97,9 +100,7 @@ class PartSearch:
         self._pool += patterns_of(self.sheet, self._loops)
         outlines = list(self._outlines())
         self.judge = PlannedJudge(views, self.sheet, self._planes.values())
-        whole = float(np.prod(self.sheet.size))
-        sizes = np.array([feature.volume / whole for feature in self._pool])
-        self._price = _HABIT * self.judge.length * np.minimum(1.0, sizes)
+        self._price = np.array([self._price_of(feature) for feature in self._pool])
         self._least = _WORTH * self.judge.length
         self._hints = EditHints(self._pool, self.judge) if self._pool else None
         self._starts = self._by_family(list(self._all_starts(outlines, turned)))
@@ -190,6 +191,22 @@ class PartSearch:
         until = min(self._work, self.judge.work + work)
         if self._hints is None:
             return part
+        while True:
+            self._with_edits(part, until)
+            if self.judge.work > until or part.cost <= _DONE * self.judge.length:
+                return part
+            changed = improved(part, self._price_of, self._least, until)
+            if changed is None:
+                return part
+            part = changed
+
+    def _price_of(self, feature: Feature) -> float:
+        """mm that a feature costs."""
+        whole = float(np.prod(self.sheet.size))
+        return _HABIT * self.judge.length * min(1.0, feature.volume / whole)
+
+    def _with_edits(self, part: PlannedPart, until: float) -> None:
+        """Do the best edits, as long as one explains more."""
         edits = _Edits(part, self._pool, self._price, self._least, until)
         while not edits.is_over and part.cost > _DONE * self.judge.length:
             edits.forget(self._hints.stale(part))
@@ -197,7 +214,6 @@ class PartSearch:
             order = np.argsort(-self._hints.of(part) + self._price, kind="stable")
             if not edits.some_done(order[worth[order]]):
                 break
-        return part
 
 
 class _Edits:

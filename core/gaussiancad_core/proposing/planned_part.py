@@ -152,9 +152,15 @@ class PlannedPart:
 
     def copy(self) -> "PlannedPart":
         """Another one that is the same so far."""
+        return self.followed_by(())
+
+    def followed_by(self, features: Iterable[tuple[Operation, Feature]]) -> "PlannedPart":
+        """Another one that has more features after those of this one."""
         made = PlannedPart(self.judge)
         made.features = list(self.features)
         made._crossed = [type(each)(*(table.copy() for table in each)) for each in self._crossed]
+        for operation, feature in features:
+            made._combine(operation, feature)
         made._sign()
         return made
 
@@ -165,6 +171,11 @@ class PlannedPart:
 
     def do(self, operation: Operation, feature: Feature) -> "PlannedPart":
         """Add a feature, cut it, or meet with it; the same part."""
+        self._combine(operation, feature)
+        self._sign()
+        return self
+
+    def _combine(self, operation: Operation, feature: Feature) -> None:
         for view, crossed in zip(self.judge.views, self._crossed, strict=True):
             table = feature.table(view.sights)
             if operation is Operation.MEET:
@@ -172,9 +183,8 @@ class PlannedPart:
                 rest[table.rows] = False
                 crossed.counts[rest] = 0
             combine(crossed, table, np.array([int(operation)]), self.judge.near)
+            self.judge.work += len(table.rows)
         self.features.append((operation, feature))
-        self._sign()
-        return self
 
     def gain(self, operation: Operation, feature: Feature) -> Gain:
         """What an edit would change."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.coordinates.agreed_places import Places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import faceted_shape
@@ -34,17 +35,18 @@ class ProposedPart:
     cost: float
 
 
-def proposed_part(views: DrawnViews, work: float = WORK) -> ProposedPart | None:
+def proposed_part(views: DrawnViews, places: Places, work: float = WORK) -> ProposedPart | None:
     """The part that explains views best among those that are put together of what they show.
 
     Args:
-        views: of the part.
+        views: of the part, with what the sheet's numbers say.
+        places: where their lines belong.
         work: steps of the search's kernels at most.
 
     Returns:
         None where nothing tells a start.
     """
-    search = PartSearch(views, work)
+    search = PartSearch(views, places, work)
     part = search.best()
     if part is None:
         return None

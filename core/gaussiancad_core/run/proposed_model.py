@@ -4,12 +4,12 @@ from functools import partial
 
 from shapely.errors import GEOSException
 
+from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.labelling.part_model import MOST_STROKES
 from gaussiancad_core.messages import Message
 from gaussiancad_core.proposing.proposed_part import ProposedPart, proposed_part
-from gaussiancad_core.sketch.agreed_places import find_places
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.put_together import drawn_again
 from gaussiancad_core.solid.reasons import Reason
@@ -28,15 +28,15 @@ def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, float]
     """
     if max(map(len, views.strokes.values())) > MOST_STROKES:
         return None
+    places = find_places(views, grid)
     try:
-        found = proposed_part(views)
+        found = proposed_part(views, places)
     except (*KERNEL_FAILURES, GEOSException):
         return None
     if found is None or found.shape is None:
         return None
-    carriers = find_places(views, grid).carriers
     reason = partial(_put_together, found)
-    result = drawn_again(found.shape, carriers, views, ModelKind.FEATURES, reason)
+    result = drawn_again(found.shape, places.carriers, views, ModelKind.FEATURES, reason)
     if result is None or any(code == Code.SOLID_UNSOUND for code, _ in result.reasons):
         # What is not closed is no part to go on with.
         return None

@@ -5,11 +5,11 @@ What runs along the axis in a view from beside is the side of a cylinder, or of 
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, NEAR, SHORTEST_LEVEL
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
-from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR, SHORTEST_LEVEL
 from gaussiancad_core.sketch.plane_lines import PlaneLine, whole_circle
 
 Point = tuple[float, float]

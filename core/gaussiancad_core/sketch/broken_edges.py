@@ -13,13 +13,13 @@ from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
+from gaussiancad_core.coordinates.grid_tolerances import NEAR
 from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.sketch.edge_breaks import EdgeBreak
-from gaussiancad_core.sketch.grid_tolerances import NEAR
 from gaussiancad_core.sketch.slab_plan import Plan
 
 

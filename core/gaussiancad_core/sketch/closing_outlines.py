@@ -15,8 +15,8 @@ import numpy.typing as npt
 import shapely
 from scipy.spatial import cKDTree
 
+from gaussiancad_core.coordinates.grid_tolerances import MEETING
 from gaussiancad_core.geometry.whole_curves import Circle, meetings
-from gaussiancad_core.sketch.grid_tolerances import MEETING
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, whole_circle
 
 _CLOSE, _REACH = 0.45, 1.6

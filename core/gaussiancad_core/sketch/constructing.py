@@ -7,6 +7,7 @@ from math import isfinite
 import numpy as np
 import shapely
 
+from gaussiancad_core.coordinates.grid_tolerances import NEAR
 from gaussiancad_core.evidence.dimension_constraints import (
     DimensionConstraints,
     LengthDimension,
@@ -30,7 +31,6 @@ from gaussiancad_core.sketch.construction import (
     Source,
     Turning,
 )
-from gaussiancad_core.sketch.grid_tolerances import NEAR
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketch.slab_plan import Plan

@@ -11,13 +11,13 @@ from math import inf
 
 import numpy as np
 
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, STEP
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.sketch.closing_outlines import with_whole_circles
-from gaussiancad_core.sketch.grid_tolerances import LEAN, STEP
 from gaussiancad_core.sketch.plane_lines import PlaneLine
 
 _INSIDE = 2.0

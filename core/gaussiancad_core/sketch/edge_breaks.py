@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, MEETING, STEP
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
-from gaussiancad_core.sketch.grid_tolerances import LEAN, MEETING, STEP
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 
 _MOST = 0.06

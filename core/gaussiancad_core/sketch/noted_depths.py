@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import shapely
 
+from gaussiancad_core.coordinates.grid_tolerances import STEP
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.hole_depths import NotedHole
 from gaussiancad_core.model.projection_planes import role_plane
-from gaussiancad_core.sketch.grid_tolerances import STEP
 
 _MOST = 6
 """Floors at most that no line draws."""

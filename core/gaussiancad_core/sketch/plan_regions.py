@@ -7,9 +7,9 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
+from gaussiancad_core.coordinates.grid_tolerances import MEETING, STEP
 from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.sketch.closing_outlines import tidied
-from gaussiancad_core.sketch.grid_tolerances import MEETING, STEP
 from gaussiancad_core.sketch.plane_lines import PlaneLine
 
 OUTSIDE = -1

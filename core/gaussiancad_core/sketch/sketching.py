@@ -7,6 +7,7 @@ from typing import Any
 
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
@@ -15,7 +16,6 @@ from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.labelling.part_model import MOST_STROKES
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.sketch.agreed_places import find_places
 from gaussiancad_core.sketch.broken_edges import with_breaks
 from gaussiancad_core.sketch.choosing import Choice, choose
 from gaussiancad_core.sketch.edge_breaks import EdgeBreak

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from gaussiancad_core.sketch.grid_tolerances import LEAN, SHORTEST_LEVEL
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, SHORTEST_LEVEL
 from gaussiancad_core.sketch.plane_lines import PlaneLine
 
 MOST = 20

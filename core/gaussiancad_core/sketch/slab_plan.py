@@ -3,16 +3,17 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from gaussiancad_core.coordinates.agreed_places import Places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.about_axis import circles_about, middle_of
-from gaussiancad_core.sketch.agreed_places import Places
 from gaussiancad_core.sketch.cross_holes import CrossHole, without_cross_holes
 from gaussiancad_core.sketch.edge_breaks import EdgeBreak, without_breaks
 from gaussiancad_core.sketch.noted_depths import NotedStep, floors, noted_steps
 from gaussiancad_core.sketch.plan_regions import MOST_CELLS, Regions, find_regions
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
+from gaussiancad_core.sketch.settled_lines import settled
 from gaussiancad_core.sketch.slab_levels import find_levels
 from gaussiancad_core.sketch.slab_sights import Sights, sights_of
 from gaussiancad_core.sketch.turned import without_slopes
@@ -76,7 +77,9 @@ def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
         places: where their lines belong.
     """
     lines = {
-        role: [places.settled(line, role_plane(role).normal) for line in plane_lines(strokes, role)]
+        role: [
+            settled(line, places, role_plane(role).normal) for line in plane_lines(strokes, role)
+        ]
         for role, strokes in views.strokes.items()
     }
     draws_hidden = any(not line.is_visible for drawn in lines.values() for line in drawn)

@@ -12,10 +12,10 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, STEP
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.model.section_planes import Cut
-from gaussiancad_core.sketch.grid_tolerances import LEAN, STEP
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.wall_steps import DEEPER, Sight, goes_on
 

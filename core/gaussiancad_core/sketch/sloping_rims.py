@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from gaussiancad_core.coordinates.grid_tolerances import NEAR
 from gaussiancad_core.geometry.whole_curves import Circle
-from gaussiancad_core.sketch.grid_tolerances import NEAR
 from gaussiancad_core.sketch.line_costs import HIDDEN
 from gaussiancad_core.sketch.plan_regions import OUTSIDE, is_disc
 from gaussiancad_core.sketch.slab_plan import Plan

@@ -11,9 +11,9 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, MEETING
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import role_plane
-from gaussiancad_core.sketch.grid_tolerances import LEAN, MEETING
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.turned_views import (
     Lines,

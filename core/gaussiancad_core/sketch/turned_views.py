@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import shapely
 
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, MEETING, STEP
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
-from gaussiancad_core.sketch.grid_tolerances import LEAN, MEETING, STEP
 from gaussiancad_core.sketch.plan_regions import find_regions
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, profile_along
 from gaussiancad_core.solid.profiles import Profile

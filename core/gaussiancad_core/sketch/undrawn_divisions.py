@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, NEAR, SHORTEST_LEVEL
 from gaussiancad_core.geometry.whole_curves import Circle
-from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR, SHORTEST_LEVEL
 from gaussiancad_core.sketch.plane_lines import PlaneLine, whole_circle
 
 _MOST = 8

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Arc, Linetype, Segment
@@ -20,8 +21,12 @@ Draw = Callable[[TopoDS_Shape], DrawnViews]
 Point = tuple[float, float]
 
 
+def _sheet(views: DrawnViews) -> PlaneSheet:
+    return plane_sheet(views, find_places(views, views.tolerance))
+
+
 def _front(strokes: Sequence[Segment | Arc], tolerance: float = 0.01) -> PlaneSheet:
-    return plane_sheet(DrawnViews({Role.FRONT: tuple(strokes)}, (40.0, 10.0, 20.0), tolerance))
+    return _sheet(DrawnViews({Role.FRONT: tuple(strokes)}, (40.0, 10.0, 20.0), tolerance))
 
 
 def _chain(*corners: Point) -> list[Segment]:
@@ -71,7 +76,7 @@ def test_the_shapes_of_a_plate_with_a_hole(drawn: Draw) -> None:
         box((0.0, 0.0, 0.0), (60.0, 40.0, 10.0)),
         cylinder(Axis.Z, (15.0, 12.0), 5.0, -1.0, 11.0),
     )
-    sheet = plane_sheet(drawn(plate))
+    sheet = _sheet(drawn(plate))
     plane = plane_loops(sheet, Axis.Z)
     assert plane is not None
     loops = loops_of(sheet, plane)
@@ -85,7 +90,7 @@ def test_the_shapes_of_a_plate_with_a_hole(drawn: Draw) -> None:
 
 
 def test_edges_have_the_surfaces_of_the_lines_that_they_lie_on(drawn: Draw) -> None:
-    sheet = plane_sheet(drawn(box((0.0, 0.0, 0.0), (60.0, 40.0, 10.0))))
+    sheet = _sheet(drawn(box((0.0, 0.0, 0.0), (60.0, 40.0, 10.0))))
     plane = plane_loops(sheet, Axis.Z)
     assert plane is not None
     loop = loops_of(sheet, plane)[0]
@@ -100,7 +105,7 @@ def test_a_prism_ends_where_other_views_show_lines(drawn: Draw) -> None:
         box((0.0, 0.0, 0.0), (60.0, 40.0, 30.0)),
         box((40.0, -1.0, 18.0), (61.0, 41.0, 31.0)),
     )
-    sheet = plane_sheet(drawn(part))
+    sheet = _sheet(drawn(part))
     plane = plane_loops(sheet, Axis.Z)
     assert plane is not None
     step = min(loops_of(sheet, plane), key=lambda loop: loop.polygon.area)

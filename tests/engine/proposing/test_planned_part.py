@@ -7,6 +7,7 @@ import pytest
 import shapely
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.model.axes import Axis, Role
@@ -35,7 +36,7 @@ class _Plan:
     """A sheet with its loops, its judge, and the outlines met."""
 
     def __init__(self, views: DrawnViews) -> None:
-        self.sheet: PlaneSheet = plane_sheet(views)
+        self.sheet: PlaneSheet = plane_sheet(views, find_places(views, views.tolerance))
         self.planes: dict[Axis, PlaneLoops] = {}
         for axis in Axis:
             found = plane_loops(self.sheet, axis)

@@ -6,12 +6,13 @@ from dataclasses import replace
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.booleans import common
 from gaussiancad_core.kernel.brep import soundness, volume
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype, Segment
-from gaussiancad_core.proposing.proposed_part import proposed_part
+from gaussiancad_core.proposing.proposed_part import ProposedPart, proposed_part
 from sample_parts.modelling import box, cone, cut, cylinder, fuse
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]
@@ -53,12 +54,16 @@ def _bracket() -> TopoDS_Shape:
     )
 
 
+def _proposed(views: DrawnViews) -> ProposedPart | None:
+    return proposed_part(views, find_places(views, views.tolerance), _WORK)
+
+
 @pytest.mark.parametrize("made", [_flange, _bracket])
 def test_a_part_is_found_from_its_three_views(
     made: Callable[[], TopoDS_Shape], drawn: Draw
 ) -> None:
     part = made()
-    found = proposed_part(drawn(part), _WORK)
+    found = _proposed(drawn(part))
     assert found is not None
     assert found.shape is not None
     assert soundness(found.shape).valid
@@ -76,7 +81,7 @@ def test_a_lost_piece_of_the_outline_costs_nothing_else(drawn: Draw) -> None:
         key=lambda each: each.length,
     )
     kept = tuple(each for each in front if each is not top)
-    found = proposed_part(replace(views, strokes={**views.strokes, Role.FRONT: kept}), _WORK)
+    found = _proposed(replace(views, strokes={**views.strokes, Role.FRONT: kept}))
     assert found is not None
     assert found.shape is not None
     assert _iou(found.shape, part) > 0.98
@@ -85,4 +90,4 @@ def test_a_lost_piece_of_the_outline_costs_nothing_else(drawn: Draw) -> None:
 def test_where_nothing_is_enclosed_nothing_is_proposed() -> None:
     line = Segment((0.0, 0.0), (40.0, 0.0), Linetype.VISIBLE)
     views = DrawnViews({Role.FRONT: (line,)}, (40.0, 1.0, 1.0), 0.01)
-    assert proposed_part(views, _WORK) is None
+    assert _proposed(views) is None

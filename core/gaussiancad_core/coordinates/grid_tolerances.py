@@ -1,4 +1,4 @@
-"""How exactly the lines of a sheet are known to a sketch, in grid steps.
+"""How exactly the lines of a sheet are known, in grid steps.
 
 A grid step is the noise of the lines: a pixel of a picture, the rounding of a file, or what its
 views contradict each other by (:mod:`gaussiancad_core.evidence.line_noise`).  What is one place

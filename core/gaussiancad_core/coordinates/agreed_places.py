@@ -6,18 +6,19 @@ belongs there.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from math import copysign
+from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.coordinates.carriers import PartCarriers, find_carriers
+from gaussiancad_core.coordinates.grid_tolerances import LEAN, NEAR
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.whole_curves import Circle
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-from gaussiancad_core.sketch.grid_tolerances import LEAN, NEAR
-from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, arc_between, whole_circle
+
+Floats = npt.NDArray[np.float64]
 
 _NEAR_END = 0.8
 """The same of an end of a line that is not along an axis."""
@@ -41,27 +42,31 @@ class Places:
     grid: float
     carriers: PartCarriers
 
-    def settled(self, line: PlaneLine, normal: Axis) -> PlaneLine:
-        """A line of the plane across an axis at its place."""
-        if line.circle is not None:
-            circle = self._circle(line.circle, normal)
-            if line.is_closed:
-                return whole_circle(circle, line.is_visible, line.stroke)
-            points = arc_between(circle, (line.points[0], line.points[-1]), _sweep(line))
-            return replace(line, points=points, circle=circle)
-        if not line.is_straight:
-            return line
-        constant = line.constant(LEAN * self.grid)
-        points = line.points.copy()
-        for column, index in enumerate(IN_PLANE[normal]):
-            if column == constant:
-                points[:, column] = self._value(Axis(index), float(points[:, column].mean()), NEAR)
+    def placed(self, points: Floats, normal: Axis) -> Floats:
+        """The ends (2, 2) of a straight line of the plane across an axis, at their places."""
+        across = np.ptp(points, axis=0)
+        column = int(across.argmin())
+        constant = column if across[column] <= LEAN * self.grid else None
+        found = points.copy()
+        for each, index in enumerate(IN_PLANE[normal]):
+            if each == constant:
+                found[:, each] = self._value(Axis(index), float(points[:, each].mean()), NEAR)
             else:
                 near = NEAR if constant is not None else _NEAR_END
-                points[:, column] = [
-                    self._value(Axis(index), at, near) for at in points[:, column].tolist()
+                found[:, each] = [
+                    self._value(Axis(index), at, near) for at in points[:, each].tolist()
                 ]
-        return line if np.ptp(points, axis=0).max() == 0.0 else replace(line, points=points)
+        return found if np.ptp(found, axis=0).max() > 0.0 else points
+
+    def circle(self, circle: Circle, normal: Axis) -> Circle:
+        """A circle of the plane across an axis, at its place."""
+
+        def away(other: Circle) -> float:
+            apart = np.hypot(*np.subtract(circle.centre, other.centre))
+            return max(float(apart), abs(circle.radius - other.radius))
+
+        nearest = min(self.circles.get(normal, ()), key=away, default=circle)
+        return nearest if away(nearest) <= NEAR * self.grid else circle
 
     def _value(self, axis: Axis, at: float, near: float) -> float:
         known = self.values[axis]
@@ -69,14 +74,6 @@ class Places:
             return at
         nearest = float(known[np.abs(known - at).argmin()])
         return nearest if abs(nearest - at) <= near * self.grid else at
-
-    def _circle(self, circle: Circle, normal: Axis) -> Circle:
-        def away(other: Circle) -> float:
-            apart = np.hypot(*np.subtract(circle.centre, other.centre))
-            return max(float(apart), abs(circle.radius - other.radius))
-
-        nearest = min(self.circles.get(normal, ()), key=away, default=circle)
-        return nearest if away(nearest) <= NEAR * self.grid else circle
 
 
 def find_places(views: DrawnViews, grid: float) -> Places:
@@ -105,10 +102,3 @@ def find_places(views: DrawnViews, grid: float) -> Places:
         for axis in Axis
     )
     return Places(values, circles, (x_size, y_size, z_size), grid, carriers)
-
-
-def _sweep(line: PlaneLine) -> float:
-    """Radians that an arc turns, negative from the second axis to the first."""
-    (x, y), ((a, b), (c, d)) = line.arc.centre, line.points[:2].tolist()
-    way = (a - x) * (d - y) - (b - y) * (c - x)
-    return copysign(line.length / line.arc.radius, way)
