@@ -5,6 +5,9 @@ Tables have a row for each line of sight: how many surfaces it crosses, their de
 coordinate along the axis on, and their numbers.
 """
 
+# Types are told to numba by what is passed.
+# ruff: noqa: ANN001, ANN201, ANN202, PLR0917
+
 from enum import IntEnum
 from typing import NamedTuple
 
@@ -55,11 +58,10 @@ class Table(NamedTuple):
     Attributes:
         rows: (k,) numbers of the lines of sight.
         where: (k,) rows of the three that follow, which lines of sight in a row share.
-        counts, depth, surface: as of :class:`Crossed`; of a feature along whose axis the view looks
-            all are one, and these are not looked at.
-        at: (k,) mm along the feature's axis, of lines of sight across it.
-        low, high: mm along its axis, of the feature.
-        first, last: surfaces there.
+        counts, depth, surface: as of :class:`Crossed`.
+        at: (k,) mm along the feature's axis, of lines of sight across it; 0 of those along it.
+        low, high: mm along its axis between which the feature lies; -1 and 1 of what is seen along
+            it.
         is_along: whether the view looks along the feature's axis.
     """
 
@@ -71,8 +73,6 @@ class Table(NamedTuple):
     at: np.ndarray
     low: float
     high: float
-    first: int
-    last: int
     is_along: bool
 
 
@@ -85,14 +85,24 @@ class Signs(NamedTuple):
 
 
 class Pairs(NamedTuple):
-    """Pairs of lines of sight: (p,) numbers of both, what is drawn between them, mm, and what they
-    cost now."""
+    """Pairs of lines of sight.
+
+    Attributes:
+        one, other: (p,) numbers of both.
+        drawn: (p,) what is drawn between them.
+        weight: (p,) mm.
+        cost: (p,) what they cost now.
+        first: (n + 1,) where the pairs of each line of sight begin among the following.
+        of: (2p,) the pairs of the first line of sight, of the second one, and so on.
+    """
 
     one: np.ndarray
     other: np.ndarray
     drawn: np.ndarray
     weight: np.ndarray
     cost: np.ndarray
+    first: np.ndarray
+    of: np.ndarray
 
 
 class Scratch(NamedTuple):
@@ -117,7 +127,7 @@ class Looks(NamedTuple):
 
 
 @njit(cache=True)
-def inside(edges, x, y):  # noqa: ANN001, ANN201
+def inside(edges, x, y):
     """(n,) whether places lie in an area with edges (m, 4): an odd number of them lies to the
     right."""
     found = np.zeros(len(x), np.bool_)
@@ -134,7 +144,7 @@ def inside(edges, x, y):  # noqa: ANN001, ANN201
 
 
 @njit(cache=True)
-def across(edges, surfaces, fixed, along):  # noqa: ANN001, ANN201
+def across(edges, surfaces, fixed, along):
     """Where lines cross an area's edges.
 
     Args:
@@ -166,7 +176,7 @@ def across(edges, surfaces, fixed, along):  # noqa: ANN001, ANN201
 
 
 @njit(cache=True)
-def across_turned(edges, surfaces, height, off_axis):  # noqa: ANN001, ANN201
+def across_turned(edges, surfaces, height, off_axis):
     """Where lines across a turned body cross it.
 
     Args:
@@ -203,36 +213,45 @@ def across_turned(edges, surfaces, height, off_axis):  # noqa: ANN001, ANN201
     return count, depth, surface
 
 
+# Kernels take plain arrays: taking them out of tuples again for each row costs six times as much as
+# all else that is done there.
+
+
 @njit(cache=True)
-def _merge(one, other, operation, near, made):  # noqa: ANN001, ANN202
+def _merge(
+    counts, depths, surfaces, i,
+    others, other_depths, other_surfaces, w,
+    operation, near, made, names,
+):  # fmt: skip
     """Put what a line of sight crosses of two bodies under an operation into a table; how many.
 
     Args:
-        one, other: count, depths and surfaces of each.
+        counts, depths, surfaces: of the body that is changed, and
+        i: the row of the line of sight in them.
+        others, other_depths, other_surfaces: of the other one, and
+        w: the row there.
         operation: of the other on the one.
         near: mm within which two crossings are one.
-        made: depths and surfaces, filled in.
+        made, names: one row of depths and surfaces, filled in.
     """
-    first_count, first_depth, first_surface = one
-    second_count, second_depth, second_surface = other
-    depth, surface = made
+    count, other_count = counts[i], others[w]
     if operation == _SET:
-        for q in range(second_count):
-            depth[q], surface[q] = second_depth[q], second_surface[q]
-        return second_count
-    i = j = k = 0
+        for q in range(other_count):
+            made[0, q], names[0, q] = other_depths[w, q], other_surfaces[w, q]
+        return other_count
+    m = n = k = 0
     in_one = in_other = was_in = False
-    while i < first_count or j < second_count:
-        if i < first_count and (j >= second_count or first_depth[i] <= second_depth[j]):
-            place, number = first_depth[i], first_surface[i]
+    while m < count or n < other_count:
+        if m < count and (n >= other_count or depths[i, m] <= other_depths[w, n]):
+            place, number = depths[i, m], surfaces[i, m]
         else:
-            place, number = second_depth[j], second_surface[j]
-        while i < first_count and first_depth[i] <= place + near:
+            place, number = other_depths[w, n], other_surfaces[w, n]
+        while m < count and depths[i, m] <= place + near:
             in_one = not in_one
-            i += 1
-        while j < second_count and second_depth[j] <= place + near:
+            m += 1
+        while n < other_count and other_depths[w, n] <= place + near:
             in_other = not in_other
-            j += 1
+            n += 1
         if operation == _ADD:
             is_in = in_one or in_other
         elif operation == _CUT:
@@ -241,63 +260,51 @@ def _merge(one, other, operation, near, made):  # noqa: ANN001, ANN202
             is_in = in_one and in_other
         if is_in != was_in:
             if k < MOST:
-                depth[k], surface[k] = place, number
+                made[0, k], names[0, k] = place, number
                 k += 1
             was_in = is_in
     return k
 
 
 @njit(cache=True)
-def _sign(count, depth, surface, cut_at, looks):  # noqa: ANN001, ANN202
+def _sign(count, depths, surfaces, i, cut_at, looks_up, roots):
     """What a line of sight is compared by.
 
     Args:
         count: of its crossings.
-        depth, surface: of them.
+        depths, surfaces: of them, in their row
+        i: of these tables.
         cut_at: mm along the axis where it is cut open; NaN where it is not.
-        looks: of the view.
+        looks_up: whether the view sees the least coordinate first.
+        roots: of each surface the first that it passes into smoothly.
     """
     start, end, is_cut = 0, count, False
     if not np.isnan(cut_at):
-        if looks.looks_up:
-            while start < count and depth[start] < cut_at:
+        if looks_up:
+            while start < count and depths[i, start] < cut_at:
                 start += 1
             is_cut = start % 2 == 1
         else:
-            while end > 0 and depth[end - 1] > cut_at:
+            while end > 0 and depths[i, end - 1] > cut_at:
                 end -= 1
             is_cut = end % 2 == 1
     every = sharp = 1469598103934665603
     for q in range(start, end):
-        every = (every * 1099511628211) ^ (surface[q] + 7)
-        sharp = (sharp * 1099511628211) ^ (looks.roots[surface[q]] + 7)
+        every = (every * 1099511628211) ^ (surfaces[i, q] + 7)
+        sharp = (sharp * 1099511628211) ^ (roots[surfaces[i, q]] + 7)
     first = -1
     if is_cut:
         # The cut is a surface of its own.
-        first = len(looks.roots)
+        first = len(roots)
         every = (every * 1099511628211) ^ (first + 7)
         sharp = (sharp * 1099511628211) ^ (first + 7)
     elif end > start:
-        first = looks.roots[surface[start if looks.looks_up else end - 1]]
+        first = roots[surfaces[i, start if looks_up else end - 1]]
     return every, sharp, first
 
 
 @njit(cache=True)
-def _combined(crossed, i, table, q, operation, near, made, flat):  # noqa: ANN001, ANN202, PLR0917
-    """What a line of sight crosses after an operation; -1 where it is untouched."""
-    part = crossed.counts[i], crossed.depth[i], crossed.surface[i]
-    if table.is_along:
-        depth, surface = flat
-        return _merge(part, (2, depth, surface), operation, near, made)
-    if table.low < table.at[q] < table.high:
-        w = table.where[q]
-        feature = table.counts[w], table.depth[w], table.surface[w]
-        return _merge(part, feature, operation, near, made)
-    return 0 if operation == _MEET else -1
-
-
-@njit(cache=True)
-def combine(crossed, table, operations, near) -> None:  # noqa: ANN001
+def combine(crossed, table, operations, near) -> None:
     """Do operations for the lines of sight of a table, in place.
 
     Args:
@@ -306,29 +313,39 @@ def combine(crossed, table, operations, near) -> None:  # noqa: ANN001
         operations: one for all lines of sight, or (k,) one for each row.
         near: mm within which two crossings are one.
     """
-    made = np.zeros(MOST), np.zeros(MOST, np.int64)
-    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
-    for q in range(len(table.rows)):
-        i = table.rows[q]
+    counts, depths, surfaces = crossed.counts, crossed.depth, crossed.surface
+    others, other_depths, other_surfaces = table.counts, table.depth, table.surface
+    rows, where, at = table.rows, table.where, table.at
+    made, names = np.zeros((1, MOST)), np.zeros((1, MOST), np.int64)
+    for q in range(len(rows)):
+        i = rows[q]
         operation = operations[q if len(operations) > 1 else 0]
-        count = _combined(crossed, i, table, q, operation, near, made, flat)
-        if count >= 0:
-            crossed.counts[i] = count
-            for k in range(count):
-                crossed.depth[i, k], crossed.surface[i, k] = made[0][k], made[1][k]
+        if table.low < at[q] < table.high:
+            counts[i] = _merge(
+                counts, depths, surfaces, i,
+                others, other_depths, other_surfaces, where[q],
+                operation, near, made, names,
+            )  # fmt: skip
+            for k in range(counts[i]):
+                depths[i, k], surfaces[i, k] = made[0, k], names[0, k]
+        elif operation == _MEET:
+            counts[i] = 0
 
 
 @njit(cache=True)
-def sign(crossed, looks, signs) -> None:  # noqa: ANN001
+def sign(crossed, looks, signs) -> None:
     """Put what all lines of sight are compared by into a table."""
-    for i in range(len(crossed.counts)):
-        count = crossed.counts[i]
-        found = _sign(count, crossed.depth[i], crossed.surface[i], looks.cut_at[i], looks)
-        signs.every[i], signs.sharp[i], signs.first[i] = found
+    counts, depths, surfaces = crossed.counts, crossed.depth, crossed.surface
+    every, sharp, first = signs.every, signs.sharp, signs.first
+    cut_at, roots = looks.cut_at, looks.roots
+    for i in range(len(counts)):
+        every[i], sharp[i], first[i] = _sign(
+            counts[i], depths, surfaces, i, cut_at[i], looks.looks_up, roots
+        )
 
 
 @njit(cache=True)
-def _price(drawn, weight, one, other, looks):  # noqa: ANN001, ANN202
+def _price(drawn, weight, one, other, looks):
     """What a pair costs: as of :func:`.difference_kinds.kinds_between`."""
     if one[1] == other[1]:
         share = _price_alike(drawn, one[0] != other[0], looks.draws_tangents)
@@ -338,7 +355,7 @@ def _price(drawn, weight, one, other, looks):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _price_alike(drawn, is_smooth, draws_tangents):  # noqa: ANN001, ANN202
+def _price_alike(drawn, is_smooth, draws_tangents):
     """The price of a mm where a part has no sharp edge."""
     price = 0.0
     if is_smooth:
@@ -354,7 +371,7 @@ def _price_alike(drawn, is_smooth, draws_tangents):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _price_apart(drawn, is_shown, draws_hidden):  # noqa: ANN001, ANN202
+def _price_apart(drawn, is_shown, draws_hidden):
     """The price of a mm where a part has an edge."""
     price = 0.0
     if is_shown:
@@ -370,7 +387,7 @@ def _price_apart(drawn, is_shown, draws_hidden):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def price(pairs, signs, looks):  # noqa: ANN001, ANN201
+def price(pairs, signs, looks):
     """What all pairs cost, and put it into their table."""
     total = 0.0
     for p in range(len(pairs.one)):
@@ -383,28 +400,45 @@ def price(pairs, signs, looks):  # noqa: ANN001, ANN201
 
 
 @njit(cache=True)
-def _changed(signs, scratch, mark, pairs, looks):  # noqa: ANN001, ANN202
-    """By how much the cost changes with a trial, and what of that are new costs."""
+def _changed(rows, signs, scratch, mark, pairs, looks):
+    """By how much the cost changes with a trial, and what of that are new costs.
+
+    Args:
+        rows: lines of sight that the trial changes.
+        signs: of all before it.
+        scratch: of those that it changes.
+        mark: its number.
+        pairs: of all.
+        looks: of the view.
+    """
+    one, other, drawn, weight, known = pairs.one, pairs.other, pairs.drawn, pairs.weight, pairs.cost
+    begins, of = pairs.first, pairs.of
+    every, sharp, first = signs.every, signs.sharp, signs.first
+    stamp, new_every, new_sharp = scratch.stamp, scratch.every, scratch.sharp
+    new_first = scratch.first
     gain = broken = 0.0
-    for p in range(len(pairs.one)):
-        i, j = pairs.one[p], pairs.other[p]
-        is_one, is_other = scratch.stamp[i] == mark, scratch.stamp[j] == mark
-        if is_one or is_other:
-            one = signs.every[i], signs.sharp[i], signs.first[i]
-            other = signs.every[j], signs.sharp[j], signs.first[j]
-            if is_one:
-                one = scratch.every[i], scratch.sharp[i], scratch.first[i]
-            if is_other:
-                other = scratch.every[j], scratch.sharp[j], scratch.first[j]
-            cost = _price(pairs.drawn[p], pairs.weight[p], one, other, looks)
-            gain += cost - pairs.cost[p]
-            if cost > pairs.cost[p]:
-                broken += cost - pairs.cost[p]
+    for i in rows:
+        for at in range(begins[i], begins[i + 1]):
+            p = of[at]
+            j = other[p]
+            if j == i:
+                j = one[p]
+                if stamp[j] == mark:
+                    # Counted with the other end.
+                    continue
+            changed = new_every[i], new_sharp[i], new_first[i]
+            if stamp[j] == mark:
+                adjacent = new_every[j], new_sharp[j], new_first[j]
+            else:
+                adjacent = every[j], sharp[j], first[j]
+            more = _price(drawn[p], weight[p], changed, adjacent, looks) - known[p]
+            gain += more
+            broken += max(0.0, more)
     return gain, broken
 
 
 @njit(cache=True)
-def tried(state, table, operations, near, trial, looks):  # noqa: ANN001, ANN201, PLR0917
+def tried(state, table, operations, near, trial, looks):
     """By how much the cost changes with operations, what of that is new, and how many lines of
     sight change; nothing else is changed.
 
@@ -418,21 +452,34 @@ def tried(state, table, operations, near, trial, looks):  # noqa: ANN001, ANN201
     """
     crossed, signs, pairs = state
     scratch, mark = trial
-    made = np.zeros(MOST), np.zeros(MOST, np.int64)
-    flat = np.array([table.low, table.high]), np.array([table.first, table.last])
-    count = 0
-    for q in range(len(table.rows)):
-        i = table.rows[q]
+    counts, depths, surfaces = crossed.counts, crossed.depth, crossed.surface
+    others, other_depths, other_surfaces = table.counts, table.depth, table.surface
+    rows, where, at = table.rows, table.where, table.at
+    now, cut_at, roots = signs.every, looks.cut_at, looks.roots
+    stamp, trial_every, trial_sharp = scratch.stamp, scratch.every, scratch.sharp
+    trial_first = scratch.first
+    made, names = np.zeros((1, MOST)), np.zeros((1, MOST), np.int64)
+    count, changed = 0, np.empty(len(rows), np.int64)
+    for q in range(len(rows)):
+        i, crossings = rows[q], 0
         operation = operations[q if len(operations) > 1 else 0]
-        crossings = _combined(crossed, i, table, q, operation, near, made, flat)
-        if crossings < 0:
+        if table.low < at[q] < table.high:
+            if operation == _CUT and counts[i] == 0:
+                continue
+            crossings = _merge(
+                counts, depths, surfaces, i,
+                others, other_depths, other_surfaces, where[q],
+                operation, near, made, names,
+            )  # fmt: skip
+        elif operation != _MEET:
             continue
-        every, sharp, first = _sign(crossings, made[0], made[1], looks.cut_at[i], looks)
-        if every != signs.every[i]:
+        every, sharp, first = _sign(crossings, made, names, 0, cut_at[i], looks.looks_up, roots)
+        if every != now[i]:
+            changed[count] = i
             count += 1
-            scratch.stamp[i] = mark
-            scratch.every[i], scratch.sharp[i], scratch.first[i] = every, sharp, first
+            stamp[i] = mark
+            trial_every[i], trial_sharp[i], trial_first[i] = every, sharp, first
     if count == 0:
         return 0.0, 0.0, 0
-    gain, broken = _changed(signs, scratch, mark, pairs, looks)
+    gain, broken = _changed(changed[:count], signs, scratch, mark, pairs, looks)
     return gain, broken, count

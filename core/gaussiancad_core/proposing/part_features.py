@@ -10,7 +10,6 @@ import numpy.typing as npt
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.feature_kernels import (
-    FEW,
     MOST,
     Crossed,
     Operation,
@@ -74,8 +73,7 @@ class Prism:
         found = self.loop.tables.get(sights.number)
         if found is None:
             found = self.loop.tables[sights.number] = loop_table(self.loop, sights)
-        first, last = self.ends
-        return found._replace(low=self.low, high=self.high, first=first, last=last)
+        return between(found, self)
 
 
 @dataclass(frozen=True, eq=False)
@@ -214,9 +212,9 @@ def loop_table(loop: Loop, sights: Sights) -> Table:
         x, y = places.T
         near = np.flatnonzero((x > x0) & (x < x1) & (y > y0) & (y < y1))
         rows = near[inside(loop.edges, x[near], y[near])]
-        none = np.zeros((0, FEW))
-        nothing = np.zeros(0, np.int64), none, none.astype(np.int64)
-        return _always(rows, *nothing)._replace(at=np.zeros(0), is_along=True)
+        none = np.zeros((1, 2))
+        table = _always(rows, np.zeros(1, np.int64), none, none.astype(np.int64))
+        return table._replace(where=np.zeros(len(rows), np.int64), is_along=True)
     along = IN_PLANE[sights.axis].index(loop.axis.value)
     column = _column(loop.axis, sights.axis, along)
     fixed = places[:, 1 - along]
@@ -229,6 +227,14 @@ def loop_table(loop: Loop, sights: Sights) -> Table:
     heights = np.ascontiguousarray(places[rows, along])
     table = _always(rows, count, depth, surface)
     return table._replace(where=where[met], at=heights)
+
+
+def between(table: Table, prism: Prism) -> Table:
+    """The table of a prism's area, for the prism between its places."""
+    if not table.is_along:
+        return table._replace(low=prism.low, high=prism.high)
+    depth, surface = np.array([[prism.low, prism.high]]), np.array([prism.ends], np.int64)
+    return table._replace(counts=np.array([2]), depth=depth, surface=surface)
 
 
 def every_sight(loop: Loop, sights: Sights) -> tuple[Table, npt.NDArray[np.bool_]]:
@@ -256,7 +262,7 @@ def every_sight(loop: Loop, sights: Sights) -> tuple[Table, npt.NDArray[np.bool_
 def _always(rows: Numbers, count: Numbers, depth: Floats, surface: Numbers) -> Table:
     """A table all of whose rows count, whatever the places."""
     where, at = np.arange(len(rows)), np.zeros(len(rows))
-    return Table(rows, where, count, depth, surface, at, -1.0, 1.0, 0, 0, False)
+    return Table(rows, where, count, depth, surface, at, -1.0, 1.0, False)
 
 
 def _boxed(

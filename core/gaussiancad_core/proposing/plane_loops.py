@@ -155,8 +155,12 @@ class PlaneLoops:
                 places[is_near, column] = nearest[is_near]
             return places
 
-        found = shapely.remove_repeated_points(shapely.transform(polygon, moved))
-        return found if found.is_valid and not found.is_empty else polygon
+        with suppress(shapely.errors.GEOSException):
+            found = shapely.remove_repeated_points(shapely.transform(polygon, moved))
+            if found.is_valid and not found.is_empty:
+                return found
+        # A speck has all its corners at one place.
+        return polygon
 
 
 def plane_loops(sheet: PlaneSheet, axis: Axis) -> PlaneLoops | None:
@@ -178,7 +182,7 @@ def stretched(
     found = []
     for line in _meeting(lines, _ONE_END * tolerance):
         points = line.points
-        if stretch > 0.0 and not line.is_full:
+        if stretch > 0.0 and not line.is_full and (points[[0, -1]] != points[[1, -2]]).any(1).all():
             first, last = points[0] - points[1], points[-1] - points[-2]
             start = points[0] + stretch * first / np.hypot(*first)
             end = points[-1] + stretch * last / np.hypot(*last)

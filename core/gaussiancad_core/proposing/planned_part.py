@@ -34,6 +34,7 @@ from gaussiancad_core.proposing.part_features import (
     Feature,
     Prism,
     Sights,
+    between,
     every_sight,
     nothing_crossed,
 )
@@ -44,6 +45,9 @@ RASTER = 48
 
 _NEAR = 1e-6
 """Share of the longest extent within which two crossings are one."""
+
+_PAIRS = 4
+"""Pairs that a line of sight has, about."""
 
 _BEYOND = 0.5
 """What a mm counts beyond a closed outline, beside a stroke, of what it counts there."""
@@ -97,6 +101,8 @@ class PlannedJudge:
         """Steps of the kernels so far: what a search is limited by, the same on every machine."""
         self.roots = sheet.surfaces.roots()
         self._scratch = tuple(_scratch(len(view.sights.places)) for view in self.views)
+        self.pairs_of = tuple(map(_pairs_of, self.views))
+        """Of each view, where the pairs of each line of sight are, as of :class:`Pairs`."""
 
     def refresh(self) -> None:
         """Take up what surfaces were added and joined since."""
@@ -143,8 +149,10 @@ class PlannedPart:
         self._crossed = [nothing_crossed(count) for count in counts]
         self._signs = [Signs(*(np.zeros(count, np.int64) for _ in range(3))) for count in counts]
         self._pairs = [
-            Pairs(view.one, view.other, view.drawn, view.weight, np.zeros(len(view.one)))
-            for view in judge.views
+            Pairs(
+                view.one, view.other, view.drawn, view.weight, np.zeros(len(view.one)), *beginnings
+            )
+            for view, beginnings in zip(judge.views, judge.pairs_of, strict=True)
         ]
         self.touched = [np.ones(RASTER * RASTER, bool) for _ in judge.views]
         self.cost = 0.0
@@ -204,7 +212,7 @@ class PlannedPart:
         trial, looks = self.judge.trial(number), self.judge.looks(number)
         operations = np.array([int(operation)])
         gain = Gain(*tried(state, table, operations, self.judge.near, trial, looks))
-        self.judge.work += len(table.rows) + (len(self._pairs[number].one) if gain.changed else 0)
+        self.judge.work += len(table.rows) + _PAIRS * gain.changed
         return gain
 
     def slab_gain(self, prism: Prism) -> float:
@@ -214,8 +222,9 @@ class PlannedPart:
             table, operations = _slab_table(prism, view.sights)
             state = self._crossed[number], self._signs[number], self._pairs[number]
             trial, looks = self.judge.trial(number), self.judge.looks(number)
-            total += tried(state, table, operations, self.judge.near, trial, looks)[0]
-            self.judge.work += len(table.rows) + len(self._pairs[number].one)
+            gain, _, changed = tried(state, table, operations, self.judge.near, trial, looks)
+            total += gain
+            self.judge.work += len(table.rows) + _PAIRS * changed
         return total
 
     def set_slab(self, prism: Prism) -> "PlannedPart":
@@ -255,8 +264,7 @@ def _slab_table(prism: Prism, sights: Sights) -> tuple[Table, Numbers]:
         operations = along if table.is_along else np.array([int(Operation.SET)])
         found = prism.loop.tables[key] = table, operations
     table, operations = found
-    first, last = prism.ends
-    return table._replace(low=prism.low, high=prism.high, first=first, last=last), operations
+    return between(table, prism), operations
 
 
 def _planned_views(
@@ -322,6 +330,14 @@ def squares_of(places: Floats, size: Floats) -> Numbers:
     """(n,) numbers of the squares of a view's raster that places (n, 2) lie in."""
     cells = np.clip((places / size * RASTER).astype(np.int64), 0, RASTER - 1)
     return cells[:, 0] * RASTER + cells[:, 1]
+
+
+def _pairs_of(view: PlannedView) -> tuple[Numbers, Numbers]:
+    ends = np.concatenate([view.one, view.other])
+    order = np.argsort(ends, kind="stable")
+    count = len(view.sights.places)
+    first = np.searchsorted(ends[order], np.arange(count + 1)).astype(np.int64)
+    return first, order.astype(np.int64) % max(1, len(view.one))
 
 
 def _scratch(count: int) -> Scratch:
