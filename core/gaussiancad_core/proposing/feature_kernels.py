@@ -43,6 +43,9 @@ _LINETYPE, _TANGENT = PRICES[Kind.LINETYPE], PRICES[Kind.TANGENT]
 _VISIBLE, _HIDDEN = int(Drawn.VISIBLE), int(Drawn.HIDDEN)
 _SMOOTH = int(Drawn.TANGENT)
 
+NOTED = 1 + max(map(int, Drawn))
+"""Beside :class:`Drawn`: a pair whose depths a note tells."""
+
 
 class Crossed(NamedTuple):
     """What lines of sight cross of a part: (n,) counts, (n, MOST) depths in mm and surfaces."""
@@ -77,11 +80,13 @@ class Table(NamedTuple):
 
 
 class Signs(NamedTuple):
-    """(n,) what lines of sight are compared by, as of :class:`.lines_of_sight.Seen`."""
+    """(n,) what lines of sight are compared by, as of :class:`.lines_of_sight.Seen`, and mm along
+    the axis at which they meet the part first, infinite of those that do not."""
 
     every: np.ndarray
     sharp: np.ndarray
     first: np.ndarray
+    front: np.ndarray
 
 
 class Pairs(NamedTuple):
@@ -91,6 +96,8 @@ class Pairs(NamedTuple):
         one, other: (p,) numbers of both.
         drawn: (p,) what is drawn between them.
         weight: (p,) mm.
+        depth: (p,) mm by which what the first meets lies beneath what the other one does, as a
+            note says; infinite where that goes through.
         cost: (p,) what they cost now.
         first: (n + 1,) where the pairs of each line of sight begin among the following.
         of: (2p,) the pairs of the first line of sight, of the second one, and so on.
@@ -100,6 +107,7 @@ class Pairs(NamedTuple):
     other: np.ndarray
     drawn: np.ndarray
     weight: np.ndarray
+    depth: np.ndarray
     cost: np.ndarray
     first: np.ndarray
     of: np.ndarray
@@ -112,18 +120,21 @@ class Scratch(NamedTuple):
     every: np.ndarray
     sharp: np.ndarray
     first: np.ndarray
+    front: np.ndarray
 
 
 class Looks(NamedTuple):
     """How a view looks: (s,) of each surface the first that it passes into smoothly, (n,) mm along
     the axis at which each line of sight is cut open, NaN where it is not, whether it sees the least
-    coordinate first, and whether it draws what is hidden and what is smooth."""
+    coordinate first, whether it draws what is hidden and what is smooth, and mm within which a
+    depth is as a note says."""
 
     roots: np.ndarray
     cut_at: np.ndarray
     looks_up: bool
     draws_hidden: bool
     draws_tangents: bool
+    near: float
 
 
 @njit(cache=True)
@@ -292,15 +303,17 @@ def _sign(count, depths, surfaces, i, cut_at, looks_up, roots):
     for q in range(start, end):
         every = (every * 1099511628211) ^ (surfaces[i, q] + 7)
         sharp = (sharp * 1099511628211) ^ (roots[surfaces[i, q]] + 7)
-    first = -1
+    first, front = -1, np.inf
     if is_cut:
         # The cut is a surface of its own.
         first = len(roots)
         every = (every * 1099511628211) ^ (first + 7)
         sharp = (sharp * 1099511628211) ^ (first + 7)
+        front = cut_at
     elif end > start:
         first = roots[surfaces[i, start if looks_up else end - 1]]
-    return every, sharp, first
+        front = depths[i, start if looks_up else end - 1]
+    return every, sharp, first, front
 
 
 @njit(cache=True)
@@ -336,22 +349,34 @@ def combine(crossed, table, operations, near) -> None:
 def sign(crossed, looks, signs) -> None:
     """Put what all lines of sight are compared by into a table."""
     counts, depths, surfaces = crossed.counts, crossed.depth, crossed.surface
-    every, sharp, first = signs.every, signs.sharp, signs.first
+    every, sharp, first, front = signs.every, signs.sharp, signs.first, signs.front
     cut_at, roots = looks.cut_at, looks.roots
     for i in range(len(counts)):
-        every[i], sharp[i], first[i] = _sign(
+        every[i], sharp[i], first[i], front[i] = _sign(
             counts[i], depths, surfaces, i, cut_at[i], looks.looks_up, roots
         )
 
 
 @njit(cache=True)
-def _price(drawn, weight, one, other, looks):
-    """What a pair costs: as of :func:`.difference_kinds.kinds_between`."""
-    if one[1] == other[1]:
+def _price(drawn, weight, depth, one, other, looks):
+    """What a pair costs: as of :func:`.difference_kinds.kinds_between`, or by a note."""
+    if drawn == NOTED:
+        share = _price_noted(depth, one[3], other[3], looks.near)
+    elif one[1] == other[1]:
         share = _price_alike(drawn, one[0] != other[0], looks.draws_tangents)
     else:
         share = _price_apart(drawn, one[2] != other[2], looks.draws_hidden)
     return share * weight
+
+
+@njit(cache=True)
+def _price_noted(depth, one, other, near):
+    """The price of a hole that is not as a note says: as deep, or through."""
+    if np.isinf(depth):
+        return 0.0 if np.isinf(one) else 1.0
+    if np.isinf(one) or np.isinf(other):
+        return 1.0
+    return 0.0 if abs(abs(one - other) - depth) <= near else 1.0
 
 
 @njit(cache=True)
@@ -389,13 +414,16 @@ def _price_apart(drawn, is_shown, draws_hidden):
 @njit(cache=True)
 def price(pairs, signs, looks):
     """What all pairs cost, and put it into their table."""
+    ones, others, drawn, weight = pairs.one, pairs.other, pairs.drawn, pairs.weight
+    every, sharp, first, front = signs.every, signs.sharp, signs.first, signs.front
+    depth, costs = pairs.depth, pairs.cost
     total = 0.0
-    for p in range(len(pairs.one)):
-        i, j = pairs.one[p], pairs.other[p]
-        one = signs.every[i], signs.sharp[i], signs.first[i]
-        other = signs.every[j], signs.sharp[j], signs.first[j]
-        pairs.cost[p] = _price(pairs.drawn[p], pairs.weight[p], one, other, looks)
-        total += pairs.cost[p]
+    for p in range(len(ones)):
+        i, j = ones[p], others[p]
+        one = every[i], sharp[i], first[i], front[i]
+        other = every[j], sharp[j], first[j], front[j]
+        costs[p] = _price(drawn[p], weight[p], depth[p], one, other, looks)
+        total += costs[p]
     return total
 
 
@@ -412,26 +440,29 @@ def _changed(rows, signs, scratch, mark, pairs, looks):
         looks: of the view.
     """
     one, other, drawn, weight, known = pairs.one, pairs.other, pairs.drawn, pairs.weight, pairs.cost
-    begins, of = pairs.first, pairs.of
-    every, sharp, first = signs.every, signs.sharp, signs.first
+    begins, of, depth = pairs.first, pairs.of, pairs.depth
+    every, sharp, first, front = signs.every, signs.sharp, signs.first, signs.front
     stamp, new_every, new_sharp = scratch.stamp, scratch.every, scratch.sharp
-    new_first = scratch.first
+    new_first, new_front = scratch.first, scratch.front
     gain = broken = 0.0
     for i in rows:
         for at in range(begins[i], begins[i + 1]):
             p = of[at]
             j = other[p]
-            if j == i:
+            is_other = j == i
+            if is_other:
                 j = one[p]
                 if stamp[j] == mark:
                     # Counted with the other end.
                     continue
-            changed = new_every[i], new_sharp[i], new_first[i]
+            changed = new_every[i], new_sharp[i], new_first[i], new_front[i]
             if stamp[j] == mark:
-                adjacent = new_every[j], new_sharp[j], new_first[j]
+                adjacent = new_every[j], new_sharp[j], new_first[j], new_front[j]
             else:
-                adjacent = every[j], sharp[j], first[j]
-            more = _price(drawn[p], weight[p], changed, adjacent, looks) - known[p]
+                adjacent = every[j], sharp[j], first[j], front[j]
+            if is_other:
+                changed, adjacent = adjacent, changed
+            more = _price(drawn[p], weight[p], depth[p], changed, adjacent, looks) - known[p]
             gain += more
             broken += max(0.0, more)
     return gain, broken
@@ -457,7 +488,7 @@ def tried(state, table, operations, near, trial, looks):
     rows, where, at = table.rows, table.where, table.at
     now, cut_at, roots = signs.every, looks.cut_at, looks.roots
     stamp, trial_every, trial_sharp = scratch.stamp, scratch.every, scratch.sharp
-    trial_first = scratch.first
+    trial_first, trial_front = scratch.first, scratch.front
     made, names = np.zeros((1, MOST)), np.zeros((1, MOST), np.int64)
     count, changed = 0, np.empty(len(rows), np.int64)
     for q in range(len(rows)):
@@ -473,12 +504,15 @@ def tried(state, table, operations, near, trial, looks):
             )  # fmt: skip
         elif operation != _MEET:
             continue
-        every, sharp, first = _sign(crossings, made, names, 0, cut_at[i], looks.looks_up, roots)
+        every, sharp, first, front = _sign(
+            crossings, made, names, 0, cut_at[i], looks.looks_up, roots
+        )
         if every != now[i]:
             changed[count] = i
             count += 1
             stamp[i] = mark
             trial_every[i], trial_sharp[i], trial_first[i] = every, sharp, first
+            trial_front[i] = front
     if count == 0:
         return 0.0, 0.0, 0
     gain, broken = _changed(changed[:count], signs, scratch, mark, pairs, looks)

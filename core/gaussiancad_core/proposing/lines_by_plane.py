@@ -16,6 +16,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.geometry.whole_curves import Circle as WholeCircle
 from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.model.views import Arc, Ellipse, Linetype, Segment
 from gaussiancad_core.proposing.edge_on_surfaces import SurfaceKind, SurfaceTable
@@ -91,6 +92,23 @@ class PlaneView:
     lines: tuple[PlaneLine, ...]
 
 
+@dataclass(frozen=True)
+class PlaneHole:
+    """A hole of which a note speaks.
+
+    Attributes:
+        axis: along which it runs.
+        looks_up: whether the view that shows it sees the least coordinate along that first.
+        centre: (2,) mm in the plane.
+        steps: its cylinders, from the smallest diameter to the largest.
+    """
+
+    axis: Axis
+    looks_up: bool
+    centre: tuple[float, float]
+    steps: tuple[HoleStep, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class PlaneSheet:
     """All strokes of a sheet in their planes.
@@ -100,6 +118,7 @@ class PlaneSheet:
         size: (3,) mm, the part's extent; it starts at the origin.
         tolerance: mm by which strokes may miss where they belong.
         levels: places along each axis, from the least.
+        holes: of which notes speak.
         surfaces: of the strokes; what is put together of them adds its own.
     """
 
@@ -107,6 +126,7 @@ class PlaneSheet:
     size: Floats
     tolerance: float
     levels: Mapping[Axis, Floats]
+    holes: tuple[PlaneHole, ...]
     surfaces: SurfaceTable
 
     @property
@@ -149,7 +169,14 @@ def plane_sheet(views: DrawnViews, places: Places) -> PlaneSheet:
     levels = {axis: _levels(drawn, axis, float(size[axis.value]), tolerance) for axis in Axis}
     surfaces = SurfaceTable(tolerance)
     named = tuple(_named(view, levels, surfaces, (longest, tolerance)) for view in drawn)
-    return PlaneSheet(named, size, tolerance, levels, surfaces)
+    holes = tuple(map(_hole, views.holes))
+    return PlaneSheet(named, size, tolerance, levels, holes, surfaces)
+
+
+def _hole(hole: NotedHole) -> PlaneHole:
+    plane = role_plane(hole.role)
+    x, y = (value * sign for value, sign in zip(hole.centre, plane.signs, strict=True))
+    return PlaneHole(plane.normal, plane.looks_up, (x, y), hole.steps)
 
 
 def _view(role: Role, strokes: Iterable[DrawnStroke], scale: tuple[float, float]) -> PlaneView:

@@ -1,7 +1,7 @@
 """Between which places along its axis a closed area may be a feature: what other views show."""
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 import numpy as np
@@ -20,6 +20,9 @@ _OVERLAP = 0.2
 
 _WALL = 0.3
 """What an end of a wall counts of a line all across an area."""
+
+_NOTED, _SAME = 1.0, 3.0
+"""What a place counts that a note tells, and tolerances within which an area is that of a hole."""
 
 _SIDE = 5.0
 """What a side of the part counts more than any line."""
@@ -66,9 +69,29 @@ def _votes(sheet: PlaneSheet, loop: Loop) -> dict[float, float]:
                 votes[sheet.level(loop.axis, place)][view.axis] += weight
     for side in (0.0, float(sheet.size[loop.axis.value])):
         votes.setdefault(side, defaultdict(float))
+    for place in list(_noted(sheet, loop, list(votes))):
+        votes[sheet.level(loop.axis, place)][loop.axis] = _NOTED
     return {
         place: sum(min(1.0, each) for each in by_view.values()) for place, by_view in votes.items()
     }
+
+
+def _noted(sheet: PlaneSheet, loop: Loop, faces: Sequence[float]) -> Iterator[float]:
+    """Places at which a hole ends that an area is the section of, by what a note says: so deep
+    beneath each of some faces."""
+    x0, y0, x1, y1 = loop.polygon.bounds
+    near = _SAME * sheet.tolerance
+    for hole in sheet.holes:
+        middle = np.hypot((x0 + x1) / 2.0 - hole.centre[0], (y0 + y1) / 2.0 - hole.centre[1])
+        if hole.axis is not loop.axis or middle > near:
+            continue
+        for step in hole.steps:
+            if step.depth is None or abs(x1 - x0 - step.diameter) > 2.0 * near:
+                continue
+            for face in faces:
+                place = face + step.depth if hole.looks_up else face - step.depth
+                if near < place < float(sheet.size[loop.axis.value]) - near:
+                    yield place
 
 
 def _shown(

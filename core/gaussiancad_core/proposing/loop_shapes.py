@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import shapely
 
+from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.proposing.lines_by_plane import ROUND, Circle, PlaneLine, PlaneSheet
 from gaussiancad_core.proposing.plane_loops import (
     Loop,
@@ -43,7 +44,8 @@ def loops_of(sheet: PlaneSheet, plane: PlaneLoops) -> tuple[Loop, ...]:
         if region.interiors
     ]
     found += _by_linetype(sheet, plane)
-    discs = [_disc(circle, sheet.tolerance) for circle in _circles(sheet, plane)]
+    circles = [*_circles(sheet, plane), *_noted_circles(sheet, plane.axis)]
+    discs = [_disc(circle, sheet.tolerance) for circle in circles]
     found += [(disc, LoopKind.CIRCLE) for disc in discs]
     outer = [
         shapely.Polygon(area.exterior)
@@ -92,6 +94,13 @@ def _circles(sheet: PlaneSheet, plane: PlaneLoops) -> Iterator[Circle]:
         else:
             found.append((line.circle, [sweep]))
     yield from (circle for circle, sweeps in found if sum(sweeps) > _QUARTER)
+
+
+def _noted_circles(sheet: PlaneSheet, axis: Axis) -> Iterator[Circle]:
+    """Circles of holes of which notes speak: not all are drawn."""
+    for hole in sheet.holes:
+        if hole.axis is axis:
+            yield from ((*hole.centre, step.diameter / 2.0) for step in hole.steps)
 
 
 def _disc(circle: Circle, tolerance: float) -> shapely.Polygon:

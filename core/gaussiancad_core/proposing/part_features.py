@@ -153,14 +153,14 @@ class Turned:
 
 @dataclass(frozen=True, eq=False)
 class Pattern:
-    """Prisms of equal areas, as one feature.
+    """Equal prisms, or equal turned profiles, as one feature.
 
     Attributes:
         parts: that do not touch each other.
         tables: of each view, as far as anybody asked.
     """
 
-    parts: tuple[Prism, ...]
+    parts: tuple[Prism, ...] | tuple[Turned, ...]
     tables: dict[Any, Any] = field(default_factory=dict)
 
     @property

@@ -15,13 +15,14 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.edit_hints import EditHints
-from gaussiancad_core.proposing.equal_loops import patterns_of
+from gaussiancad_core.proposing.equal_loops import patterns_of, turned_patterns
 from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.lines_by_plane import Floats, plane_sheet
 from gaussiancad_core.proposing.loop_places import prisms_of, whole_prism
 from gaussiancad_core.proposing.loop_shapes import loops_of
 from gaussiancad_core.proposing.part_changes import improved
-from gaussiancad_core.proposing.part_features import Feature, Prism, Turned
+from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
+from gaussiancad_core.proposing.part_habits import pieces_of, unusual
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
 from gaussiancad_core.proposing.slab_starts import slab_start
@@ -31,6 +32,11 @@ _HABIT = 0.01
 """Share of the lines that an edit as large as the part costs: of two that explain the same the
 smaller one."""
 
+_BLIND = 0.05
+"""What an end of a hole within the part costs, in the root of its area: holes go through."""
+
+_EDITS = (Operation.ADD, Operation.CUT)
+
 _WORTH = 1e-3
 """Share of the lines that an edit has to explain."""
 
@@ -39,6 +45,11 @@ _AT_ONCE = 400
 
 _HARDLY, _SOME = 0.04, 0.2
 """Shares of what an edit explains that it breaks, for it to break hardly anything, or some."""
+
+_LAST = 2
+"""The last tier of edits: what breaks more, or parts the part in pieces."""
+
+_TIERS = (0, 1, _LAST)
 
 _LATE = 4
 """Times so many features that are tried before an edit may break more."""
@@ -98,10 +109,14 @@ class PartSearch:
         ]
         self._pool += turned
         self._pool += patterns_of(self.sheet, self._loops)
+        self._pool += turned_patterns(turned, self.sheet.tolerance)
         outlines = list(self._outlines())
         self.judge = PlannedJudge(views, self.sheet, self._planes.values())
-        self._price = np.array([self._price_of(feature) for feature in self._pool])
+        self._price = np.array(
+            [[self._price_of(each, feature) for each in _EDITS] for feature in self._pool]
+        ).reshape(-1, len(_EDITS))
         self._least = _WORTH * self.judge.length
+        self._draws_hidden = any(view.draws_hidden for view in self.judge.views)
         self._hints = EditHints(self._pool, self.judge) if self._pool else None
         self._starts = self._by_family(list(self._all_starts(outlines, turned)))
 
@@ -110,23 +125,24 @@ class PartSearch:
         tried: list[PlannedPart] = []
         for start in self._starts[:_FAMILIES]:
             tried.append(self._edited(start.part, _FIRST_SHARE * self._work))
-            if self._is_good(tried[-1]):
+            # Without hidden lines several parts explain all: the most usual one counts.
+            if self._is_good(tried[-1]) and self._draws_hidden:
                 break
         if not tried:
             return None
-        tried.sort(key=lambda part: part.cost)
+        tried.sort(key=_weighed)
         best = tried[0]
         rest = [start.part for start in self._starts[_FAMILIES:]]
         for part in tried + rest:
             if self._is_good(best) or self.judge.work > self._work:
                 break
             further = self._edited(part, self._work)
-            if further.cost < best.cost:
+            if _weighed(further) < _weighed(best):
                 best = further
         return best
 
     def _is_good(self, part: PlannedPart) -> bool:
-        return part.cost < _GOOD * self.judge.length
+        return part.cost + pieces_of(part) < _GOOD * self.judge.length
 
     def _outlines(self) -> Iterator[Prism]:
         """The outlines of the views as prisms."""
@@ -189,8 +205,6 @@ class PartSearch:
     def _edited(self, part: PlannedPart, work: float) -> PlannedPart:
         """A part with edits, as long as one explains more."""
         until = min(self._work, self.judge.work + work)
-        if self._hints is None:
-            return part
         while True:
             self._with_edits(part, until)
             if self.judge.work > until or part.cost <= _DONE * self.judge.length:
@@ -200,20 +214,38 @@ class PartSearch:
                 return part
             part = changed
 
-    def _price_of(self, feature: Feature) -> float:
+    def _price_of(self, operation: Operation, feature: Feature) -> float:
         """mm that a feature costs."""
         whole = float(np.prod(self.sheet.size))
-        return _HABIT * self.judge.length * min(1.0, feature.volume / whole)
+        price = _HABIT * self.judge.length * min(1.0, feature.volume / whole)
+        if operation is Operation.CUT:
+            price += sum(self._blind_ends(each) for each in single_features(feature))
+        return price
+
+    def _blind_ends(self, feature: Prism | Turned) -> float:
+        """mm that the ends of a hole cost that lie in the part."""
+        if not isinstance(feature, Prism):
+            return 0.0
+        sides = 0.0, float(self.sheet.size[feature.axis.value])
+        inside = (feature.low > sides[0]) + (feature.high < sides[1])
+        return _BLIND * float(feature.loop.polygon.area) ** 0.5 * inside
 
     def _with_edits(self, part: PlannedPart, until: float) -> None:
         """Do the best edits, as long as one explains more."""
+        if self._hints is None:
+            return
         edits = _Edits(part, self._pool, self._price, self._least, until)
         while not edits.is_over and part.cost > _DONE * self.judge.length:
             edits.forget(self._hints.stale(part))
             worth = self._hints.reach(part) > self._least
-            order = np.argsort(-self._hints.of(part) + self._price, kind="stable")
+            order = np.argsort(-self._hints.of(part) + self._price.min(axis=1), kind="stable")
             if not edits.some_done(order[worth[order]]):
                 break
+
+
+def _weighed(part: PlannedPart) -> float:
+    """mm of line that a part leaves unexplained, and what is unusual about it."""
+    return part.cost + unusual(part)
 
 
 class _Edits:
@@ -222,7 +254,7 @@ class _Edits:
     Args:
         part: that is edited.
         pool: features to edit it with.
-        price: (n,) mm that each costs.
+        price: (n, 2) mm that each costs, added and cut.
         least: mm that an edit has to explain.
         until: work of the judge at which it ends.
     """
@@ -255,11 +287,11 @@ class _Edits:
         for at in range(0, len(order), _AT_ONCE):
             for number in order[at : at + _AT_ONCE].tolist():
                 self._try(number)
-            tiers = (0,) if at < _LATE * _AT_ONCE else (0, 1, 2)
+            tiers = (0,) if at < _LATE * _AT_ONCE else _TIERS
             done = self._take(order[: at + _AT_ONCE], tiers)
             if done or self.is_over:
                 return done
-        return self._take(order, (0, 1, 2))
+        return self._take(order, _TIERS)
 
     def _try(self, number: int) -> None:
         feature = self._pool[number]
@@ -276,7 +308,7 @@ class _Edits:
         found = [
             (
                 _tier(gain[i, k], broken[i, k]),
-                gain[i, k] + self._price[rows[i]],
+                gain[i, k] + self._price[rows[i], k],
                 int(rows[i]),
                 int(k),
             )
@@ -296,15 +328,20 @@ class _Edits:
         now = self._part.gain(operation, self._pool[number])
         if not now.changed or now.mm > -self._least:
             return False
-        worth = now.mm + self._price[number] <= 0.5 * promised
-        return bool(worth) and _tier(now.mm, now.broken) <= tier
+        worth = now.mm + self._price[number, operation] <= 0.5 * promised
+        if not worth or _tier(now.mm, now.broken) > tier:
+            return False
+        if tier == _LAST:
+            return True
+        after = self._part.followed_by([(operation, self._pool[number])])
+        return pieces_of(after) <= pieces_of(self._part)
 
 
 def _operations(feature: Feature) -> tuple[Operation, ...]:
     """Cut or add; what lies all around an area is only cut."""
     if isinstance(feature, Prism) and feature.loop.kind is LoopKind.AROUND:
         return (Operation.CUT,)
-    return Operation.ADD, Operation.CUT
+    return _EDITS
 
 
 def _tier(gain: float, broken: float) -> int:
@@ -312,4 +349,4 @@ def _tier(gain: float, broken: float) -> int:
     share = broken / (broken - gain)
     if share < _HARDLY:
         return 0
-    return 1 if share < _SOME else 2
+    return 1 if share < _SOME else _LAST

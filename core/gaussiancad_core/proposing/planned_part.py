@@ -18,6 +18,7 @@ from gaussiancad_core.judging.sight_pairs import Drawn, SightPairs, sight_pairs
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, plane_points
 from gaussiancad_core.proposing.feature_kernels import (
+    NOTED,
     Looks,
     Operation,
     Pairs,
@@ -29,7 +30,7 @@ from gaussiancad_core.proposing.feature_kernels import (
     sign,
     tried,
 )
-from gaussiancad_core.proposing.lines_by_plane import Floats, PlaneSheet
+from gaussiancad_core.proposing.lines_by_plane import Floats, PlaneHole, PlaneSheet
 from gaussiancad_core.proposing.part_features import (
     Feature,
     Prism,
@@ -49,6 +50,13 @@ _NEAR = 1e-6
 _PAIRS = 4
 """Pairs that a line of sight has, about."""
 
+_NOTE, _WAYS, _BESIDE = 2.0, 6, 1.2
+"""What a hole costs that is not as a note says, in the root of its area; ways in which it is looked
+at around its axis, and radii from that at which what is beside it is."""
+
+_AS_NOTED = 3.0
+"""Tolerances within which a hole is as deep as a note says."""
+
 _BEYOND = 0.5
 """What a mm counts beyond a closed outline, beside a stroke, of what it counts there."""
 
@@ -59,11 +67,14 @@ class PlannedView:
 
     Attributes:
         sights: its lines of sight.
-        one, other, drawn, weight: of its pairs, as of :class:`SightPairs`.
+        one, other, drawn, weight: of its pairs, as of :class:`SightPairs`, or :data:`.NOTED`.
+        depth: (p,) mm that a note tells of a pair, as of :class:`.Pairs`; 0 of others.
         cut_at: (n,) mm along its axis at which each line of sight is cut open; NaN where it is not.
         looks_up: whether it sees the least coordinate along its axis first.
         draws_hidden: whether what is hidden is drawn.
         draws_tangents: whether lines where faces meet smoothly are.
+        raster: number of its first line of sight that lies between places, not beside a stroke.
+        cells: (r, c) mm^2 that each of these stands for, from there on row by row.
         squares: (n,) of the raster that lines of sight lie in.
         pair_squares: (p,) the same of the pairs.
     """
@@ -73,10 +84,13 @@ class PlannedView:
     other: Numbers
     drawn: Numbers
     weight: Floats
+    depth: Floats
     cut_at: Floats
     looks_up: bool
     draws_hidden: bool
     draws_tangents: bool
+    raster: int
+    cells: Floats
     squares: Numbers
     pair_squares: Numbers
 
@@ -112,7 +126,7 @@ class PlannedJudge:
         """How a view looks."""
         view = self.views[number]
         shown = view.looks_up, view.draws_hidden, view.draws_tangents
-        return Looks(self.roots, view.cut_at, *shown)
+        return Looks(self.roots, view.cut_at, *shown, _AS_NOTED * self.sheet.tolerance)
 
     def trial(self, number: int) -> tuple[Scratch, int]:
         """Tables for a trial in a view, and its number."""
@@ -140,17 +154,29 @@ class PlannedPart:
 
     Args:
         judge: before which it is planned.
+
+    Attributes:
+        features: in order.
+        crossed: of each view.
+        cost: mm of line that it leaves unexplained.
+        touched: squares of each view's raster in which it changed.
     """
 
     def __init__(self, judge: PlannedJudge) -> None:
         self.judge = judge
         self.features: list[tuple[Operation, Feature]] = []
         counts = [len(view.sights.places) for view in judge.views]
-        self._crossed = [nothing_crossed(count) for count in counts]
-        self._signs = [Signs(*(np.zeros(count, np.int64) for _ in range(3))) for count in counts]
+        self.crossed = [nothing_crossed(count) for count in counts]
+        self._signs = [_no_signs(count) for count in counts]
         self._pairs = [
             Pairs(
-                view.one, view.other, view.drawn, view.weight, np.zeros(len(view.one)), *beginnings
+                view.one,
+                view.other,
+                view.drawn,
+                view.weight,
+                view.depth,
+                np.zeros(len(view.one)),
+                *beginnings,
             )
             for view, beginnings in zip(judge.views, judge.pairs_of, strict=True)
         ]
@@ -166,7 +192,7 @@ class PlannedPart:
         """Another one that has more features after those of this one."""
         made = PlannedPart(self.judge)
         made.features = list(self.features)
-        made._crossed = [type(each)(*(table.copy() for table in each)) for each in self._crossed]
+        made.crossed = [type(each)(*(table.copy() for table in each)) for each in self.crossed]
         for operation, feature in features:
             made._combine(operation, feature)
         made._sign()
@@ -184,7 +210,7 @@ class PlannedPart:
         return self
 
     def _combine(self, operation: Operation, feature: Feature) -> None:
-        for view, crossed in zip(self.judge.views, self._crossed, strict=True):
+        for view, crossed in zip(self.judge.views, self.crossed, strict=True):
             table = feature.table(view.sights)
             if operation is Operation.MEET:
                 rest = np.ones(len(crossed.counts), bool)
@@ -207,7 +233,7 @@ class PlannedPart:
 
     def gain_in(self, number: int, operation: Operation, feature: Feature) -> Gain:
         """The same in one view."""
-        state = self._crossed[number], self._signs[number], self._pairs[number]
+        state = self.crossed[number], self._signs[number], self._pairs[number]
         table = feature.table(self.judge.views[number].sights)
         trial, looks = self.judge.trial(number), self.judge.looks(number)
         operations = np.array([int(operation)])
@@ -220,7 +246,7 @@ class PlannedPart:
         total = 0.0
         for number, view in enumerate(self.judge.views):
             table, operations = _slab_table(prism, view.sights)
-            state = self._crossed[number], self._signs[number], self._pairs[number]
+            state = self.crossed[number], self._signs[number], self._pairs[number]
             trial, looks = self.judge.trial(number), self.judge.looks(number)
             gain, _, changed = tried(state, table, operations, self.judge.near, trial, looks)
             total += gain
@@ -229,7 +255,7 @@ class PlannedPart:
 
     def set_slab(self, prism: Prism) -> "PlannedPart":
         """Become a prism between its places; the same part, without a word in its features."""
-        for view, crossed in zip(self.judge.views, self._crossed, strict=True):
+        for view, crossed in zip(self.judge.views, self.crossed, strict=True):
             table, operations = _slab_table(prism, view.sights)
             combine(crossed, table, operations, self.judge.near)
         self._sign()
@@ -247,7 +273,7 @@ class PlannedPart:
             signs = self._signs[number]
             before = signs.every.copy()
             looks = self.judge.looks(number)
-            sign(self._crossed[number], looks, signs)
+            sign(self.crossed[number], looks, signs)
             self.cost += price(self._pairs[number], signs, looks)
             self.judge.work += len(view.squares) + len(self._pairs[number].one)
             self.touched[number][view.squares[before != signs.every]] = True
@@ -285,16 +311,56 @@ def _planned_views(
             pairs.other,
             pairs.drawn,
             pairs.weight,
+            np.zeros(len(pairs.one)),
             plane_view.role.frame.look_axis[1] * cut_depths(view, pairs.places),
             plane_view.looks_up,
             view.draws_hidden,
             view.draws_tangents,
+            pairs.raster,
+            _cells(pairs),
             squares_of(places, size),
             squares_of(at, size),
         )
         if axis in closed:
             made = _with_nothing_beyond(made, pairs, closed[axis], (drawn.aside, size))
+        for hole in sheet.holes:
+            if hole.axis is axis and hole.looks_up == made.looks_up:
+                made = _with_note(made, hole, size)
         yield made
+
+
+def _cells(pairs: SightPairs) -> Floats:
+    rows = len(np.unique(pairs.places[pairs.raster :, 0]))
+    return np.square(pairs.cells).reshape(max(1, rows), -1)
+
+
+def _with_note(view: PlannedView, hole: PlaneHole, size: Floats) -> PlannedView:
+    """A view with pairs of a line of sight in a step of a hole and of one beside the hole."""
+    turn = np.linspace(0.0, 2.0 * np.pi, _WAYS, endpoint=False)
+    ways = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    beside = hole.centre + _BESIDE * hole.steps[-1].diameter / 2.0 * ways
+    rings, depths, weights, inner = [beside], [], [], 0.0
+    for step in hole.steps:
+        radius = step.diameter / 2.0
+        rings.append(hole.centre + (inner + radius) / 2.0 * ways)
+        depths += [np.inf if step.depth is None else step.depth] * _WAYS
+        weights += [_NOTE * np.sqrt(np.pi) * radius / _WAYS] * _WAYS
+        inner = radius
+    first, count = len(view.sights.places), len(depths)
+    places = np.vstack(rings)
+    other = first + np.tile(np.arange(_WAYS), len(hole.steps))
+    return replace(
+        view,
+        sights=replace(view.sights, places=np.vstack([view.sights.places, places])),
+        one=np.concatenate([view.one, first + _WAYS + np.arange(count)]),
+        other=np.concatenate([view.other, other]),
+        drawn=np.concatenate([view.drawn, np.full(count, NOTED)]),
+        weight=np.concatenate([view.weight, weights]),
+        depth=np.concatenate([view.depth, depths]),
+        cut_at=np.concatenate([view.cut_at, np.full(len(places), np.nan)]),
+        squares=np.concatenate([view.squares, squares_of(places, size)]),
+        pair_squares=np.concatenate([view.pair_squares, squares_of(places[_WAYS:], size)]),
+    )
 
 
 def _with_nothing_beyond(
@@ -320,6 +386,7 @@ def _with_nothing_beyond(
         other=np.concatenate([view.other, np.full(count, len(places))]),
         drawn=np.concatenate([view.drawn, np.zeros(count, view.drawn.dtype)]),
         weight=np.concatenate([view.weight, weights[beyond]]),
+        depth=np.zeros(len(view.one) + count),
         cut_at=np.append(view.cut_at, np.nan),
         squares=np.append(view.squares, 0),
         pair_squares=np.concatenate([view.pair_squares, squares_of(places[beyond], size)]),
@@ -340,8 +407,13 @@ def _pairs_of(view: PlannedView) -> tuple[Numbers, Numbers]:
     return first, order.astype(np.int64) % max(1, len(view.one))
 
 
+def _no_signs(count: int) -> Signs:
+    every, sharp, first = np.zeros((3, count), np.int64)
+    return Signs(every, sharp, first, np.zeros(count))
+
+
 def _scratch(count: int) -> Scratch:
-    return Scratch(*(np.zeros(count, np.int64) for _ in range(4)))
+    return Scratch(np.zeros(count, np.int64), *_no_signs(count))
 
 
 def sums_of(values: Floats) -> Floats:

@@ -7,6 +7,7 @@ symmetrical about the axis, or lies beside it.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import shapely
@@ -72,6 +73,7 @@ def turned_of(
         centres = _centres(sheet, axis)
         for centre in centres:
             yield from _cones(sheet, axis, centre)
+            yield from _sunk_holes(sheet, axis, centre)
         for centre in sorted(centres, key=lambda each: -each.turn)[:_MOST_CENTRES]:
             for other in Axis:
                 if other is axis or other not in planes:
@@ -120,6 +122,22 @@ def _cones(sheet: PlaneSheet, axis: Axis, centre: Centre) -> Iterator[Turned]:
             (r, z), (s, w) = ends
             yield _turned(sheet, axis, centre.at, [(0.0, z), (r, z), (s, w), (0.0, w)])
             yield _turned(sheet, axis, centre.at, [(r, z), (s, w), (max(r, s), w if r > s else z)])
+
+
+def _sunk_holes(sheet: PlaneSheet, axis: Axis, centre: Centre) -> Iterator[Turned]:
+    """Holes through the part with a countersink of 90 degrees from one circle to another, where no
+    view from beside draws a line of them."""
+    if any(not line.is_visible for view in sheet.views for line in view.lines):
+        return
+    near = _ONE_CENTRE * sheet.tolerance
+    sides = 0.0, float(sheet.size[axis.value])
+    for inner, outer in pairwise(sorted(centre.radii)):
+        depth = outer - inner
+        if near < depth < sides[1]:
+            for face, end, way in ((*sides, 1.0), (*sides[::-1], -1.0)):
+                deep = face + way * depth
+                corners = [(0.0, face), (outer, face), (inner, deep), (inner, end), (0.0, end)]
+                yield _turned(sheet, axis, centre.at, corners)
 
 
 def _leaning_ends(
