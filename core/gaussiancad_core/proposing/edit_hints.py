@@ -8,13 +8,8 @@ from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.lines_by_plane import Floats
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
 from gaussiancad_core.proposing.plane_loops import Numbers
-from gaussiancad_core.proposing.planned_part import (
-    RASTER,
-    PlannedJudge,
-    PlannedPart,
-    sums_of,
-    within_boxes,
-)
+from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
+from gaussiancad_core.proposing.planned_views import RASTER, sums_of, within_boxes
 
 _MOST_POINTS = 60
 """Points along an edge of an outline."""

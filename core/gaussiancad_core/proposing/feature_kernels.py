@@ -20,6 +20,9 @@ from gaussiancad_core.judging.sight_pairs import Drawn
 MOST = 24
 """Crossings of a line of sight with a part at most."""
 
+PAIRS = 4
+"""Pairs that a line of sight has, about."""
+
 FEW = 12
 """Crossings of a line of sight with a feature at most."""
 
@@ -469,6 +472,50 @@ def _changed(rows, signs, scratch, mark, pairs, looks):
 
 
 @njit(cache=True)
+def _try(
+    counts, depths, surfaces, rows, where, at, others, other_depths, other_surfaces,
+    begin, end, low, high, operation, near, mark, signs, scratch, looks, made, names, changed,
+):  # fmt: skip
+    """Put the signs after an operation into scratch tables; how many lines of sight change.
+
+    Args:
+        counts, depths, surfaces: of the part.
+        rows, where, at, others, other_depths, other_surfaces: of features, as of :class:`Table`.
+        begin, end: which rows of these are the feature's.
+        low, high: between which it lies.
+        operation: that is tried.
+        near: mm within which two crossings are one.
+        mark: number of the trial.
+        signs, scratch, looks: of the view.
+        made, names: one row of depths and surfaces, for use.
+        changed: filled with the lines of sight that change.
+    """
+    now, cut_at, roots = signs.every, looks.cut_at, looks.roots
+    stamp, every, sharp = scratch.stamp, scratch.every, scratch.sharp
+    first, front = scratch.first, scratch.front
+    count = 0
+    for q in range(begin, end):
+        i, crossings = rows[q], 0
+        if low < at[q] < high:
+            if operation == _CUT and counts[i] == 0:
+                continue
+            crossings = _merge(
+                counts, depths, surfaces, i,
+                others, other_depths, other_surfaces, where[q],
+                operation, near, made, names,
+            )  # fmt: skip
+        elif operation != _MEET:
+            continue
+        found = _sign(crossings, made, names, 0, cut_at[i], looks.looks_up, roots)
+        if found[0] != now[i]:
+            changed[count] = i
+            count += 1
+            stamp[i] = mark
+            every[i], sharp[i], first[i], front[i] = found
+    return count
+
+
+@njit(cache=True)
 def tried(state, table, operations, near, trial, looks):
     """By how much the cost changes with operations, what of that is new, and how many lines of
     sight change; nothing else is changed.
@@ -483,37 +530,104 @@ def tried(state, table, operations, near, trial, looks):
     """
     crossed, signs, pairs = state
     scratch, mark = trial
-    counts, depths, surfaces = crossed.counts, crossed.depth, crossed.surface
-    others, other_depths, other_surfaces = table.counts, table.depth, table.surface
-    rows, where, at = table.rows, table.where, table.at
-    now, cut_at, roots = signs.every, looks.cut_at, looks.roots
-    stamp, trial_every, trial_sharp = scratch.stamp, scratch.every, scratch.sharp
-    trial_first, trial_front = scratch.first, scratch.front
     made, names = np.zeros((1, MOST)), np.zeros((1, MOST), np.int64)
-    count, changed = 0, np.empty(len(rows), np.int64)
-    for q in range(len(rows)):
-        i, crossings = rows[q], 0
-        operation = operations[q if len(operations) > 1 else 0]
-        if table.low < at[q] < table.high:
-            if operation == _CUT and counts[i] == 0:
-                continue
-            crossings = _merge(
-                counts, depths, surfaces, i,
-                others, other_depths, other_surfaces, where[q],
-                operation, near, made, names,
-            )  # fmt: skip
-        elif operation != _MEET:
-            continue
-        every, sharp, first, front = _sign(
-            crossings, made, names, 0, cut_at[i], looks.looks_up, roots
-        )
-        if every != now[i]:
-            changed[count] = i
-            count += 1
-            stamp[i] = mark
-            trial_every[i], trial_sharp[i], trial_first[i] = every, sharp, first
-            trial_front[i] = front
+    count, changed = 0, np.empty(len(table.rows), np.int64)
+    step = len(table.rows) if len(operations) == 1 else 1
+    for begin in range(0, len(table.rows), max(1, step)):
+        count += _try(
+            crossed.counts, crossed.depth, crossed.surface, table.rows, table.where, table.at,
+            table.counts, table.depth, table.surface, begin, begin + step, table.low, table.high,
+            operations[0 if len(operations) == 1 else begin], near, mark, signs, scratch, looks,
+            made, names, changed[count:],
+        )  # fmt: skip
     if count == 0:
         return 0.0, 0.0, 0
     gain, broken = _changed(changed[:count], signs, scratch, mark, pairs, looks)
     return gain, broken, count
+
+
+class Tables(NamedTuple):
+    """What lines of sight of a view cross of many features.
+
+    Attributes:
+        begins: (t + 1,) where the rows of each table begin.
+        rows, where, at: as of :class:`Table`, of one table after another.
+        counts, depth, surface: the same.
+        is_along: (t,) whether the view looks along the axis of what has a table.
+    """
+
+    begins: np.ndarray
+    rows: np.ndarray
+    where: np.ndarray
+    at: np.ndarray
+    counts: np.ndarray
+    depth: np.ndarray
+    surface: np.ndarray
+    is_along: np.ndarray
+
+
+class Offers(NamedTuple):
+    """(n,) features: the number of their table, between which places along their axis they lie, and
+    the surfaces there."""
+
+    table: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    first: np.ndarray
+    last: np.ndarray
+
+
+@njit(cache=True)
+def tried_all(state, offered, numbers, near, trial, looks):
+    """What adding and cutting each of some features changes.
+
+    Args:
+        state: what is crossed, the signs, and the pairs.
+        offered: tables, and features.
+        numbers: (k,) of features.
+        near: mm within which two crossings are one.
+        trial: scratch tables and the number of the first trial.
+        looks: of the view.
+
+    Returns:
+        (k, 2, 3) by how much the cost changes, what of that is new, and how many lines of sight
+        change; and how many steps that took.
+    """
+    crossed, signs, pairs = state
+    (tables, offers), (scratch, mark) = offered, trial
+    counts, depths, surfaces = crossed.counts, crossed.depth, crossed.surface
+    begins, rows, where, at = tables.begins, tables.rows, tables.where, tables.at
+    others, other_depths, other_surfaces = tables.counts, tables.depth, tables.surface
+    made, names = np.zeros((1, MOST)), np.zeros((1, MOST), np.int64)
+    flat_counts, flat_depths = np.full(1, 2), np.empty((1, 2))
+    flat_surfaces = np.empty((1, 2), np.int64)
+    changed = np.empty(len(counts), np.int64)
+    found, steps = np.zeros((len(numbers), 2, 3)), 0
+    for k in range(len(numbers)):
+        n = numbers[k]
+        t = offers.table[n]
+        begin, end = begins[t], begins[t + 1]
+        is_along = tables.is_along[t]
+        flat_depths[0, 0], flat_depths[0, 1] = offers.low[n], offers.high[n]
+        flat_surfaces[0, 0], flat_surfaces[0, 1] = offers.first[n], offers.last[n]
+        for operation in (_ADD, _CUT):
+            mark += 1
+            steps += end - begin
+            if is_along:
+                count = _try(
+                    counts, depths, surfaces, rows, where, at,
+                    flat_counts, flat_depths, flat_surfaces, begin, end, -1.0, 1.0,
+                    operation, near, mark, signs, scratch, looks, made, names, changed,
+                )  # fmt: skip
+            else:
+                count = _try(
+                    counts, depths, surfaces, rows, where, at,
+                    others, other_depths, other_surfaces, begin, end, offers.low[n], offers.high[n],
+                    operation, near, mark, signs, scratch, looks, made, names, changed,
+                )  # fmt: skip
+            if count:
+                gain = _changed(changed[:count], signs, scratch, mark, pairs, looks)
+                found[k, operation, 0], found[k, operation, 1] = gain
+                found[k, operation, 2] = count
+                steps += PAIRS * count
+    return found, steps

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
@@ -20,7 +20,7 @@ from OCP.ShapeFix import ShapeFix_Face
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.kernel.booleans import common, fused, unified, without
-from gaussiancad_core.kernel.brep import is_valid, volume
+from gaussiancad_core.kernel.brep import is_valid, soundness, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
@@ -66,21 +66,20 @@ def solid_of(
     Returns:
         None where the kernel makes none.
     """
-    made: list[tuple[float, TopoDS_Shape]] = []
-    for build in (_built, _one_by_one):
-        for near in (_TOUCHING * sheet.tolerance, 0.0):
-            with suppress(*KERNEL_FAILURES):
-                shape = build(features, sheet, near)
-                if shape is not None and is_valid(shape):
-                    made.append((cost(shape), shape))
-            if made and made[-1][0] <= planned + _WORSE:
+    made: list[tuple[tuple[int, float], TopoDS_Shape]] = []
+    for build, near in product((_built, _one_by_one), (0.0, _TOUCHING * sheet.tolerance)):
+        with suppress(*KERNEL_FAILURES):
+            shape = build(features, sheet, near)
+            facts = soundness(shape) if shape is not None else None
+            if shape is None or facts is None or not (facts.valid and facts.closed):
+                continue
+            made.append(((facts.solids, cost(shape)), shape))
+            if facts.solids == 1 and made[-1][0][1] <= planned + _WORSE:
                 break
-        if made:
-            return min(made, key=_first)[1]
-    return None
+    return min(made, key=_first)[1] if made else None
 
 
-def _first(pair: tuple[float, TopoDS_Shape]) -> float:
+def _first(pair: tuple[tuple[int, float], TopoDS_Shape]) -> tuple[int, float]:
     return pair[0]
 
 

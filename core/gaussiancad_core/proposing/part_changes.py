@@ -4,15 +4,13 @@ An early edit is often half right: the right area between the wrong places, or a
 later ones took the place of.  No further edit mends that; the feature has to change.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from gaussiancad_core.proposing.equal_loops import pattern_between, places_of_all
-from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
+from gaussiancad_core.proposing.part_edits import Price
 from gaussiancad_core.proposing.part_features import Feature, Pattern, Prism, single_features
 from gaussiancad_core.proposing.planned_part import PlannedPart
-
-Price = Callable[[Operation, Feature], float]
 
 _FEWER = 0.5
 """Share of the least gain of an edit that a part with a feature less may lose."""

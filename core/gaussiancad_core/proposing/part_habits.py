@@ -12,7 +12,8 @@ from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.proposing.feature_kernels import Crossed
 from gaussiancad_core.proposing.lines_by_plane import Floats
-from gaussiancad_core.proposing.planned_part import PlannedPart, PlannedView
+from gaussiancad_core.proposing.planned_part import PlannedPart
+from gaussiancad_core.proposing.planned_views import PlannedView
 
 _PIECE = 0.05
 """Share of the lines that another piece of the part counts."""

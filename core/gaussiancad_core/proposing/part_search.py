@@ -1,9 +1,4 @@
-"""The search for a part: a start, then edits that explain more than they break, the best first.
-
-A line tells a difference only: everything around a hole, cut off, draws nearly what the hole does,
-and explains all holes at once.  So edits that break hardly anything of what they explain come
-first, by how much they explain; only where none is left one that breaks more.
-"""
+"""The search for a part: the best of what edits and changes make of several starts."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -17,14 +12,16 @@ from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.edit_hints import EditHints
 from gaussiancad_core.proposing.equal_loops import patterns_of, turned_patterns
 from gaussiancad_core.proposing.feature_kernels import Operation
-from gaussiancad_core.proposing.lines_by_plane import Floats, plane_sheet
+from gaussiancad_core.proposing.lines_by_plane import plane_sheet
 from gaussiancad_core.proposing.loop_places import prisms_of, whole_prism
 from gaussiancad_core.proposing.loop_shapes import loops_of
 from gaussiancad_core.proposing.part_changes import improved
+from gaussiancad_core.proposing.part_edits import Edits, Pool
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
 from gaussiancad_core.proposing.part_habits import pieces_of, unusual
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
+from gaussiancad_core.proposing.planned_views import planned_views
 from gaussiancad_core.proposing.slab_starts import slab_start
 from gaussiancad_core.proposing.turned_profiles import turned_of
 
@@ -32,36 +29,20 @@ _HABIT = 0.01
 """Share of the lines that an edit as large as the part costs: of two that explain the same the
 smaller one."""
 
+_ROUGHLY = 4
+"""One of so many pairs of lines of sight tells which edits are worth a look."""
+
 _BLIND = 0.05
 """What an end of a hole within the part costs, in the root of its area: holes go through."""
-
-_EDITS = (Operation.ADD, Operation.CUT)
 
 _WORTH = 1e-3
 """Share of the lines that an edit has to explain."""
 
-_AT_ONCE = 400
-"""Features that are tried before the best of them are taken."""
-
-_HARDLY, _SOME = 0.04, 0.2
-"""Shares of what an edit explains that it breaks, for it to break hardly anything, or some."""
-
-_LAST = 2
-"""The last tier of edits: what breaks more, or parts the part in pieces."""
-
-_TIERS = (0, 1, _LAST)
-
-_LATE = 4
-"""Times so many features that are tried before an edit may break more."""
-
 _GOOD, _DONE = 4e-3, 5e-4
 """Shares of the lines left unexplained with which no other start is tried, and no other edit."""
 
-_FIRST_SHARE, _SLAB_SHARE = 0.2, 0.06
+_FIRST_SHARE, _SLAB_SHARE = 0.1, 0.06
 """Shares of the work for each family of starts, and for slabs along one axis."""
-
-_FAMILIES = 4
-"""Families of starts that are tried before the best goes on."""
 
 _MAIN = 0.3
 """Share of the outline that a region with holes has from which the part may be that."""
@@ -111,19 +92,21 @@ class PartSearch:
         self._pool += patterns_of(self.sheet, self._loops)
         self._pool += turned_patterns(turned, self.sheet.tolerance)
         outlines = list(self._outlines())
-        self.judge = PlannedJudge(views, self.sheet, self._planes.values())
-        self._price = np.array(
-            [[self._price_of(each, feature) for each in _EDITS] for feature in self._pool]
-        ).reshape(-1, len(_EDITS))
+        self.judge = PlannedJudge(
+            self.sheet, tuple(planned_views(views, self.sheet, self._planes.values()))
+        )
         self._least = _WORTH * self.judge.length
         self._draws_hidden = any(view.draws_hidden for view in self.judge.views)
+        self._rough = self.judge.rough(_ROUGHLY)
+        self._offers = Pool.of(self._pool, self._price_of, self._rough) if self._pool else None
         self._hints = EditHints(self._pool, self.judge) if self._pool else None
         self._starts = self._by_family(list(self._all_starts(outlines, turned)))
 
     def best(self) -> PlannedPart | None:
         """The part that explains most; None where nothing tells a start."""
         tried: list[PlannedPart] = []
-        for start in self._starts[:_FAMILIES]:
+        families = len({start.family for start in self._starts})
+        for start in self._starts[:families]:
             tried.append(self._edited(start.part, _FIRST_SHARE * self._work))
             # Without hidden lines several parts explain all: the most usual one counts.
             if self._is_good(tried[-1]) and self._draws_hidden:
@@ -132,14 +115,19 @@ class PartSearch:
             return None
         tried.sort(key=_weighed)
         best = tried[0]
-        rest = [start.part for start in self._starts[_FAMILIES:]]
+        rest = [start.part for start in self._starts[families:]]
         for part in tried + rest:
-            if self._is_good(best) or self.judge.work > self._work:
+            if self._is_good(best) or self.work > self._work:
                 break
             further = self._edited(part, self._work)
             if _weighed(further) < _weighed(best):
                 best = further
         return best
+
+    @property
+    def work(self) -> int:
+        """Steps of the kernels so far."""
+        return self.judge.work + self._rough.work
 
     def _is_good(self, part: PlannedPart) -> bool:
         return part.cost + pieces_of(part) < _GOOD * self.judge.length
@@ -204,18 +192,20 @@ class PartSearch:
 
     def _edited(self, part: PlannedPart, work: float) -> PlannedPart:
         """A part with edits, as long as one explains more."""
-        until = min(self._work, self.judge.work + work)
+        until = min(self._work, self.work + work)
         while True:
             self._with_edits(part, until)
-            if self.judge.work > until or part.cost <= _DONE * self.judge.length:
+            if self.work > until or part.cost <= _DONE * self.judge.length:
                 return part
-            changed = improved(part, self._price_of, self._least, until)
+            changed = improved(part, self._price_of, self._least, until - self._rough.work)
             if changed is None:
                 return part
             part = changed
 
     def _price_of(self, operation: Operation, feature: Feature) -> float:
-        """mm that a feature costs."""
+        """mm that a feature costs; what lies all around an area is only cut."""
+        if operation is not Operation.CUT and _is_around(feature):
+            return np.inf
         whole = float(np.prod(self.sheet.size))
         price = _HABIT * self.judge.length * min(1.0, feature.volume / whole)
         if operation is Operation.CUT:
@@ -232,13 +222,16 @@ class PartSearch:
 
     def _with_edits(self, part: PlannedPart, until: float) -> None:
         """Do the best edits, as long as one explains more."""
-        if self._hints is None:
+        if self._hints is None or self._offers is None:
             return
-        edits = _Edits(part, self._pool, self._price, self._least, until)
+        rough = PlannedPart(self._rough).followed_by(part.features)
+        edits = Edits(part, rough, self._offers, self._least, until)
         while not edits.is_over and part.cost > _DONE * self.judge.length:
             edits.forget(self._hints.stale(part))
             worth = self._hints.reach(part) > self._least
-            order = np.argsort(-self._hints.of(part) + self._price.min(axis=1), kind="stable")
+            order = np.argsort(
+                -self._hints.of(part) + self._offers.price.min(axis=1), kind="stable"
+            )
             if not edits.some_done(order[worth[order]]):
                 break
 
@@ -248,105 +241,5 @@ def _weighed(part: PlannedPart) -> float:
     return part.cost + unusual(part)
 
 
-class _Edits:
-    """What edits of a part would change, as far as it was tried.
-
-    Args:
-        part: that is edited.
-        pool: features to edit it with.
-        price: (n, 2) mm that each costs, added and cut.
-        least: mm that an edit has to explain.
-        until: work of the judge at which it ends.
-    """
-
-    def __init__(
-        self,
-        part: PlannedPart,
-        pool: Sequence[Feature],
-        price: Floats,
-        least: float,
-        until: float,
-    ) -> None:
-        self._part, self._pool, self._price = part, pool, price
-        self._least, self._until = least, until
-        views = len(part.judge.views)
-        self._known = np.zeros((len(pool), 2, views, 3))
-        self._stale = np.ones((len(pool), 2, views), bool)
-
-    @property
-    def is_over(self) -> bool:
-        """Whether the work is done."""
-        return self._part.judge.work > self._until
-
-    def forget(self, stale: np.ndarray) -> None:
-        """Try again, where it is asked for, what (n, views) says."""
-        self._stale |= stale[:, None, :]
-
-    def some_done(self, order: np.ndarray) -> int:
-        """Do the best edits of some features, in the order in which these are tried; how many."""
-        for at in range(0, len(order), _AT_ONCE):
-            for number in order[at : at + _AT_ONCE].tolist():
-                self._try(number)
-            tiers = (0,) if at < _LATE * _AT_ONCE else _TIERS
-            done = self._take(order[: at + _AT_ONCE], tiers)
-            if done or self.is_over:
-                return done
-        return self._take(order, _TIERS)
-
-    def _try(self, number: int) -> None:
-        feature = self._pool[number]
-        for operation in _operations(feature):
-            for view in np.flatnonzero(self._stale[number, operation]).tolist():
-                gain = self._part.gain_in(view, operation, feature)
-                self._known[number, operation, view] = gain.mm, gain.broken, gain.changed
-            self._stale[number, operation] = False
-
-    def _take(self, rows: np.ndarray, tiers: Sequence[int]) -> int:
-        """Do the best edits of these tiers: all that break hardly anything, or one that does."""
-        gain, broken, changed = (self._known[rows][..., k].sum(axis=2) for k in range(3))
-        fine = (changed > 0.0) & (gain < -self._least) & ~self._stale[rows].any(axis=2)
-        found = [
-            (
-                _tier(gain[i, k], broken[i, k]),
-                gain[i, k] + self._price[rows[i], k],
-                int(rows[i]),
-                int(k),
-            )
-            for i, k in np.argwhere(fine)
-        ]
-        done = 0
-        for tier, promised, number, operation in sorted(found):
-            if tier not in tiers or (tier and done) or (self.is_over and done):
-                break
-            if self._still(number, Operation(operation), promised, tier):
-                self._part.do(Operation(operation), self._pool[number])
-                done += 1
-        return done
-
-    def _still(self, number: int, operation: Operation, promised: float, tier: int) -> bool:
-        """Whether an edit still explains what it did before others were done."""
-        now = self._part.gain(operation, self._pool[number])
-        if not now.changed or now.mm > -self._least:
-            return False
-        worth = now.mm + self._price[number, operation] <= 0.5 * promised
-        if not worth or _tier(now.mm, now.broken) > tier:
-            return False
-        if tier == _LAST:
-            return True
-        after = self._part.followed_by([(operation, self._pool[number])])
-        return pieces_of(after) <= pieces_of(self._part)
-
-
-def _operations(feature: Feature) -> tuple[Operation, ...]:
-    """Cut or add; what lies all around an area is only cut."""
-    if isinstance(feature, Prism) and feature.loop.kind is LoopKind.AROUND:
-        return (Operation.CUT,)
-    return _EDITS
-
-
-def _tier(gain: float, broken: float) -> int:
-    """How much an edit breaks of what it explains: 0 for hardly anything."""
-    share = broken / (broken - gain)
-    if share < _HARDLY:
-        return 0
-    return 1 if share < _SOME else _LAST
+def _is_around(feature: Feature) -> bool:
+    return isinstance(feature, Prism) and feature.loop.kind is LoopKind.AROUND

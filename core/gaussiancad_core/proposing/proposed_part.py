@@ -14,7 +14,7 @@ from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.part_features import Feature
 from gaussiancad_core.proposing.part_search import PartSearch
 
-WORK = 1.2e8
+WORK = 2.4e8
 """Steps of the search's kernels: about ten seconds of a processor."""
 
 

@@ -19,6 +19,7 @@ from gaussiancad_core.proposing.loop_shapes import loops_of
 from gaussiancad_core.proposing.part_features import Feature, Pattern, Prism
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, PlaneLoops, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
+from gaussiancad_core.proposing.planned_views import planned_views
 from gaussiancad_core.proposing.turned_profiles import turned_of
 from sample_parts.modelling import box, cone, cut, cylinder
 
@@ -44,7 +45,9 @@ class _Plan:
                 self.planes[axis] = found
         self.loops = {axis: loops_of(self.sheet, each) for axis, each in self.planes.items()}
         self.turned = list(turned_of(self.sheet, self.planes, self.loops))
-        self.judge = PlannedJudge(views, self.sheet, self.planes.values())
+        self.judge = PlannedJudge(
+            self.sheet, tuple(planned_views(views, self.sheet, self.planes.values()))
+        )
 
     def outlines(self) -> PlannedPart:
         part = PlannedPart(self.judge)
