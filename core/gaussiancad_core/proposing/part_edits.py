@@ -15,7 +15,6 @@ from gaussiancad_core.proposing.feature_kernels import Offers, Operation, Tables
 from gaussiancad_core.proposing.feature_tables import tables_of
 from gaussiancad_core.proposing.lines_by_plane import Floats
 from gaussiancad_core.proposing.part_features import Feature
-from gaussiancad_core.proposing.part_habits import pieces_of
 from gaussiancad_core.proposing.plane_loops import Numbers
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
 
@@ -146,8 +145,9 @@ class Edits:
             return False
         if tier == _LAST:
             return True
-        after = self._part.followed_by([(operation, feature)])
-        self._parting[number, operation] = pieces_of(after) > pieces_of(self._part)
+        habits, features = self._part.judge.habits, self._part.features
+        after = habits.of_pieces([*features, (operation, feature)])
+        self._parting[number, operation] = after > habits.of_pieces(features)
         return not self._parting[number, operation]
 
 

@@ -18,7 +18,6 @@ from gaussiancad_core.proposing.loop_shapes import loops_of
 from gaussiancad_core.proposing.part_changes import improved
 from gaussiancad_core.proposing.part_edits import Edits, Pool
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
-from gaussiancad_core.proposing.part_habits import pieces_of, unusual
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
 from gaussiancad_core.proposing.planned_views import planned_views
@@ -130,7 +129,7 @@ class PartSearch:
         return self.judge.work + self._rough.work
 
     def _is_good(self, part: PlannedPart) -> bool:
-        return part.cost + pieces_of(part) < _GOOD * self.judge.length
+        return part.cost + self.judge.habits.of_pieces(part.features) < _GOOD * self.judge.length
 
     def _outlines(self) -> Iterator[Prism]:
         """The outlines of the views as prisms."""
@@ -238,7 +237,7 @@ class PartSearch:
 
 def _weighed(part: PlannedPart) -> float:
     """mm of line that a part leaves unexplained, and what is unusual about it."""
-    return part.cost + unusual(part)
+    return part.cost + part.judge.habits.unusual(part.features)
 
 
 def _is_around(feature: Feature) -> bool:

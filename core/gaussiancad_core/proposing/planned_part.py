@@ -34,6 +34,7 @@ from gaussiancad_core.proposing.part_features import (
     every_sight,
     nothing_crossed,
 )
+from gaussiancad_core.proposing.part_habits import Habits
 from gaussiancad_core.proposing.plane_loops import Numbers
 from gaussiancad_core.proposing.planned_views import RASTER, PlannedView, thinned
 
@@ -57,6 +58,7 @@ class PlannedJudge:
         self.near = _NEAR * sheet.longest
         self.views = tuple(views)
         self.length = sheet.length
+        self.habits = Habits(sheet, self.near)
         self.trials = 0
         self.work = 0
         """Steps of the kernels so far: what a search is limited by, the same on every machine."""

@@ -47,8 +47,6 @@ class PlannedView:
         looks_up: whether it sees the least coordinate along its axis first.
         draws_hidden: whether what is hidden is drawn.
         draws_tangents: whether lines where faces meet smoothly are.
-        raster: number of its first line of sight that lies between places, not beside a stroke.
-        cells: (r, c) mm^2 that each of these stands for, from there on row by row.
         squares: (n,) of the raster that lines of sight lie in.
         pair_squares: (p,) the same of the pairs.
     """
@@ -64,8 +62,6 @@ class PlannedView:
     looks_up: bool
     draws_hidden: bool
     draws_tangents: bool
-    raster: int
-    cells: Floats
     squares: Numbers
     pair_squares: Numbers
 
@@ -102,8 +98,6 @@ def planned_views(
             plane_view.looks_up,
             view.draws_hidden,
             view.draws_tangents,
-            pairs.raster,
-            _cells(pairs),
             squares_of(places, size),
             squares_of(at, size),
         )
@@ -143,16 +137,9 @@ def _thinned(view: PlannedView, number: int, every: int) -> PlannedView:
         depth=view.depth[chosen],
         line=view.line[chosen],
         cut_at=view.cut_at[used],
-        raster=0,
-        cells=np.zeros((0, 0)),
         squares=view.squares[used],
         pair_squares=view.pair_squares[chosen],
     )
-
-
-def _cells(pairs: SightPairs) -> Floats:
-    rows = len(np.unique(pairs.places[pairs.raster :, 0]))
-    return np.square(pairs.cells).reshape(max(1, rows), -1)
 
 
 def _with_note(view: PlannedView, hole: PlaneHole, size: Floats) -> PlannedView:
