@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from itertools import pairwise, product
+from itertools import pairwise
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
@@ -20,7 +20,7 @@ from OCP.ShapeFix import ShapeFix_Face
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.kernel.booleans import common, fused, unified, without
-from gaussiancad_core.kernel.brep import is_valid, soundness, volume
+from gaussiancad_core.kernel.brep import soundness, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
@@ -41,8 +41,11 @@ _FEW = 4
 _SPECK = 1e-7
 """mm: shorter edges are none."""
 
-_TOUCHING = 1.0
-"""Tolerances within which faces of two features are one: their corners lie on a grid."""
+_MOST_FACES = 2500
+"""Faces of all bodies in between, after which no more features are put on one by one."""
+
+_OTHER = 0.1
+"""Share by which the volume of a prism with arcs may differ from that with their chords."""
 
 _WORSE = 0.01
 """Share of the lines that a solid may explain less than what was planned."""
@@ -67,14 +70,14 @@ def solid_of(
         None where the kernel makes none.
     """
     made: list[tuple[tuple[int, float], TopoDS_Shape]] = []
-    for build, near in product((_built, _one_by_one), (0.0, _TOUCHING * sheet.tolerance)):
+    for build in (_built, _one_by_one):
         with suppress(*KERNEL_FAILURES):
-            shape = build(features, sheet, near)
+            shape = build(features, sheet)
             facts = soundness(shape) if shape is not None else None
             if shape is None or facts is None or not (facts.valid and facts.closed):
                 continue
             made.append(((facts.solids, cost(shape)), shape))
-            if facts.solids == 1 and made[-1][0][1] <= planned + _WORSE:
+            if made[-1][0][1] <= planned + _WORSE:
                 break
     return min(made, key=_first)[1] if made else None
 
@@ -83,18 +86,11 @@ def _first(pair: tuple[tuple[int, float], TopoDS_Shape]) -> tuple[int, float]:
     return pair[0]
 
 
-def _built(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
-    """Features one after another, those of one kind at once; what almost touches touches."""
+def _built(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
+    """Features one after another, those of one kind at once."""
     shape: TopoDS_Shape | None = None
     for operation, tools in _runs(features, sheet):
-        if shape is None:
-            shape = fused(tools, near)
-        elif operation is Operation.ADD:
-            shape = fused([shape, *tools], near)
-        elif operation is Operation.CUT:
-            shape = without(shape, tools, near)
-        else:
-            shape = common(shape, tools[0], near)
+        shape = fused(tools) if shape is None else _after(shape, operation, tools)
     return None if shape is None else unified(shape)
 
 
@@ -112,16 +108,21 @@ def _runs(features: Features, sheet: PlaneSheet) -> Iterator[tuple[Operation, li
         yield before, run
 
 
-def _one_by_one(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
+def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
     """Features alone, without those that the kernel cannot make."""
     shape: TopoDS_Shape | None = None
+    left = _MOST_FACES
     for operation, feature in features:
         for single in single_features(feature):
             with suppress(*KERNEL_FAILURES):
                 tool = _tool(single, sheet)
-                made = tool if shape is None else _after(shape, operation, tool, near)
-                if is_valid(made) and volume(made) > 0.0:
+                made = tool if shape is None else _after(shape, operation, [tool])
+                facts = soundness(made)
+                left -= facts.faces
+                if facts.valid and facts.closed and volume(made) > 0.0:
                     shape = made
+            if left < 0:
+                return shape
     if shape is not None:
         with suppress(*KERNEL_FAILURES):
             shape = unified(shape)
@@ -129,20 +130,27 @@ def _one_by_one(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Sh
 
 
 def _after(
-    shape: TopoDS_Shape, operation: Operation, tool: TopoDS_Shape, near: float
+    shape: TopoDS_Shape, operation: Operation, tools: Sequence[TopoDS_Shape]
 ) -> TopoDS_Shape:
     if operation is Operation.ADD:
-        return fused([shape, tool], near)
+        return fused([shape, *tools])
     if operation is Operation.CUT:
-        return without(shape, [tool], near)
-    return common(shape, tool, near)
+        return without(shape, tools)
+    return common(shape, tools[0])
 
 
 def _tool(feature: Prism | Turned, sheet: PlaneSheet) -> TopoDS_Shape:
-    return _prism(feature, sheet) if isinstance(feature, Prism) else _turned(feature, sheet)
+    """A feature with arcs for the chords of circles; with chords where these make another of it."""
+    if isinstance(feature, Turned):
+        return _turned(feature, sheet)
+    with suppress(*KERNEL_FAILURES):
+        made = _prism(feature, sheet, with_arcs=True)
+        if abs(volume(made) - feature.volume) <= _OTHER * feature.volume:
+            return made
+    return _prism(feature, sheet, with_arcs=False)
 
 
-def _prism(feature: Prism, sheet: PlaneSheet) -> TopoDS_Shape:
+def _prism(feature: Prism, sheet: PlaneSheet, *, with_arcs: bool) -> TopoDS_Shape:
     loop, axis = feature.loop, feature.axis
 
     def place(point: Floats) -> gp_Pnt:
@@ -151,8 +159,11 @@ def _prism(feature: Prism, sheet: PlaneSheet) -> TopoDS_Shape:
     wires = []
     for ring in loop.rings:
         surfaces = loop.surfaces[ring]
-        circles = [_circle_of(sheet, int(surface), axis) for surface in surfaces]
-        wires.append(_wire(loop.edges[ring], surfaces.tolist(), circles, (place, axis), sheet))
+        circles = [
+            _circle_of(sheet, int(surface), axis) if with_arcs else None for surface in surfaces
+        ]
+        names = surfaces.tolist() if with_arcs else list(range(len(surfaces)))
+        wires.append(_wire(loop.edges[ring], names, circles, (place, axis), sheet))
     face = BRepBuilderAPI_MakeFace(wires[0], True)
     for wire in wires[1:]:
         face.Add(wire)
@@ -219,8 +230,9 @@ def _wire(
         if circle is not None and _is_on(corners, circle, sheet.tolerance):
             if len(run) == len(names):
                 return BRepBuilderAPI_MakeWire(_whole_circle(circle, place, normal)).Wire()
-            if len(run) > 1:
-                made.Add(_arc(corners, circle, place))
+            arc = _arc(corners, circle, place) if len(run) > 1 else None
+            if arc is not None:
+                made.Add(arc)
                 continue
         if _is_straight(corners, sheet.tolerance):
             made.Add(BRepBuilderAPI_MakeEdge(place(corners[0]), place(corners[-1])).Edge())
@@ -264,12 +276,15 @@ def _whole_circle(circle: Circle, place: Place, normal: Axis) -> TopoDS_Edge:
     return BRepBuilderAPI_MakeEdge(gp_Circ(about, circle[2])).Edge()
 
 
-def _arc(corners: Floats, circle: Circle, place: Place) -> TopoDS_Edge:
+def _arc(corners: Floats, circle: Circle, place: Place) -> TopoDS_Edge | None:
+    """An arc from the first corner to the last; None where these are too near each other."""
     centre = np.array(circle[:2])
-    away = corners[len(corners) // 2] - centre
+    way = corners[-1] - corners[0]
+    across = np.abs((corners - corners[0]) @ np.array([-way[1], way[0]]))
+    away = corners[int(across.argmax())] - centre
     middle = centre + away / np.hypot(*away) * circle[2]
     arc = GC_MakeArcOfCircle(place(corners[0]), place(middle), place(corners[-1]))
-    return BRepBuilderAPI_MakeEdge(arc.Value()).Edge()
+    return BRepBuilderAPI_MakeEdge(arc.Value()).Edge() if arc.IsDone() else None
 
 
 def _curve(corners: Floats, place: Place, tolerance: float) -> TopoDS_Edge:
