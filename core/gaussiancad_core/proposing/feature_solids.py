@@ -91,7 +91,7 @@ def _built(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
     shape: TopoDS_Shape | None = None
     for operation, tools in _runs(features, sheet):
         shape = fused(tools) if shape is None else _after(shape, operation, tools)
-    return None if shape is None else unified(shape)
+    return None if shape is None else _unified(shape)
 
 
 def _runs(features: Features, sheet: PlaneSheet) -> Iterator[tuple[Operation, list[TopoDS_Shape]]]:
@@ -123,9 +123,16 @@ def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
                     shape = made
             if left < 0:
                 return shape
-    if shape is not None:
-        with suppress(*KERNEL_FAILURES):
-            shape = unified(shape)
+    return None if shape is None else _unified(shape)
+
+
+def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
+    """With faces that continue each other as one, where the kernel makes a sound body of that."""
+    with suppress(*KERNEL_FAILURES):
+        made = unified(shape)
+        facts = soundness(made)
+        if facts.valid and facts.closed:
+            return made
     return shape
 
 
