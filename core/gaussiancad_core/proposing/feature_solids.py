@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_Copy,
     BRepBuilderAPI_MakeEdge,
     BRepBuilderAPI_MakeFace,
     BRepBuilderAPI_MakeWire,
@@ -41,6 +42,9 @@ _FEW = 4
 _SPECK = 1e-7
 """mm: shorter edges are none."""
 
+_PIECE = 0.05
+"""Share of the lines that another body counts."""
+
 _MOST_FACES = 2500
 """Faces of all bodies in between, after which no more features are put on one by one."""
 
@@ -69,20 +73,20 @@ def solid_of(
     Returns:
         None where the kernel makes none.
     """
-    made: list[tuple[tuple[int, float], TopoDS_Shape]] = []
+    made: list[tuple[float, TopoDS_Shape]] = []
     for build in (_built, _one_by_one):
         with suppress(*KERNEL_FAILURES):
             shape = build(features, sheet)
             facts = soundness(shape) if shape is not None else None
             if shape is None or facts is None or not (facts.valid and facts.closed):
                 continue
-            made.append(((facts.solids, cost(shape)), shape))
-            if made[-1][0][1] <= planned + _WORSE:
+            made.append((cost(shape) + _PIECE * (facts.solids - 1), shape))
+            if made[-1][0] <= planned + _WORSE:
                 break
     return min(made, key=_first)[1] if made else None
 
 
-def _first(pair: tuple[tuple[int, float], TopoDS_Shape]) -> tuple[int, float]:
+def _first(pair: tuple[float, TopoDS_Shape]) -> float:
     return pair[0]
 
 
@@ -129,7 +133,8 @@ def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
 def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
     """With faces that continue each other as one, where the kernel makes a sound body of that."""
     with suppress(*KERNEL_FAILURES):
-        made = unified(shape)
+        # Where the kernel fails at this it has changed what it was given.
+        made = unified(BRepBuilderAPI_Copy(shape).Shape())
         facts = soundness(made)
         if facts.valid and facts.closed:
             return made
