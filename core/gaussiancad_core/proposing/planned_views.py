@@ -146,8 +146,8 @@ def _with_note(view: PlannedView, hole: PlaneHole, size: Floats) -> PlannedView:
     """A view with pairs of a line of sight in a step of a hole and of one beside the hole."""
     turn = np.linspace(0.0, 2.0 * np.pi, _WAYS, endpoint=False)
     ways = np.stack([np.cos(turn), np.sin(turn)], axis=1)
-    beside = hole.centre + _BESIDE * hole.steps[-1].diameter / 2.0 * ways
-    rings, depths, weights, inner = [beside], [], [], 0.0
+    around = hole.centre + _BESIDE * hole.steps[-1].diameter / 2.0 * ways
+    rings, depths, weights, inner = [around], [], [], 0.0
     for step in hole.steps:
         radius = step.diameter / 2.0
         rings.append(hole.centre + (inner + radius) / 2.0 * ways)

@@ -15,6 +15,7 @@ what was put together and has all lines is taken at once.  A sheet of one view i
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
+from gaussiancad_core.errors import is_out_of_memory
 from gaussiancad_core.evidence.projected_reading import ProjectedReading
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.misfits import solid_misfit
@@ -27,7 +28,7 @@ from gaussiancad_core.sketch.sketch_check import checked
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.solid.exact import ExactResult, exact_solid_and_model
 from gaussiancad_core.solid.limits import Limits, Modelled
-from gaussiancad_core.solid.reasons import UNBUILT, has_hidden_lines
+from gaussiancad_core.solid.reasons import UNBUILT, UNFINISHED, has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.modes import SolidWay, Status
@@ -69,7 +70,7 @@ _FIRM = 0.05
 """Share of the lines that a sketch leaves unexplained at most for little to be tried beside it, and
 for nothing else to be put together."""
 
-_CLEARLY = 0.7
+_CLEARLY = 0.6
 """Share of what a sketch leaves unexplained that something else leaves at most to take its
 place."""
 
@@ -382,8 +383,14 @@ def find_for_hull(reading: ProjectedReading, other: ProjectedReading | None) -> 
 def _solved(
     reading: ProjectedReading, limits: Limits, model: Modelled | None = None
 ) -> tuple[ExactResult, Modelled | None]:
-    """The solid of a reading as far as it is worth keeping, and the model of its drawing."""
-    result, model = exact_solid_and_model(reading.drawn, limits, model)
+    """The solid of a reading as far as it is worth keeping, and the model of its drawing; none of
+    either where that takes more memory than there is."""
+    try:
+        result, model = exact_solid_and_model(reading.drawn, limits, model)
+    except Exception as error:
+        if not is_out_of_memory(error):
+            raise
+        return ExactResult(Status.FAILED, None, None, (), (UNFINISHED,), {}), None
     return _kept(result), model
 
 

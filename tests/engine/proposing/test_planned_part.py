@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import shapely
 from OCP.TopoDS import TopoDS_Shape
@@ -11,11 +12,15 @@ from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.model.axes import Axis, Role
+from gaussiancad_core.model.hole_depths import HoleStep, NotedHole
 from gaussiancad_core.model.section_planes import Cut, CutRegion
+from gaussiancad_core.model.views import Linetype
 from gaussiancad_core.proposing.feature_kernels import Operation
+from gaussiancad_core.proposing.feature_tables import tables_of
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet, plane_sheet
-from gaussiancad_core.proposing.loop_places import prism, whole_prism
+from gaussiancad_core.proposing.loop_places import places_of, prism, whole_prism
 from gaussiancad_core.proposing.loop_shapes import loops_of
+from gaussiancad_core.proposing.part_changes import improved
 from gaussiancad_core.proposing.part_features import Feature, Pattern, Prism
 from gaussiancad_core.proposing.plane_loops import Loop, LoopKind, PlaneLoops, plane_loops
 from gaussiancad_core.proposing.planned_part import PlannedJudge, PlannedPart
@@ -155,3 +160,86 @@ def test_a_section_shows_what_is_behind_its_plane(drawn: Draw) -> None:
     assert to_floor < through
     found = part.do(Operation.CUT, prism(plan.sheet, disc, 10.0, 30.0))
     assert found.share == pytest.approx(0.0, abs=1e-9)
+
+
+def test_all_edits_at_once_change_what_each_does(drawn: Draw) -> None:
+    plan = _plan(drawn, _bore(15.0), _bore(30.0))
+    part = plan.outlines()
+    one, other = (plan.whole(disc) for disc in plan.discs())
+    pool: list[Feature] = [
+        one,
+        prism(plan.sheet, one.loop, 0.0, 18.0),
+        Pattern((one, other)),
+        *plan.turned[:2],
+        plan.whole(plan.loops[Axis.X][0]),
+    ]
+    for view, sights in enumerate(each.sights for each in plan.judge.views):
+        gains = part.gains_in(view, tables_of(pool, sights), np.arange(len(pool)))
+        for number, feature in enumerate(pool):
+            for operation in (Operation.ADD, Operation.CUT):
+                gain = part.gain_in(view, operation, feature)
+                known = gain.mm, gain.broken, gain.changed
+                assert gains[number, operation] == pytest.approx(known, abs=1e-9)
+
+
+def test_a_rough_judge_says_about_what_the_whole_one_does(drawn: Draw) -> None:
+    plan = _plan(drawn, _bore(15.0), _bore(30.0))
+    part, rough = plan.outlines(), PlannedPart(plan.judge.rough(4))
+    rough = rough.followed_by(part.features)
+    assert sum(len(view.one) for view in rough.judge.views) < 0.3 * sum(
+        len(view.one) for view in part.judge.views
+    )
+    for disc in plan.discs():
+        exact = part.gain(Operation.CUT, plan.whole(disc)).mm
+        assert rough.gain(Operation.CUT, plan.whole(disc)).mm == pytest.approx(exact, rel=0.3)
+
+
+def test_a_change_moves_an_end_or_takes_a_feature_out(drawn: Draw) -> None:
+    plan = _plan(drawn, cylinder(Axis.Z, (15.0, 12.0), 5.0, 18.0, 31.0))
+    (disc,) = plan.discs()
+    right = plan.outlines().do(Operation.CUT, prism(plan.sheet, disc, 18.0, 30.0))
+    assert right.share == pytest.approx(0.0, abs=1e-9)
+
+    def free(_operation: Operation, _feature: Feature) -> float:
+        return 0.0
+
+    through = plan.outlines().do(Operation.CUT, plan.whole(disc))
+    for wrong in (through, right.copy().do(Operation.ADD, prism(plan.sheet, disc, 18.0, 30.0))):
+        before = wrong.cost
+        found = improved(wrong, free, 1.0, np.inf)
+        assert found is not None
+        assert found.share == pytest.approx(0.0, abs=1e-9)
+        assert wrong.cost == before > 0.0
+    assert improved(right, free, 1.0, np.inf) is None
+
+
+def test_a_hole_is_as_deep_as_its_note_says(drawn: Draw) -> None:
+    views = drawn(cut(_BLOCK, _bore(15.0)))
+    visible = {
+        role: tuple(each for each in strokes if each.linetype is Linetype.VISIBLE)
+        for role, strokes in views.strokes.items()
+    }
+    silent = replace(views, strokes=visible, undrawn=tuple(visible))
+    note = NotedHole(Role.TOP, (15.0, 12.0), (HoleStep(10.0, 12.0),))
+    for holes, costs in (((), (0.0, 0.0)), ((note,), (17.7, 0.0))):
+        plan = _Plan(replace(silent, holes=holes))
+        (disc,) = plan.discs()
+        parts = [
+            plan.outlines().do(Operation.CUT, each)
+            for each in (plan.whole(disc), prism(plan.sheet, disc, 18.0, 30.0))
+        ]
+        assert [part.cost for part in parts] == pytest.approx(costs, abs=0.1)
+        assert (18.0 in places_of(plan.sheet, disc)) == bool(holes)
+
+
+def test_pieces_of_a_part_and_its_hollows_are_unusual(drawn: Draw) -> None:
+    plan = _plan(drawn, _bore(15.0))
+    habits, part = plan.judge.habits, plan.outlines()
+    (disc,) = plan.discs()
+    assert habits.of_pieces(part.features) == 0.0
+    bored = part.copy().do(Operation.CUT, plan.whole(disc))
+    assert habits.of_pieces(bored.features) == 0.0
+    assert habits.unusual(bored.features) > habits.unusual(part.features)
+    plug = shapely.affinity.scale(disc.polygon, 0.5, 0.5)
+    core = plan.whole(plan.planes[Axis.Z].loop(plug, LoopKind.REGION))
+    assert habits.of_pieces(bored.do(Operation.ADD, core).features) > 0.0

@@ -87,6 +87,45 @@ def test_a_lost_piece_of_the_outline_costs_nothing_else(drawn: Draw) -> None:
     assert _iou(found.shape, part) > 0.98
 
 
+def _plate(*tools: TopoDS_Shape) -> TopoDS_Shape:
+    return cut(box((0.0, 0.0, 0.0), (80.0, 50.0, 8.0)), *tools)
+
+
+def _bore(x: float, radius: float) -> TopoDS_Shape:
+    return cylinder(Axis.Z, (x, 25.0), radius, -1.0, 9.0)
+
+
+def _sunk(x: float) -> TopoDS_Shape:
+    return cone(Axis.Z, (x, 25.0), (4.0, 7.0), 5.0, 8.0)
+
+
+@pytest.mark.parametrize("sunk", [False, True])
+def test_without_hidden_lines_holes_go_through_and_leave_one_piece(sunk: bool, drawn: Draw) -> None:
+    tools = [_bore(x, 4.0) for x in (20.0, 60.0)]
+    part = _plate(*tools, *([_sunk(20.0), _sunk(60.0)] if sunk else []))
+    views = drawn(part)
+    visible = {
+        role: tuple(each for each in strokes if each.linetype is Linetype.VISIBLE)
+        for role, strokes in views.strokes.items()
+    }
+    found = _proposed(replace(views, strokes=visible, undrawn=tuple(visible)))
+    assert found is not None
+    assert found.shape is not None
+    assert soundness(found.shape).solids == 1
+    assert soundness(found.shape).faces == soundness(part).faces
+    # Which side is sunk no line tells.
+    assert volume(found.shape) == pytest.approx(volume(part), rel=1e-4)
+
+
+def test_an_arc_between_corners_that_are_one_is_none(drawn: Draw) -> None:
+    # A bore that all but touches the edge: what is left beside it is a sliver of two arcs.
+    part = _plate(cylinder(Axis.Z, (80.0 - 5.001, 25.0), 5.0, -1.0, 9.0))
+    found = _proposed(drawn(part))
+    assert found is not None
+    assert found.shape is not None
+    assert volume(found.shape) == pytest.approx(volume(part), rel=1e-3)
+
+
 def test_where_nothing_is_enclosed_nothing_is_proposed() -> None:
     line = Segment((0.0, 0.0), (40.0, 0.0), Linetype.VISIBLE)
     views = DrawnViews({Role.FRONT: (line,)}, (40.0, 1.0, 1.0), 0.01)

@@ -13,6 +13,7 @@ from gaussiancad_core.kernel.brep import soundness
 from gaussiancad_core.labelling.part_model import PartModel
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.views import Linetype, Segment
+from gaussiancad_core.run import exact_stage
 from gaussiancad_core.run.exact_stage import ExactModel, find_exact, find_for_hull
 from gaussiancad_core.sheet.registration.axis_residuals import Residual
 from gaussiancad_core.sheet.registration.view_registration import AxisExtents
@@ -165,6 +166,17 @@ def test_where_no_solid_has_all_lines_the_part_is_sketched() -> None:
     agreement = found.result.verification.matched[Role.FRONT].agreement
     assert agreement.visible_precision == pytest.approx(1.0)
     assert agreement.visible_recall < 0.7
+
+
+def test_where_the_memory_does_not_suffice_the_part_is_sketched(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fails(*_: object) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(exact_stage, "exact_solid_and_model", fails)
+    found = find_exact(_both(_back_pocket(0.0))[0], None)
+    assert found.sketched is not None and found.result.status is Status.APPROXIMATE
 
 
 def test_a_part_whose_lines_all_agree_needs_no_sketch() -> None:
