@@ -129,7 +129,10 @@ def _named(box: Box, sections: Sequence[NamedSection]) -> NamedSection | None:
 
 
 def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[CutRegion]:
-    """The openings of a cutting line that runs in another view, in steps where it has some."""
+    """The openings of a cutting line that runs in another view, in steps where it has some; none of
+    one whose steps are not known."""
+    if not trace.path:
+        return
     axis = role.frame.look_axis[0]
     middle = np.mean(trace.ends, axis=0)
     for other in registered.drawn:

@@ -222,6 +222,17 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
             for axis, residual in registered.extents.residuals.items()
         },
     )
+    for view in registered.gaps:
+        x0, y0, x1, y1 = view.box
+        message = Message(
+            "the outline of the {view} view at {place} px is not closed, and was taken to be "
+            "straight where it is missing: draw its visible edges without gaps",
+            boxes=[view.box],
+            view=view.role,
+            place=f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f})",
+            case="gap",
+        )
+        notes.doubt(Code.OPEN_OUTLINE, message.moved(turn.box_to_stored))
     if notes.report.scale_source == ScaleSource.DEFAULT.value:
         notes.warn(
             Code.SCALE_ASSUMED,

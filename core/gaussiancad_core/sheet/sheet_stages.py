@@ -17,7 +17,10 @@ from gaussiancad_core.sheet.image.inked_sheet import CleanSheet
 from gaussiancad_core.sheet.labels.label_evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.picture_noise import ON_LINE
 from gaussiancad_core.sheet.reading_options import Box, ReadingOptions
-from gaussiancad_core.sheet.registration.face_outlines import outline_of_strokes
+from gaussiancad_core.sheet.registration.face_outlines import (
+    outline_as_if_closed,
+    outline_of_strokes,
+)
 from gaussiancad_core.sheet.registration.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.registration.shared_axes import share_axes
 from gaussiancad_core.sheet.registration.stroke_precision import StrokesSource, precision_of
@@ -120,6 +123,7 @@ class RegisteredSheet:
         opened: number of through holes opened in the masks.
         given_axis: the axis whose extent was told; None where none was, or the scale.
         unseen: what is known of the axis that the only view does not show; None of several views.
+        gaps: views whose outline is not closed, and was taken to be straight there.
     """
 
     views: ViewSet
@@ -130,6 +134,7 @@ class RegisteredSheet:
     opened: int
     given_axis: Axis | None = None
     unseen: Unseen | None = None
+    gaps: tuple[ReadView, ...] = ()
 
     @property
     def source(self) -> StrokesSource:
@@ -195,25 +200,31 @@ def _outline_of(strokes: Sequence[Stroke], supersampling: int) -> Outline | None
     return outline_of_strokes(curves, box_around(np.concatenate(curves)), supersampling)
 
 
-def _check_outline(view: ReadView) -> None:
-    case = fault = ""
+def _with_outline(view: ReadView) -> ReadView:
+    """A view with the outline that it has if what is missing of it is straight.
+
+    Raises:
+        NoModelError: ``open-outline`` where it encloses nothing.
+    """
     x0, y0, x1, y1 = view.box
-    if view.outline is None:
-        case, fault = "gap", "is not closed: draw its visible edges without gaps"
-    elif min(x1 - x0, y1 - y0) < ON_LINE:
+    if min(x1 - x0, y1 - y0) < ON_LINE:
         # Two edges that melted into one line are closed, and bound nothing.
-        case = "thin"
-        fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
-    if fault:
         raise NoModelError(
             Code.OPEN_OUTLINE,
-            "the outline of the {view} view at {place} px {fault}",
+            "the outline of the {view} view at {place} px encloses nothing, its edges are one line:"
+            " export the sheet with more pixels",
             boxes=[view.box],
             view=view.role,
             place=f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f})",
-            case=case,
-            fault=fault,
+            case="thin",
         )
+    if view.outline is not None:
+        return view
+    visible = [stroke for stroke in view.strokes if stroke.linetype is Linetype.VISIBLE]
+    curves = [stroke.vertices(_CHORD) for stroke in visible or view.strokes]
+    closed = outline_as_if_closed(curves, view.box, supersampling_for(max(x1 - x0, y1 - y0)))
+    box = view_box(view.strokes, closed, exact=view.source is StrokesSource.VECTOR)
+    return replace(view, outline=closed, box=box)
 
 
 def register_views(
@@ -227,12 +238,13 @@ def register_views(
         unseen: of the axis that a view alone does not show.
 
     Raises:
-        NoModelError: ``open-outline`` if the outline of a view does not close;
-            ``part-too-complex``; ``size-out-of-range``; the views contradict each other.
+        NoModelError: ``open-outline`` if a view encloses nothing; ``part-too-complex``;
+            ``size-out-of-range``; the views contradict each other.
     """
     for view in drawn:
         check_amount(view)
-        _check_outline(view)
+    gaps = tuple(view for view in drawn if view.outline is None)
+    drawn = tuple(map(_with_outline, drawn))
     hidden_axis = unseen.axis if unseen is not None else None
     extents = axis_extents({view.role: view.box for view in drawn}, hidden_axis)
     plain = [_unscaled_placement(view) for view in drawn]
@@ -270,7 +282,7 @@ def register_views(
     stated = _scaling(shared.extents, options)
     found = ViewSet(tuple(views), size)
     return RegisteredSheet(
-        found, placements, drawn, scale, extents, opened, stated and stated[0], unseen
+        found, placements, drawn, scale, extents, opened, stated and stated[0], unseen, gaps
     )
 
 

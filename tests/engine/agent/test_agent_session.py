@@ -146,9 +146,9 @@ async def _corrects(call: Call, first: str) -> str:
     values, (picture,) = await call("correct", reading_id=first, operations=[scale, wrong])
     assert values["views"][0]["strokes"] == {"visible": 5, "hidden": 3}
     assert (values["earlier_reading_id"], values["corrections"]) == (first, 2)
-    refusal = next(entry for entry in values["problems"] if entry["severity"] == "refused")
-    assert refusal["code"] == "open-outline"
-    assert refusal["offers"][0]["view"] == "front"
+    gap = next(entry for entry in values["problems"] if entry["code"] == "open-outline")
+    assert gap["severity"] == "doubt"
+    assert gap["offers"][0]["view"] == "front"
     assert picture.size == (312, 288)
     back = {"op": "kind", "target": {"id": "s2"}, "to": "visible"}
     # Some clients send lists as text.

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.evidence.section_evidence import cuts_of
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.unseen_extent import Unseen
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet, upright_sheet
@@ -13,6 +14,8 @@ from gaussiancad_core.sheet.image.colouring import coloured
 from gaussiancad_core.sheet.reading_options import ReadingOptions
 from gaussiancad_core.sheet.sheet_stages import read_views, register_views
 from gaussiancad_core.sheet.views.sheet_layout import Layout
+from gaussiancad_core.writing.section_titles import NamedSection, Trace
+from gaussiancad_core.writing.titles import Title, TitleKind
 
 THROUGH_HOLES = {
     "l-bracket": 2,
@@ -99,6 +102,35 @@ def test_small_disagreement_is_averaged(read) -> None:  # noqa: ANN001
     assert registered.extents.disagreeing == (Axis.Z,)
     assert registered.extents.spread[Axis.Z] == pytest.approx(6.0, abs=0.1)
     assert registered.extents.extents[Axis.Z] == pytest.approx(y1 - y0 + 3.0, abs=0.1)
+
+
+def test_an_outline_with_a_gap_is_taken_to_be_straight_there(read) -> None:  # noqa: ANN001
+    views = read("l-bracket").views
+    whole = register_views(views, ReadingOptions())
+    assert not whole.gaps
+    longest = max(views[0].strokes, key=lambda stroke: np.ptp(stroke.sample(1.0), axis=0).max())
+    less = tuple(stroke for stroke in views[0].strokes if stroke is not longest)
+    gap = replace(views[0], strokes=less, outline=None)
+    found = register_views((gap, *views[1:]), ReadingOptions())
+    assert [view.role for view in found.gaps] == [views[0].role]
+    assert found.views.size == pytest.approx(whole.views.size, rel=0.01)
+    filled, mask = (each.views.views[0].mask for each in (found, whole))
+    assert filled.mean() == pytest.approx(mask.mean(), abs=0.3)
+    assert filled[mask].mean() > 0.95
+
+
+def test_a_cutting_line_whose_steps_are_not_known_tells_no_plane(read) -> None:  # noqa: ANN001
+    front, top, *rest = read("l-bracket").views
+    x0, y0, x1, y1 = front.box
+    hatched = replace(front, hatched=(((x0, y0), (x1, y0), (x1, y1), (x0, y1)),))
+    registered = register_views((hatched, top, *rest), ReadingOptions())
+    a0, b0, a1, b1 = top.box
+    ends = (a0, (b0 + b1) / 2.0), (a1, (b0 + b1) / 2.0)
+    stepped = NamedSection(Title(TitleKind.SECTION, "A"), front.box, Trace("A", ends, (0.0, -1.0)))
+    (told,), (assumed,) = (
+        cuts_of(registered, sections)[Role.FRONT].openings for sections in ([stepped], [])
+    )
+    assert (told.at, told.source) == (assumed.at, assumed.source)
 
 
 def test_a_view_that_is_one_line_is_told_by_place() -> None:

@@ -5,6 +5,7 @@ left open then is open.
 """
 
 from collections.abc import Sequence
+from itertools import combinations
 
 import cv2
 import numpy as np
@@ -26,6 +27,9 @@ _BARE_PX, _BARE_SHARE = 10.0, 0.02
 
 _SMALLEST_PX = 9.0
 """Area of a blank region at least."""
+
+_MOST_ENDS = 200
+"""Loose ends up to which what is missing between them is looked for."""
 
 _MARGIN_PX = 4
 """Around a view."""
@@ -51,6 +55,49 @@ def outline_of_strokes(
         if not outer.is_empty and _spans(outer.bounds, box):
             return _outline(faces, outer, box, supersampling)
     return None
+
+
+def outline_as_if_closed(
+    curves: Sequence[npt.NDArray[np.float64]], box: Box, supersampling: int
+) -> Outline:
+    """What the visible strokes of a view enclose where what is missing of its outline is straight.
+
+    Args:
+        curves: (n, 2) px along each stroke, two at least that are not along one line.
+        box: around them, px.
+        supersampling: mask px per sheet px.
+    """
+    lines = [LineString(points) for points in curves if len(points) > 1]
+    faces = _faces([*lines, *_between_loose_ends(lines)], _GAPS_PX[-1])
+    outer = _filled(faces)
+    if outer.is_empty or not _spans(outer.bounds, box):
+        outer = shapely.union_all([shapely.MultiLineString(lines).convex_hull, outer])
+    return _outline(faces, outer, box, supersampling)
+
+
+def _between_loose_ends(lines: Sequence[LineString]) -> list[LineString]:
+    """From loose ends to others, those nearest to each other first, each once."""
+    tree, gap = shapely.STRtree(lines), _GAPS_PX[-1]
+    ends = [
+        (index, place)
+        for index, line in enumerate(lines)
+        for place in (line.coords[0], line.coords[-1])
+        if line.coords[0] != line.coords[-1]
+        and not set(tree.query(shapely.Point(place), "dwithin", gap).tolist()) - {index}
+    ]
+    if len(ends) > _MOST_ENDS:
+        return []
+    pairs = sorted(combinations(range(len(ends)), 2), key=lambda pair: _apart(ends, pair))
+    left, found = set(range(len(ends))), []
+    for one, other in pairs:
+        if {one, other} <= left:
+            left -= {one, other}
+            found.append(LineString([ends[one][1], ends[other][1]]))
+    return found
+
+
+def _apart(ends: Sequence[tuple[int, tuple[float, ...]]], pair: tuple[int, int]) -> float:
+    return float(np.hypot(*np.subtract(ends[pair[0]][1], ends[pair[1]][1])[:2]))
 
 
 def _faces(lines: Sequence[LineString], gap: float) -> list[Polygon]:
