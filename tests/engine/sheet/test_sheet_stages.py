@@ -127,10 +127,10 @@ def test_a_cutting_line_whose_steps_are_not_known_tells_no_plane(read) -> None: 
     a0, b0, a1, b1 = top.box
     ends = (a0, (b0 + b1) / 2.0), (a1, (b0 + b1) / 2.0)
     stepped = NamedSection(Title(TitleKind.SECTION, "A"), front.box, Trace("A", ends, (0.0, -1.0)))
-    (told,), (assumed,) = (
+    (cut,), (assumed,) = (
         cuts_of(registered, sections)[Role.FRONT].openings for sections in ([stepped], [])
     )
-    assert (told.at, told.source) == (assumed.at, assumed.source)
+    assert (cut.at, cut.source) == (assumed.at, assumed.source)
 
 
 def test_a_view_that_is_one_line_is_told_by_place() -> None:
