@@ -14,32 +14,45 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Shape
 
 
-def fused(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
+def fused(shapes: Sequence[TopoDS_Shape], near: float = 0.0) -> TopoDS_Shape:
     """One at least, as one; faces that continue each other stay apart.
+
+    Args:
+        shapes: one at least.
+        near: distance within which what almost touches touches.
 
     Raises:
         RuntimeError: the kernel fails.
     """
     first, *others = shapes
-    return _combined(BRepAlgoAPI_Fuse(), first, others) if others else first
+    return _combined(BRepAlgoAPI_Fuse(), first, others, near) if others else first
 
 
-def without(shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
+def without(shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape], near: float = 0.0) -> TopoDS_Shape:
     """What is left of a shape that some are taken away from, one at least.
 
+    Args:
+        shape: to take from.
+        tools: to take away.
+        near: as of :func:`fused`.
+
     Raises:
         RuntimeError: the kernel fails.
     """
-    return _combined(BRepAlgoAPI_Cut(), shape, tools)
+    return _combined(BRepAlgoAPI_Cut(), shape, tools, near)
 
 
-def common(shape: TopoDS_Shape, tool: TopoDS_Shape) -> TopoDS_Shape:
+def common(shape: TopoDS_Shape, tool: TopoDS_Shape, near: float = 0.0) -> TopoDS_Shape:
     """What two shapes share.
 
+    Args:
+        shape, tool: both.
+        near: as of :func:`fused`.
+
     Raises:
         RuntimeError: the kernel fails.
     """
-    return _combined(BRepAlgoAPI_Common(), shape, [tool])
+    return _combined(BRepAlgoAPI_Common(), shape, [tool], near)
 
 
 def unified(
@@ -65,7 +78,10 @@ def unified(
 
 
 def _combined(
-    operation: BRepAlgoAPI_BooleanOperation, shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape]
+    operation: BRepAlgoAPI_BooleanOperation,
+    shape: TopoDS_Shape,
+    tools: Sequence[TopoDS_Shape],
+    near: float,
 ) -> TopoDS_Shape:
     arguments, others = List_TopoDS_Shape(), List_TopoDS_Shape()
     arguments.Append(shape)
@@ -73,6 +89,8 @@ def _combined(
         others.Append(tool)
     operation.SetArguments(arguments)
     operation.SetTools(others)
+    if near:
+        operation.SetFuzzyValue(near)
     operation.SetGlue(BOPAlgo_GlueEnum.BOPAlgo_GlueOff)
     operation.Build()
     return operation.Shape()

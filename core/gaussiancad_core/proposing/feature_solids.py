@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
@@ -42,6 +42,10 @@ _FEW = 4
 _SPECK = 1e-7
 """mm: shorter edges are none."""
 
+_TOUCHING = 0.0, 0.1, 1.0
+"""Tolerances within which faces touch, where the kernel makes no sound body of them as they are: it
+fails where they all but do."""
+
 _PIECE = 0.05
 """Share of the lines that another body counts."""
 
@@ -74,9 +78,9 @@ def solid_of(
         None where the kernel makes none.
     """
     made: list[tuple[float, TopoDS_Shape]] = []
-    for build in (_built, _one_by_one):
+    for build, near in product((_built, _one_by_one), _TOUCHING):
         with suppress(*KERNEL_FAILURES):
-            shape = build(features, sheet)
+            shape = build(features, sheet, near * sheet.tolerance)
             facts = soundness(shape) if shape is not None else None
             if shape is None or facts is None or not (facts.valid and facts.closed):
                 continue
@@ -90,11 +94,11 @@ def _first(pair: tuple[float, TopoDS_Shape]) -> float:
     return pair[0]
 
 
-def _built(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
-    """Features one after another, those of one kind at once."""
+def _built(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
+    """Features one after another, those of one kind at once; what is so near touches."""
     shape: TopoDS_Shape | None = None
     for operation, tools in _runs(features, sheet):
-        shape = fused(tools) if shape is None else _after(shape, operation, tools)
+        shape = fused(tools, near) if shape is None else _after(shape, operation, tools, near)
     return None if shape is None else _unified(shape)
 
 
@@ -112,7 +116,7 @@ def _runs(features: Features, sheet: PlaneSheet) -> Iterator[tuple[Operation, li
         yield before, run
 
 
-def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
+def _one_by_one(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
     """Features alone, without those that the kernel cannot make."""
     shape: TopoDS_Shape | None = None
     left = _MOST_FACES
@@ -120,7 +124,7 @@ def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
         for single in single_features(feature):
             with suppress(*KERNEL_FAILURES):
                 tool = _tool(single, sheet)
-                made = tool if shape is None else _after(shape, operation, [tool])
+                made = tool if shape is None else _after(shape, operation, [tool], near)
                 facts = soundness(made)
                 left -= facts.faces
                 if facts.valid and facts.closed and volume(made) > 0.0:
@@ -142,13 +146,13 @@ def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
 
 
 def _after(
-    shape: TopoDS_Shape, operation: Operation, tools: Sequence[TopoDS_Shape]
+    shape: TopoDS_Shape, operation: Operation, tools: Sequence[TopoDS_Shape], near: float
 ) -> TopoDS_Shape:
     if operation is Operation.ADD:
-        return fused([shape, *tools])
+        return fused([shape, *tools], near)
     if operation is Operation.CUT:
-        return without(shape, tools)
-    return common(shape, tools[0])
+        return without(shape, tools, near)
+    return common(shape, tools[0], near)
 
 
 def _tool(feature: Prism | Turned, sheet: PlaneSheet) -> TopoDS_Shape:

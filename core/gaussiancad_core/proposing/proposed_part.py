@@ -1,5 +1,6 @@
 """The part that is proposed for a sheet: found among features, built, and judged again."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from OCP.TopoDS import TopoDS_Shape
@@ -11,8 +12,19 @@ from gaussiancad_core.judging.faceted_solids import faceted_shape
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.feature_solids import solid_of
+from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
 from gaussiancad_core.proposing.part_features import Feature
 from gaussiancad_core.proposing.part_search import PartSearch
+
+_WORSE = 0.01
+"""Share of the lines that a solid may explain less than what was planned, for its features to be
+left as they are."""
+
+_MOST_UNDONE = 12
+"""Features that are taken out again for a try, the last ones first."""
+
+_EXPLAINED = 1e-3
+"""Share of the lines that a part without a feature has to explain more."""
 
 WORK = 2.4e8
 """Steps of the search's kernels: about ten seconds of a processor."""
@@ -57,5 +69,24 @@ def proposed_part(views: DrawnViews, places: Places, work: float = WORK) -> Prop
 
     features = tuple(part.features)
     shape = solid_of(features, search.sheet, part.share, share)
+    if shape is not None and share(shape) > part.share + _WORSE:
+        features, shape = _undone(features, shape, search.sheet, share)
     cost = judge.misfit(faceted_shape(shape)).cost if shape is not None else float("inf")
     return ProposedPart(features, shape, part.share, cost)
+
+
+def _undone(
+    features: tuple[tuple[Operation, Feature], ...],
+    shape: TopoDS_Shape,
+    sheet: PlaneSheet,
+    share: Callable[[TopoDS_Shape], float],
+) -> tuple[tuple[tuple[Operation, Feature], ...], TopoDS_Shape]:
+    """A part without those of its last features whose edges the sheet does not draw: a plan looks
+    along strokes, the judge of a solid along its edges, too."""
+    best = share(shape)
+    for _, undone in zip(range(_MOST_UNDONE), features[:0:-1], strict=False):
+        rest = tuple(each for each in features if each is not undone)
+        made = solid_of(rest, sheet, best, share)
+        if made is not None and share(made) < best - _EXPLAINED:
+            features, shape, best = rest, made, share(made)
+    return features, shape

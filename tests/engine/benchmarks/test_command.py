@@ -40,7 +40,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_each_benchmark_has_a_question_minutes_and_options() -> None:
-    assert len(entries()) == 11
+    assert len(entries()) == 12
     for entry in entries():
         assert entry.question.endswith("?") and entry.method, entry.name
         assert entry.minutes > 0.0
