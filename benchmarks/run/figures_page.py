@@ -12,7 +12,7 @@ from benchmarks.run.results import RESULTS, Result, results_of
 PAGE = ROOT / "docs" / "figures.md"
 
 CHAPTERS: Mapping[str, tuple[str, ...]] = {
-    "Drawings of other people": ("published", "foreign", "pictures", "checked"),
+    "Drawings of other people": ("published", "foreign", "pictures", "checked", "faultless"),
     "Generated drawings": ("exact_solid", "practice", "verified", "measures", "features"),
     "Surfaces": ("surface",),
     "Seconds and memory": ("seconds",),
