@@ -10,6 +10,7 @@ from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import faceted_shape
 from gaussiancad_core.judging.misfits import Judge
+from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
@@ -22,6 +23,9 @@ left as they are."""
 
 _MOST_UNDONE = 12
 """Features that are taken out again for a try, the last ones first."""
+
+_MANY_FACES = 80
+"""Faces of a solid from which that takes too long."""
 
 _EXPLAINED = 1e-3
 """Share of the lines that a part without a feature has to explain more."""
@@ -83,6 +87,8 @@ def _undone(
 ) -> tuple[tuple[tuple[Operation, Feature], ...], TopoDS_Shape]:
     """A part without those of its last features whose edges the sheet does not draw: a plan looks
     along strokes, the judge of a solid along its edges, too."""
+    if len(faces_of(shape)) > _MANY_FACES:
+        return features, shape
     best = share(shape)
     for _, undone in zip(range(_MOST_UNDONE), features[:0:-1], strict=False):
         rest = tuple(each for each in features if each is not undone)
