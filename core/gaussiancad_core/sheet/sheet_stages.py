@@ -209,22 +209,30 @@ def _with_outline(view: ReadView) -> ReadView:
     x0, y0, x1, y1 = view.box
     if min(x1 - x0, y1 - y0) < ON_LINE:
         # Two edges that melted into one line are closed, and bound nothing.
-        raise NoModelError(
-            Code.OPEN_OUTLINE,
-            "the outline of the {view} view at {place} px encloses nothing, its edges are one line:"
-            " export the sheet with more pixels",
-            boxes=[view.box],
-            view=view.role,
-            place=f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f})",
-            case="thin",
-        )
+        fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
+        raise _open(view, fault, "thin")
     if view.outline is not None:
         return view
     visible = [stroke for stroke in view.strokes if stroke.linetype is Linetype.VISIBLE]
     curves = [stroke.vertices(_CHORD) for stroke in visible or view.strokes]
     closed = outline_as_if_closed(curves, view.box, supersampling_for(max(x1 - x0, y1 - y0)))
+    if closed is None:
+        raise _open(view, "encloses nothing: draw its visible edges without gaps", "gap")
     box = view_box(view.strokes, closed, exact=view.source is StrokesSource.VECTOR)
     return replace(view, outline=closed, box=box)
+
+
+def _open(view: ReadView, fault: str, case: str) -> NoModelError:
+    x0, y0, x1, y1 = view.box
+    return NoModelError(
+        Code.OPEN_OUTLINE,
+        "the outline of the {view} view at {place} px {fault}",
+        boxes=[view.box],
+        view=view.role,
+        place=f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f})",
+        case=case,
+        fault=fault,
+    )
 
 
 def register_views(

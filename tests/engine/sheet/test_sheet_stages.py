@@ -9,6 +9,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.evidence.section_evidence import cuts_of
 from gaussiancad_core.model.axes import Axis, Projection, Role
 from gaussiancad_core.model.unseen_extent import Unseen
+from gaussiancad_core.model.views import Linetype, Segment
 from gaussiancad_core.sheet.image.clean_ink import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.image.colouring import coloured
 from gaussiancad_core.sheet.reading_options import ReadingOptions
@@ -117,6 +118,17 @@ def test_an_outline_with_a_gap_is_taken_to_be_straight_there(read) -> None:  # n
     filled, mask = (each.views.views[0].mask for each in (found, whole))
     assert filled.mean() == pytest.approx(mask.mean(), abs=0.3)
     assert filled[mask].mean() > 0.95
+
+
+def test_a_view_whose_strokes_enclose_nothing_is_refused(read) -> None:  # noqa: ANN001
+    views = read("l-bracket").views
+    x0, y0, x1, y1 = views[0].box
+    diagonal = Segment((x0, y0), (x1, y1), Linetype.VISIBLE)
+    for strokes in ((), (diagonal,)):
+        nothing = replace(views[0], strokes=strokes, outline=None)
+        with pytest.raises(NoModelError, match="encloses nothing") as caught:
+            register_views((nothing, *views[1:]), ReadingOptions())
+        assert caught.value.code == "open-outline"
 
 
 def test_a_cutting_line_whose_steps_are_not_known_tells_no_plane(read) -> None:  # noqa: ANN001

@@ -59,11 +59,12 @@ def outline_of_strokes(
 
 def outline_as_if_closed(
     curves: Sequence[npt.NDArray[np.float64]], box: Box, supersampling: int
-) -> Outline:
-    """What the visible strokes of a view enclose where what is missing of its outline is straight.
+) -> Outline | None:
+    """What the visible strokes of a view enclose where what is missing of its outline is straight;
+    None where that is nothing.
 
     Args:
-        curves: (n, 2) px along each stroke, two at least that are not along one line.
+        curves: (n, 2) px along each stroke.
         box: around them, px.
         supersampling: mask px per sheet px.
     """
@@ -72,7 +73,7 @@ def outline_as_if_closed(
     outer = _filled(faces)
     if outer.is_empty or not _spans(outer.bounds, box):
         outer = shapely.union_all([shapely.MultiLineString(lines).convex_hull, outer])
-    return _outline(faces, outer, box, supersampling)
+    return _outline(faces, outer, box, supersampling) if outer.area > _SMALLEST_PX else None
 
 
 def _between_loose_ends(lines: Sequence[LineString]) -> list[LineString]:
