@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from itertools import pairwise, product
+from itertools import pairwise
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
@@ -21,7 +21,7 @@ from OCP.ShapeFix import ShapeFix_Face
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.kernel.booleans import common, fused, unified, without
-from gaussiancad_core.kernel.brep import soundness, volume
+from gaussiancad_core.kernel.brep import faces_of, soundness, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
@@ -55,6 +55,9 @@ _MOST_FACES = 2500
 _OTHER = 0.1
 """Share by which the volume of a prism with arcs may differ from that with their chords."""
 
+_ADDS_UP = 1e-4
+"""Share of a body's volume by which what two make of each other may miss."""
+
 _WORSE = 0.01
 """Share of the lines that a solid may explain less than what was planned."""
 
@@ -78,9 +81,9 @@ def solid_of(
         None where the kernel makes none.
     """
     made: list[tuple[float, TopoDS_Shape]] = []
-    for build, near in product((_built, _one_by_one), _TOUCHING):
+    for build in (_built, _one_by_one):
         with suppress(*KERNEL_FAILURES):
-            shape = build(features, sheet, near * sheet.tolerance)
+            shape = build(features, sheet)
             facts = soundness(shape) if shape is not None else None
             if shape is None or facts is None or not (facts.valid and facts.closed):
                 continue
@@ -94,11 +97,11 @@ def _first(pair: tuple[float, TopoDS_Shape]) -> float:
     return pair[0]
 
 
-def _built(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
-    """Features one after another, those of one kind at once; what is so near touches."""
+def _built(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
+    """Features one after another, those of one kind at once."""
     shape: TopoDS_Shape | None = None
     for operation, tools in _runs(features, sheet):
-        shape = fused(tools, near) if shape is None else _after(shape, operation, tools, near)
+        shape = fused(tools) if shape is None else _after(shape, operation, tools, 0.0)
     return None if shape is None else _unified(shape)
 
 
@@ -116,22 +119,46 @@ def _runs(features: Features, sheet: PlaneSheet) -> Iterator[tuple[Operation, li
         yield before, run
 
 
-def _one_by_one(features: Features, sheet: PlaneSheet, near: float) -> TopoDS_Shape | None:
-    """Features alone, without those that the kernel cannot make."""
+def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
+    """Features alone, each in the first way in which the kernel makes a sound body with it; without
+    those of which it makes none."""
     shape: TopoDS_Shape | None = None
     left = _MOST_FACES
     for operation, feature in features:
         for single in single_features(feature):
-            with suppress(*KERNEL_FAILURES):
-                tool = _tool(single, sheet)
-                made = tool if shape is None else _after(shape, operation, [tool], near)
-                facts = soundness(made)
-                left -= facts.faces
-                if facts.valid and facts.closed and volume(made) > 0.0:
-                    shape = made
+            tool = _tool(single, sheet)
+            if shape is None:
+                shape = tool
+                continue
+            made = _in_one_way(shape, operation, tool, sheet.tolerance)
+            if made is not None:
+                shape = made
+                left -= len(faces_of(made))
             if left < 0:
-                return shape
+                break
     return None if shape is None else _unified(shape)
+
+
+def _in_one_way(
+    shape: TopoDS_Shape, operation: Operation, tool: TopoDS_Shape, tolerance: float
+) -> TopoDS_Shape | None:
+    """A body after one more feature, the first sound one whose volume adds up with what both have
+    in common: the kernel may be wrong about bodies that all but touch, and say nothing."""
+    for near in (share * tolerance for share in _TOUCHING):
+        with suppress(*KERNEL_FAILURES):
+            made = _after(shape, operation, [tool], near)
+            facts = soundness(made)
+            if not (facts.valid and facts.closed and facts.volume_mm3 > 0.0):
+                continue
+            one, other = volume(shape), volume(tool)
+            if operation is Operation.MEET:
+                known = one - volume(without(shape, [tool], near))
+            else:
+                shared = volume(common(shape, tool, near))
+                known = one + other - shared if operation is Operation.ADD else one - shared
+            if abs(facts.volume_mm3 - known) <= _ADDS_UP * max(one, other):
+                return made
+    return None
 
 
 def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
@@ -246,9 +273,10 @@ def _wire(
         if circle is not None and _is_on(corners, circle, sheet.tolerance):
             if len(run) == len(names):
                 return BRepBuilderAPI_MakeWire(_whole_circle(circle, place, normal)).Wire()
-            arc = _arc(corners, circle, place) if len(run) > 1 else None
-            if arc is not None:
-                made.Add(arc)
+            arcs = _arcs(corners, circle, place) if len(run) > 1 else None
+            if arcs is not None:
+                for arc in arcs:
+                    made.Add(arc)
                 continue
         if _is_straight(corners, sheet.tolerance):
             made.Add(BRepBuilderAPI_MakeEdge(place(corners[0]), place(corners[-1])).Edge())
@@ -292,13 +320,35 @@ def _whole_circle(circle: Circle, place: Place, normal: Axis) -> TopoDS_Edge:
     return BRepBuilderAPI_MakeEdge(gp_Circ(about, circle[2])).Edge()
 
 
+def _arcs(corners: Floats, circle: Circle, place: Place) -> list[TopoDS_Edge] | None:
+    """An arc from the first corner to the last, of two halves where it is more than a half circle:
+    of a whole one, all but, its ends would tell the circle.  None where these are too near each
+    other."""
+    way = corners[-1] - corners[0]
+    across = (corners - corners[0]) @ np.array([-way[1], way[0]])
+    sides = np.abs(across)
+    top = int(sides.argmax())
+    if 0 < top < len(corners) - 1 and sides[top] > circle[2] * np.hypot(*way):
+        middle = _on(corners[top], circle)
+        runs = np.vstack([corners[:top], middle]), np.vstack([middle, corners[top + 1 :]])
+    else:
+        runs = (corners,)
+    arcs = [_arc(run, circle, place) for run in runs]
+    return [arc for arc in arcs if arc is not None] if None not in arcs else None
+
+
+def _on(corner: Floats, circle: Circle) -> Floats:
+    """The place on a circle beside a corner."""
+    centre = np.array(circle[:2])
+    away = corner - centre
+    return np.asarray(centre + away / np.hypot(*away) * circle[2])
+
+
 def _arc(corners: Floats, circle: Circle, place: Place) -> TopoDS_Edge | None:
     """An arc from the first corner to the last; None where these are too near each other."""
-    centre = np.array(circle[:2])
     way = corners[-1] - corners[0]
     across = np.abs((corners - corners[0]) @ np.array([-way[1], way[0]]))
-    away = corners[int(across.argmax())] - centre
-    middle = centre + away / np.hypot(*away) * circle[2]
+    middle = _on(corners[int(across.argmax())], circle)
     arc = GC_MakeArcOfCircle(place(corners[0]), place(middle), place(corners[-1]))
     return BRepBuilderAPI_MakeEdge(arc.Value()).Edge() if arc.IsDone() else None
 

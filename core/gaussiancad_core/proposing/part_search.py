@@ -7,6 +7,7 @@ import numpy as np
 
 from gaussiancad_core.coordinates.agreed_places import Places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
+from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.edit_hints import EditHints
@@ -33,6 +34,9 @@ _ROUGHLY = 4
 
 _BLIND = 0.05
 """What an end of a hole within the part costs, in the root of its area: holes go through."""
+
+_FILM = 0.5
+"""What a mm around a feature costs that is so thin that no line of sight runs through it."""
 
 _WORTH = 1e-3
 """Share of the lines that an edit has to explain."""
@@ -76,6 +80,7 @@ class PartSearch:
 
     def __init__(self, views: DrawnViews, places: Places, work: float) -> None:
         self._work = work
+        self._aside = drawn_sheet(views).aside
         self.sheet = plane_sheet(views, places)
         found = {axis: plane_loops(self.sheet, axis) for axis in Axis}
         self._planes = {axis: plane for axis, plane in found.items() if plane is not None}
@@ -207,9 +212,17 @@ class PartSearch:
             return np.inf
         whole = float(np.prod(self.sheet.size))
         price = _HABIT * self.judge.length * min(1.0, feature.volume / whole)
+        price += sum(self._film(each) for each in single_features(feature))
         if operation is Operation.CUT:
             price += sum(self._blind_ends(each) for each in single_features(feature))
         return price
+
+    def _film(self, feature: Prism | Turned) -> float:
+        """mm that a prism costs in which nothing is seen: lines of sight keep as far from strokes
+        on either side as they look beside them."""
+        if not isinstance(feature, Prism) or feature.high - feature.low > 2.0 * self._aside:
+            return 0.0
+        return _FILM * float(feature.loop.polygon.exterior.length)
 
     def _blind_ends(self, feature: Prism | Turned) -> float:
         """mm that the ends of a hole cost that lie in the part."""

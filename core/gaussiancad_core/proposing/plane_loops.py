@@ -5,7 +5,7 @@ enclose less than the same a little longer, the longer ones count; loose ends th
 nearest are bridged, and others to the line that they all but meet.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -19,7 +19,7 @@ from scipy.spatial import cKDTree
 from gaussiancad_core.geometry.near_points import connected_groups
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-from gaussiancad_core.proposing.lines_by_plane import Floats, PlaneLine, PlaneSheet
+from gaussiancad_core.proposing.lines_by_plane import ROUND, Circle, Floats, PlaneLine, PlaneSheet
 
 Numbers = npt.NDArray[np.int64]
 
@@ -41,6 +41,9 @@ _WHOLE = 4.0
 
 _SPECK, _SLIVER = 2.5, 1.0
 """Tolerances: side of the square that is as large as the least area, and the least width."""
+
+_CHORD = 1.2 * 2.0 * np.pi / ROUND
+"""Radii that a chord of a circle is long at most."""
 
 _BRIDGE, _TO_LINE = 0.15, 0.03
 """Shares of the longest extent between two loose ends, and from one to a line, at most."""
@@ -117,6 +120,7 @@ class PlaneLoops:
         stretch: mm by which lines were made longer at their ends.
         owners: the lines, as they are looked up by place.
         surfaces: (n,) of these.
+        circles: of those of them that are cylinders.
     """
 
     axis: Axis
@@ -128,6 +132,7 @@ class PlaneLoops:
     stretch: float
     owners: shapely.STRtree
     surfaces: Numbers
+    circles: Mapping[int, Circle]
 
     def loop(self, polygon: shapely.Polygon, kind: LoopKind) -> Loop:
         """A closed area whose edges have the surfaces of the lines that they lie on."""
@@ -139,27 +144,59 @@ class PlaneLoops:
             rings.append(slice(at, at + len(corners) - 1))
             at += len(corners) - 1
         found = np.vstack(edges)
-        middles = shapely.points((found[:, :2] + found[:, 2:]) / 2.0)
-        surfaces = self.surfaces[self.owners.nearest(middles)]
+        surfaces = self._behind(found)
+        for ring in rings:
+            surfaces[ring] = self._with_chords(found[ring], surfaces[ring])
         return Loop(self.axis, polygon, found, surfaces, tuple(rings), kind)
 
-    def _levelled(self, polygon: shapely.Polygon) -> shapely.Polygon:
-        """A closed area whose corners lie at the levels that they are near to: what two areas have
-        between them is nothing, not a film."""
+    def _behind(self, edges: Floats) -> Numbers:
+        """The surfaces of the lines that edges lie on."""
+        middles = shapely.points((edges[:, :2] + edges[:, 2:]) / 2.0)
+        return np.asarray(self.surfaces[self.owners.nearest(middles)], np.int64)
 
-        def moved(corners: Floats) -> Floats:
+    def _with_chords(self, edges: Floats, surfaces: Numbers) -> Numbers:
+        """The surfaces behind the edges of a ring, where short ones beside an arc that end on its
+        circle are the circle's: a line that touches it runs along its last chord, too."""
+        named = surfaces.copy()
+        lengths = np.hypot(*(edges[:, 2:] - edges[:, :2]).T)
+        count = len(edges)
+        for k in (*range(count), *range(count - 1, -1, -1)):
+            for beside in (named[k - 1], named[(k + 1) % count]):
+                circle = self.circles.get(int(beside))
+                if circle is None or beside == named[k]:
+                    continue
+                x, y, radius = circle
+                ends = edges[k].reshape(2, 2)
+                away = np.abs(np.hypot(*(ends - (x, y)).T) - radius).max()
+                if lengths[k] <= _CHORD * radius and away <= self.near:
+                    named[k] = beside
+        return named
+
+    def _levelled(self, polygon: shapely.Polygon) -> shapely.Polygon:
+        """A closed area whose corners lie at the levels that they are near to, but for those
+        between two chords of arcs: what two areas have between them is nothing, not a film."""
+
+        def moved(ring: Floats) -> Floats:
+            corners = ring[:-1]
+            edges = np.hstack([corners, ring[1:]])
+            is_chord = np.isin(self._behind(edges), list(self.circles))
+            is_free = ~(is_chord & np.roll(is_chord, 1))
             places = corners.copy()
             for column, levels in enumerate(self.levels):
                 nearest = levels[np.abs(levels - corners[:, column, None]).argmin(axis=1)]
                 is_near = np.abs(nearest - corners[:, column]) <= self.near
-                places[is_near, column] = nearest[is_near]
-            return places
+                places[is_near & is_free, column] = nearest[is_near & is_free]
+            return np.vstack([places, places[:1]])
 
-        with suppress(shapely.errors.GEOSException):
-            found = shapely.remove_repeated_points(shapely.transform(polygon, moved))
-            if found.is_valid and not found.is_empty:
-                return found
+        rings = [moved(np.array(each.coords)) for each in (polygon.exterior, *polygon.interiors)]
         # A speck has all its corners at one place.
+        with suppress(shapely.errors.GEOSException, ValueError):
+            found = shapely.remove_repeated_points(shapely.Polygon(rings[0], rings[1:]))
+            if not found.is_valid:
+                parts = shapely.get_parts(shapely.make_valid(found))
+                found = max(parts, key=lambda part: part.area)
+            if found.geom_type == "Polygon" and not found.is_empty:
+                return found
         return polygon
 
 
@@ -258,6 +295,7 @@ def _enclosed(
         stretch,
         shapely.STRtree([curve for curve, _ in kept]),
         np.array([line.surface for _, line in kept], np.int64),
+        {line.surface: line.circle for _, line in kept if line.circle is not None},
     )
 
 

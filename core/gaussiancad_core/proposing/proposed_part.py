@@ -1,16 +1,18 @@
 """The part that is proposed for a sheet: found among features, built, and judged again."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.coordinates.agreed_places import Places
+from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import faceted_shape
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.proposing.broken_edges import with_breaks
+from gaussiancad_core.proposing.edge_breaks import EdgeBreak, without_breaks
 from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
@@ -30,6 +32,10 @@ _MANY_FACES = 80
 _EXPLAINED = 1e-3
 """Share of the lines that a part without a feature has to explain more."""
 
+_FIRM = 0.05
+"""Share of the lines that a part with broken edges leaves unexplained at most for nothing else to
+be looked for."""
+
 WORK = 2.4e8
 """Steps of the search's kernels: about ten seconds of a processor."""
 
@@ -43,26 +49,56 @@ class ProposedPart:
         shape: mm; None where the kernel made none.
         planned: share of the lines that it leaves unexplained as it was planned.
         cost: mm of line that its solid does; infinite without one.
+        breaks: of its edges, put on last.
     """
 
     features: tuple[tuple[Operation, Feature], ...]
     shape: TopoDS_Shape | None
     planned: float
     cost: float
+    breaks: tuple[EdgeBreak, ...] = ()
 
 
-def proposed_part(views: DrawnViews, places: Places, work: float = WORK) -> ProposedPart | None:
-    """The part that explains views best among those that are put together of what they show.
+def proposed_part(views: DrawnViews, grid: float, work: float = WORK) -> ProposedPart | None:
+    """The part that explains views best among those that are put together of what they show: with
+    edges sharp that are broken around a face, and broken at the end, or with all lines as they are.
 
     Args:
         views: of the part, with what the sheet's numbers say.
-        places: where their lines belong.
+        grid: mm of a step of the sheet's coordinates.
         work: steps of the search's kernels at most.
 
     Returns:
         None where nothing tells a start.
     """
-    search = PartSearch(views, places, work)
+    judge = Judge(drawn_sheet(views))
+    sharp, breaks = without_breaks(views)
+    found = _with_breaks(_searched(sharp, grid, work), breaks, sharp, judge) if breaks else None
+    if found is not None and found.cost <= _FIRM * judge.sheet.length:
+        return found
+    plain = _searched(views, grid, work)
+    if found is None or (plain is not None and plain.cost <= found.cost):
+        return plain
+    return found
+
+
+def _with_breaks(
+    found: ProposedPart | None, breaks: Sequence[EdgeBreak], views: DrawnViews, judge: Judge
+) -> ProposedPart | None:
+    """A part with its edges broken, before the judge of the lines as they are."""
+    if found is None or found.shape is None:
+        return None
+
+    def cost(shape: TopoDS_Shape) -> float:
+        return judge.misfit(faceted_shape(shape)).cost
+
+    shape, made = with_breaks(found.shape, breaks, views.tolerance, cost)
+    return replace(found, shape=shape, breaks=made, cost=cost(shape))
+
+
+def _searched(views: DrawnViews, grid: float, work: float) -> ProposedPart | None:
+    """The part that was put together of lines as they are; None where nothing tells a start."""
+    search = PartSearch(views, find_places(views, grid), work)
     part = search.best()
     if part is None:
         return None

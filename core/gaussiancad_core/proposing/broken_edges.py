@@ -1,0 +1,122 @@
+"""Edge breaks put on the edges of a solid that was made without them."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
+
+import numpy as np
+from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
+from OCP.BRepTools import BRepTools
+from OCP.GeomAbs import GeomAbs_SurfaceType
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
+
+from gaussiancad_core.geometry.tolerances import COMPUTED
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes
+from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.proposing.edge_breaks import EdgeBreak
+
+Cost = Callable[[TopoDS_Shape], float]
+
+_NEAR = 3.0
+"""Tolerances within which a face is that of a break."""
+
+
+def with_breaks(
+    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], tolerance: float, cost: Cost
+) -> tuple[TopoDS_Shape, tuple[EdgeBreak, ...]]:
+    """A solid with those edges broken with which it explains more, and the breaks that these are.
+
+    Args:
+        shape: with sharp edges, mm.
+        breaks: around faces of it.
+        tolerance: mm by which these may miss where they belong.
+        cost: what a solid leaves unexplained.
+    """
+    best, made = cost(shape), []
+    near = _NEAR * tolerance
+    for alike in _alike(breaks, near):
+        loops = list(_loops(shape, alike, near))
+        whole = _broken(shape, alike[0], [edge for loop in loops for edge in loop])
+        if whole is not None and cost(whole) < best:
+            shape, best = whole, cost(whole)
+            made.append(alike[0])
+            continue
+        # Where one loop cannot be broken, the others may be.
+        for number in range(len(loops) if len(loops) > 1 else 0):
+            # What was broken before has made other edges of them.
+            left = list(_loops(shape, alike, near))
+            broken = _broken(shape, alike[0], left[number]) if number < len(left) else None
+            if broken is not None and cost(broken) < best:
+                shape, best = broken, cost(broken)
+                made.append(alike[0])
+    return shape, tuple(made)
+
+
+def _alike(breaks: Sequence[EdgeBreak], near: float) -> Iterator[list[EdgeBreak]]:
+    """Breaks of one face, of one size."""
+
+    def key(edge_break: EdgeBreak) -> tuple[int, int, int, bool]:
+        at, height = round(edge_break.at / near), round(edge_break.height / near)
+        return edge_break.axis.value, at, height, edge_break.is_round
+
+    for _, group in groupby(sorted(breaks, key=key), key=key):
+        yield list(group)
+
+
+def _loops(
+    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], near: float
+) -> Iterator[list[tuple[TopoDS_Edge, TopoDS_Face]]]:
+    """Outlines of the faces that the breaks are of: their edges, each with its face."""
+    axis, at = breaks[0].axis, breaks[0].at
+    for face in faces_of(shape):
+        if not _is_level(face, axis, at, near):
+            continue
+        low, high = bounding_box(face)
+        reaches = any(
+            min(abs(low[each.across.value] - each.place), abs(high[each.across.value] - each.place))
+            <= near
+            for each in breaks
+        )
+        if reaches:
+            wire = BRepTools.OuterWire_s(face)
+            yield [
+                (TopoDS.Edge(each), face)
+                for each in subshapes(wire, TopAbs_ShapeEnum.TopAbs_EDGE)
+            ]
+
+
+def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
+    surface = BRepAdaptor_Surface(face)
+    if surface.GetType() != GeomAbs_SurfaceType.GeomAbs_Plane:
+        return False
+    way, place = surface.Plane().Axis().Direction(), surface.Plane().Location()
+    along = abs((way.X(), way.Y(), way.Z())[axis.value])
+    return (
+        along > 1.0 - COMPUTED and abs((place.X(), place.Y(), place.Z())[axis.value] - at) <= near
+    )
+
+
+def _broken(
+    shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Sequence[tuple[TopoDS_Edge, TopoDS_Face]]
+) -> TopoDS_Shape | None:
+    """A solid with edges broken; None where the kernel makes no sound one."""
+    if not edges:
+        return None
+    try:
+        if edge_break.is_round:
+            maker = BRepFilletAPI_MakeFillet(shape)
+            for edge, _ in edges:
+                maker.Add(float(np.mean([edge_break.width, abs(edge_break.height)])), edge)
+        else:
+            maker = BRepFilletAPI_MakeChamfer(shape)
+            for edge, face in edges:
+                maker.Add(edge_break.width, abs(edge_break.height), edge, face)
+        maker.Build()
+        if not maker.IsDone():
+            return None
+        facts = soundness(maker.Shape())
+    except KERNEL_FAILURES:
+        return None
+    return maker.Shape() if facts.valid and facts.closed and facts.solids == 1 else None
