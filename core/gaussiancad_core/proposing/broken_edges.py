@@ -15,29 +15,33 @@ from gaussiancad_core.geometry.tolerances import COMPUTED
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
-from gaussiancad_core.proposing.edge_breaks import EdgeBreak
+from gaussiancad_core.model.projection_planes import IN_PLANE
+from gaussiancad_core.proposing.edge_breaks import EdgeBreak, EdgeBreaks
+from gaussiancad_core.proposing.lines_by_plane import Circle
 
 Cost = Callable[[TopoDS_Shape], float]
+Edges = list[tuple[TopoDS_Edge, TopoDS_Face]]
 
 _NEAR = 3.0
 """Tolerances within which a face is that of a break."""
 
 
 def with_breaks(
-    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], tolerance: float, cost: Cost
+    shape: TopoDS_Shape, breaks: EdgeBreaks, tolerance: float, cost: Cost
 ) -> tuple[TopoDS_Shape, tuple[EdgeBreak, ...]]:
     """A solid with those edges broken with which it explains more, and the breaks that these are.
 
     Args:
         shape: with sharp edges, mm.
-        breaks: around faces of it.
+        breaks: around faces and holes of it.
         tolerance: mm by which these may miss where they belong.
         cost: what a solid leaves unexplained.
     """
     best, made = cost(shape), []
     near = _NEAR * tolerance
-    for alike in _alike(breaks, near):
-        loops = list(_loops(shape, alike, near))
+    for alike in _alike(breaks.each, near):
+        rims = breaks.rims.get(alike[0].axis, ())
+        loops = list(_loops(shape, alike, rims, near))
         whole = _broken(shape, alike[0], [edge for loop in loops for edge in loop])
         if whole is not None and cost(whole) < best:
             shape, best = whole, cost(whole)
@@ -46,7 +50,7 @@ def with_breaks(
         # Where one loop cannot be broken, the others may be.
         for number in range(len(loops) if len(loops) > 1 else 0):
             # What was broken before has made other edges of them.
-            left = list(_loops(shape, alike, near))
+            left = list(_loops(shape, alike, rims, near))
             broken = _broken(shape, alike[0], left[number]) if number < len(left) else None
             if broken is not None and cost(broken) < best:
                 shape, best = broken, cost(broken)
@@ -66,9 +70,10 @@ def _alike(breaks: Sequence[EdgeBreak], near: float) -> Iterator[list[EdgeBreak]
 
 
 def _loops(
-    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], near: float
-) -> Iterator[list[tuple[TopoDS_Edge, TopoDS_Face]]]:
-    """Outlines of the faces that the breaks are of: their edges, each with its face."""
+    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], rims: Sequence[Circle], near: float
+) -> Iterator[Edges]:
+    """Outlines of the faces that the breaks are of, and of holes in them with a rim: their edges,
+    each with its face."""
     axis, at = breaks[0].axis, breaks[0].at
     for face in faces_of(shape):
         if not _is_level(face, axis, at, near):
@@ -79,12 +84,21 @@ def _loops(
             <= near
             for each in breaks
         )
-        if reaches:
-            wire = BRepTools.OuterWire_s(face)
-            yield [
-                (TopoDS.Edge(each), face)
-                for each in subshapes(wire, TopAbs_ShapeEnum.TopAbs_EDGE)
-            ]
+        outer = BRepTools.OuterWire_s(face)
+        for wire in subshapes(face, TopAbs_ShapeEnum.TopAbs_WIRE):
+            edges = subshapes(wire, TopAbs_ShapeEnum.TopAbs_EDGE)
+            if reaches if wire.IsSame(outer) else _is_rim(wire, axis, rims, near):
+                yield [(TopoDS.Edge(each), face) for each in edges]
+
+
+def _is_rim(wire: TopoDS_Shape, axis: Axis, rims: Sequence[Circle], near: float) -> bool:
+    """Whether a wire is the circle of a hole with a rim."""
+    low, high = (corner[list(IN_PLANE[axis])] for corner in bounding_box(wire))
+    x, y = (low + high) / 2.0
+    radius = float((high - low).max()) / 2.0
+    return any(
+        abs(x - a) <= near and abs(y - b) <= near and abs(radius - r) <= near for a, b, r in rims
+    )
 
 
 def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
@@ -99,7 +113,7 @@ def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
 
 
 def _broken(
-    shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Sequence[tuple[TopoDS_Edge, TopoDS_Face]]
+    shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Edges
 ) -> TopoDS_Shape | None:
     """A solid with edges broken; None where the kernel makes no sound one."""
     if not edges:
@@ -119,4 +133,5 @@ def _broken(
         facts = soundness(maker.Shape())
     except KERNEL_FAILURES:
         return None
-    return maker.Shape() if facts.valid and facts.closed and facts.solids == 1 else None
+    is_sound = facts.valid and facts.closed and facts.solids == soundness(shape).solids
+    return maker.Shape() if is_sound else None

@@ -6,7 +6,7 @@ is like that in one view alone is a profile's own corner.  Here corners are made
 breaks draw is taken off; :mod:`.broken_edges` puts them on the solid.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,7 +17,7 @@ from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.proposing.lines_by_plane import Floats
+from gaussiancad_core.proposing.lines_by_plane import Circle, Floats
 
 _MOST = 0.06
 """Share of the part's longest extent that a break takes away at most."""
@@ -141,7 +141,21 @@ class _Corner:
         )
 
 
-def without_breaks(views: DrawnViews) -> tuple[DrawnViews, tuple[EdgeBreak, ...]]:
+@dataclass(frozen=True, eq=False)
+class EdgeBreaks:
+    """The breaks of a sheet.
+
+    Attributes:
+        each: one for each corner that shows one.
+        rims: of the faces across each axis, circles around holes whose edges are broken, too: two
+            coordinates and the radius, mm, of the hole.
+    """
+
+    each: tuple[EdgeBreak, ...]
+    rims: Mapping[Axis, tuple[Circle, ...]]
+
+
+def without_breaks(views: DrawnViews) -> tuple[DrawnViews, EdgeBreaks]:
     """Views whose edges are sharp where they were broken around a face, and these breaks."""
     near = _MEET * views.tolerance
     lines = {role: _lines(strokes, role) for role, strokes in views.strokes.items()}
@@ -159,11 +173,17 @@ def without_breaks(views: DrawnViews) -> tuple[DrawnViews, tuple[EdgeBreak, ...]
         if around:
             found.setdefault(corner.role, []).append(corner)
             breaks += around
-    strokes = {
-        role: _without_bands(_sharpened(drawn, found.get(role, ()), near), role, breaks, views)
-        for role, drawn in lines.items()
-    }
-    return replace(views, strokes=strokes), tuple(breaks)
+    strokes, rims = {}, {}
+    for role, drawn in lines.items():
+        kept = _sharpened(drawn, found.get(role, ()), near)
+        plane = role_plane(role)
+        widths = {each.width for each in breaks if each.axis is plane.normal}
+        if widths:
+            kept, holes = _without_rims(_without_bands(kept, max(widths), near), widths, near)
+            rims.setdefault(plane.normal, []).extend(holes)
+        strokes[role] = tuple(_stroke(line, np.array(plane.signs)) for line in kept)
+    every = {axis: tuple(holes) for axis, holes in rims.items()}
+    return replace(views, strokes=strokes), EdgeBreaks(tuple(breaks), every)
 
 
 def _lines(strokes: Sequence[DrawnStroke], role: Role) -> list[_Line]:
@@ -315,21 +335,34 @@ def _led(line: _Line, ends: Floats) -> _Line:
     return replace(line, points=ends[0] * (1.0 - ways) + ends[1] * ways)
 
 
-def _without_bands(
-    lines: Sequence[_Line], role: Role, breaks: Sequence[EdgeBreak], views: DrawnViews
-) -> tuple[DrawnStroke, ...]:
-    """The strokes of a view without those of breaks around the faces that it looks on."""
-    plane = role_plane(role)
-    widths = {each.width for each in breaks if each.axis is plane.normal}
-    kept = list(lines)
-    if widths:
-        near = _MEET * views.tolerance
-        drawn = shapely.MultiLineString([line.points for line in lines]).buffer(near)
-        whole = shapely.union_all([shapely.Polygon(part.exterior) for part in _polygons(drawn)])
-        edge = whole.buffer(-near).boundary
-        band = edge.buffer(max(widths) + near)
-        kept = [line for line in lines if not _is_in(line, band, edge, near)]
-    return tuple(_stroke(line, np.array(plane.signs)) for line in kept)
+def _without_bands(lines: Sequence[_Line], width: float, near: float) -> list[_Line]:
+    """The lines of a view without those that run along its outline as near as a break is wide."""
+    drawn = shapely.MultiLineString([line.points for line in lines]).buffer(near)
+    whole = shapely.union_all([shapely.Polygon(part.exterior) for part in _polygons(drawn)])
+    edge = whole.buffer(-near).boundary
+    band = edge.buffer(width + near)
+    return [line for line in lines if not _is_in(line, band, edge, near)]
+
+
+def _without_rims(
+    lines: Sequence[_Line], widths: Collection[float], near: float
+) -> tuple[list[_Line], list[Circle]]:
+    """The lines of a view without circles around others that are a break's width smaller, and
+    these: holes whose edges are broken."""
+    circles = {
+        number: (line.stroke.centre, line.stroke.radius)
+        for number, line in enumerate(lines)
+        if isinstance(line.stroke, Arc) and line.stroke.is_full
+    }
+    rims, holes = set(), []
+    for number, (centre, radius) in circles.items():
+        for other, (middle, outer) in circles.items():
+            fits = any(abs(outer - radius - width) <= near for width in widths)
+            if fits and number not in rims and np.hypot(*np.subtract(centre, middle)) <= near:
+                rims.add(other)
+                x, y = (lines[number].points.min(axis=0) + lines[number].points.max(axis=0)) / 2.0
+                holes.append((float(x), float(y), radius))
+    return [line for number, line in enumerate(lines) if number not in rims], holes
 
 
 def _polygons(area: shapely.Geometry) -> list[shapely.Polygon]:

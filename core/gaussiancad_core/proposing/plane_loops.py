@@ -192,10 +192,7 @@ class PlaneLoops:
         # A speck has all its corners at one place.
         with suppress(shapely.errors.GEOSException, ValueError):
             found = shapely.remove_repeated_points(shapely.Polygon(rings[0], rings[1:]))
-            if not found.is_valid:
-                parts = shapely.get_parts(shapely.make_valid(found))
-                found = max(parts, key=lambda part: part.area)
-            if found.geom_type == "Polygon" and not found.is_empty:
+            if found.is_valid and not found.is_empty:
                 return found
         return polygon
 

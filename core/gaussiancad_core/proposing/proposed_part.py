@@ -1,6 +1,6 @@
 """The part that is proposed for a sheet: found among features, built, and judged again."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from OCP.TopoDS import TopoDS_Shape
@@ -12,7 +12,7 @@ from gaussiancad_core.judging.faceted_solids import faceted_shape
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.kernel.brep import faces_of
 from gaussiancad_core.proposing.broken_edges import with_breaks
-from gaussiancad_core.proposing.edge_breaks import EdgeBreak, without_breaks
+from gaussiancad_core.proposing.edge_breaks import EdgeBreak, EdgeBreaks, without_breaks
 from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
@@ -73,7 +73,8 @@ def proposed_part(views: DrawnViews, grid: float, work: float = WORK) -> Propose
     """
     judge = Judge(drawn_sheet(views))
     sharp, breaks = without_breaks(views)
-    found = _with_breaks(_searched(sharp, grid, work), breaks, sharp, judge) if breaks else None
+    searched = _searched(sharp, grid, work) if breaks.each else None
+    found = _with_breaks(searched, breaks, sharp, judge)
     if found is not None and found.cost <= _FIRM * judge.sheet.length:
         return found
     plain = _searched(views, grid, work)
@@ -83,7 +84,7 @@ def proposed_part(views: DrawnViews, grid: float, work: float = WORK) -> Propose
 
 
 def _with_breaks(
-    found: ProposedPart | None, breaks: Sequence[EdgeBreak], views: DrawnViews, judge: Judge
+    found: ProposedPart | None, breaks: EdgeBreaks, views: DrawnViews, judge: Judge
 ) -> ProposedPart | None:
     """A part with its edges broken, before the judge of the lines as they are."""
     if found is None or found.shape is None:
