@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 
 import numpy as np
+import shapely
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
 from OCP.BRepTools import BRepTools
@@ -17,7 +18,6 @@ from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.edge_breaks import EdgeBreak, EdgeBreaks
-from gaussiancad_core.proposing.lines_by_plane import Circle
 
 Cost = Callable[[TopoDS_Shape], float]
 Edges = list[tuple[TopoDS_Edge, TopoDS_Face]]
@@ -70,7 +70,7 @@ def _alike(breaks: Sequence[EdgeBreak], near: float) -> Iterator[list[EdgeBreak]
 
 
 def _loops(
-    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], rims: Sequence[Circle], near: float
+    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], rims: Sequence[shapely.Polygon], near: float
 ) -> Iterator[Edges]:
     """Outlines of the faces that the breaks are of, and of holes in them with a rim: their edges,
     each with its face."""
@@ -91,14 +91,11 @@ def _loops(
                 yield [(TopoDS.Edge(each), face) for each in edges]
 
 
-def _is_rim(wire: TopoDS_Shape, axis: Axis, rims: Sequence[Circle], near: float) -> bool:
-    """Whether a wire is the circle of a hole with a rim."""
+def _is_rim(wire: TopoDS_Shape, axis: Axis, rims: Sequence[shapely.Polygon], near: float) -> bool:
+    """Whether a wire is the outline of a hole with a rim."""
     low, high = (corner[list(IN_PLANE[axis])] for corner in bounding_box(wire))
-    x, y = (low + high) / 2.0
-    radius = float((high - low).max()) / 2.0
-    return any(
-        abs(x - a) <= near and abs(y - b) <= near and abs(radius - r) <= near for a, b, r in rims
-    )
+    sides = np.concatenate([low, high])
+    return any(np.abs(sides - rim.bounds).max() <= near for rim in rims)
 
 
 def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
@@ -112,9 +109,7 @@ def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
     )
 
 
-def _broken(
-    shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Edges
-) -> TopoDS_Shape | None:
+def _broken(shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Edges) -> TopoDS_Shape | None:
     """A solid with edges broken; None where the kernel makes no sound one."""
     if not edges:
         return None

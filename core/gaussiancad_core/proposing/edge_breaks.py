@@ -6,7 +6,7 @@ is like that in one view alone is a profile's own corner.  Here corners are made
 breaks draw is taken off; :mod:`.broken_edges` puts them on the solid.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,7 +17,8 @@ from gaussiancad_core.lines.strokes import DrawnStroke
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
 from gaussiancad_core.model.views import Arc, Linetype, Segment
-from gaussiancad_core.proposing.lines_by_plane import Circle, Floats
+from gaussiancad_core.proposing.lines_by_plane import ROUND, Floats, PlaneLine
+from gaussiancad_core.proposing.plane_loops import areas_between, stretched
 
 _MOST = 0.06
 """Share of the part's longest extent that a break takes away at most."""
@@ -37,8 +38,14 @@ _LONGER = 0.6
 _MEET = 3.0
 """Tolerances within which ends of lines meet, and two breaks are at one place."""
 
+_ELONGATED = 8.0
+"""Widths of a break that a band is long around at least."""
+
+_OF_STRIP = 0.6
+"""Share of its width that twice the area by the outline is, of a strip as short as that."""
+
 _SAMPLE = 9
-"""Points along a line that tell where it runs."""
+"""Points along a straight line that tell where it runs."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +82,10 @@ class _Line:
 
     stroke: DrawnStroke
     points: Floats
+
+    @property
+    def is_whole(self) -> bool:
+        return isinstance(self.stroke, Arc) and self.stroke.is_full
 
     @property
     def is_straight(self) -> bool:
@@ -147,12 +158,11 @@ class EdgeBreaks:
 
     Attributes:
         each: one for each corner that shows one.
-        rims: of the faces across each axis, circles around holes whose edges are broken, too: two
-            coordinates and the radius, mm, of the hole.
+        rims: of the faces across each axis, holes whose edges are broken, too.
     """
 
     each: tuple[EdgeBreak, ...]
-    rims: Mapping[Axis, tuple[Circle, ...]]
+    rims: Mapping[Axis, tuple[shapely.Polygon, ...]]
 
 
 def without_breaks(views: DrawnViews) -> tuple[DrawnViews, EdgeBreaks]:
@@ -173,13 +183,13 @@ def without_breaks(views: DrawnViews) -> tuple[DrawnViews, EdgeBreaks]:
         if around:
             found.setdefault(corner.role, []).append(corner)
             breaks += around
-    strokes, rims = {}, {}
+    strokes: dict[Role, tuple[DrawnStroke, ...]] = {}
+    rims: dict[Axis, list[shapely.Polygon]] = {}
     for role, drawn in lines.items():
-        kept = _sharpened(drawn, found.get(role, ()), near)
-        plane = role_plane(role)
-        widths = {each.width for each in breaks if each.axis is plane.normal}
-        if widths:
-            kept, holes = _without_rims(_without_bands(kept, max(widths), near), widths, near)
+        kept, plane = _sharpened(drawn, found.get(role, ()), near), role_plane(role)
+        around = [each for each in breaks if each.axis is plane.normal]
+        if around:
+            kept, holes = _without_bands(kept, around, views.tolerance)
             rims.setdefault(plane.normal, []).extend(holes)
         strokes[role] = tuple(_stroke(line, np.array(plane.signs)) for line in kept)
     every = {axis: tuple(holes) for axis, holes in rims.items()}
@@ -195,7 +205,7 @@ def _points(stroke: DrawnStroke) -> Floats:
     if isinstance(stroke, Segment):
         ways = np.linspace(0.0, 1.0, _SAMPLE)[:, None]
         return np.asarray(stroke.start) * (1.0 - ways) + np.asarray(stroke.end) * ways
-    return np.asarray(stroke.sample(stroke.length / _SAMPLE))
+    return np.asarray(stroke.sample(stroke.length / ROUND))
 
 
 def _corners(
@@ -335,45 +345,75 @@ def _led(line: _Line, ends: Floats) -> _Line:
     return replace(line, points=ends[0] * (1.0 - ways) + ends[1] * ways)
 
 
-def _without_bands(lines: Sequence[_Line], width: float, near: float) -> list[_Line]:
-    """The lines of a view without those that run along its outline as near as a break is wide."""
-    drawn = shapely.MultiLineString([line.points for line in lines]).buffer(near)
-    whole = shapely.union_all([shapely.Polygon(part.exterior) for part in _polygons(drawn)])
-    edge = whole.buffer(-near).boundary
-    band = edge.buffer(width + near)
-    return [line for line in lines if not _is_in(line, band, edge, near)]
+def _without_bands(
+    lines: Sequence[_Line], breaks: Sequence[EdgeBreak], tolerance: float
+) -> tuple[list[_Line], list[shapely.Polygon]]:
+    """The lines of a view without those of bands as narrow as the breaks of faces that it looks on,
+    but for the sharp edges, and the holes around which there are bands."""
+    near = _MEET * tolerance
+    holes: list[shapely.Polygon] = []
+    kept = [line for line in lines if not _is_mitre(line, lines, breaks, near)]
+    for band in _bands(lines, breaks, tolerance):
+        sides = [band.exterior, *band.interiors]
+        walls = [side for side in sides if any(_reaches(side, each, near) for each in breaks)]
+        if not walls:
+            # What no view from beside shows is a hole.
+            walls = sides[1:]
+            holes += [shapely.Polygon(side) for side in walls]
+        if walls:
+            edge, area = shapely.MultiLineString(walls), band.buffer(near)
+            kept = [line for line in kept if not _is_in(line, area, edge, near)]
+    return kept, holes
 
 
-def _without_rims(
-    lines: Sequence[_Line], widths: Collection[float], near: float
-) -> tuple[list[_Line], list[Circle]]:
-    """The lines of a view without circles around others that are a break's width smaller, and
-    these: holes whose edges are broken."""
-    circles = {
-        number: (line.stroke.centre, line.stroke.radius)
-        for number, line in enumerate(lines)
-        if isinstance(line.stroke, Arc) and line.stroke.is_full
-    }
-    rims, holes = set(), []
-    for number, (centre, radius) in circles.items():
-        for other, (middle, outer) in circles.items():
-            fits = any(abs(outer - radius - width) <= near for width in widths)
-            if fits and number not in rims and np.hypot(*np.subtract(centre, middle)) <= near:
-                rims.add(other)
-                x, y = (lines[number].points.min(axis=0) + lines[number].points.max(axis=0)) / 2.0
-                holes.append((float(x), float(y), radius))
-    return [line for number, line in enumerate(lines) if number not in rims], holes
+def _is_mitre(
+    line: _Line, lines: Sequence[_Line], breaks: Sequence[EdgeBreak], near: float
+) -> bool:
+    """Whether a line is where two roundings meet: as wide as one in both ways, from a corner to
+    where nothing is drawn."""
+    size = np.ptp(line.ends, axis=0)
+    widths = np.array([each.width for each in breaks if each.is_round])
+    if not line.is_straight or not len(widths):
+        return False
+    if np.abs(size[:, None] - widths).min(axis=1).max() > near:
+        return False
+    others = [other for other in lines if other is not line]
+    return sum(any(other.lies_at(end, near) for other in others) for end in line.ends) == 1
 
 
-def _polygons(area: shapely.Geometry) -> list[shapely.Polygon]:
-    return [part for part in shapely.get_parts(area) if part.geom_type == "Polygon"]
+def _bands(
+    lines: Sequence[_Line], breaks: Sequence[EdgeBreak], tolerance: float
+) -> Iterator[shapely.Polygon]:
+    """Areas as narrow as a break, those beside each other as one."""
+    curves = [PlaneLine(line.points, True, line.length, is_full=line.is_whole) for line in lines]
+    narrow = [
+        area
+        for area in areas_between(stretched(curves, 0.0, tolerance), tolerance)
+        if any(_is_band(area, each.width, _MEET * tolerance) for each in breaks)
+    ]
+    for part in shapely.get_parts(shapely.union_all(narrow)):
+        if part.geom_type == "Polygon":
+            yield part
 
 
-def _is_in(line: _Line, band: shapely.Geometry, edge: shapely.Geometry, near: float) -> bool:
-    """Whether a line runs in a band along an outline, and not along the outline itself."""
+def _is_band(area: shapely.Polygon, width: float, near: float) -> bool:
+    # The outline of a strip has its ends, too; that of a ring has none.
+    is_narrow = _OF_STRIP * width - near <= 2.0 * area.area / area.length <= width + near
+    return bool(is_narrow and area.length > _ELONGATED * width)
+
+
+def _reaches(side: shapely.LinearRing, edge_break: EdgeBreak, near: float) -> bool:
+    """Whether a side of a band is where a view from beside shows the sharp edge of a break."""
+    column = IN_PLANE[edge_break.axis].index(edge_break.across.value)
+    ends = side.bounds[column], side.bounds[2 + column]
+    return min(abs(end - edge_break.place) for end in ends) <= near
+
+
+def _is_in(line: _Line, area: shapely.Geometry, edge: shapely.Geometry, near: float) -> bool:
+    """Whether a line runs in a band, and not along its sharp edges."""
     points = shapely.points(line.points)
     is_along = bool((shapely.distance(points, edge) <= near).all())
-    return not is_along and bool(shapely.covers(band, points).all())
+    return not is_along and bool(shapely.covers(area, points).all())
 
 
 def _stroke(line: _Line, signs: Floats) -> DrawnStroke:

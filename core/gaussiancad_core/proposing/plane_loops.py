@@ -174,27 +174,31 @@ class PlaneLoops:
 
     def _levelled(self, polygon: shapely.Polygon) -> shapely.Polygon:
         """A closed area whose corners lie at the levels that they are near to, but for those
-        between two chords of arcs: what two areas have between them is nothing, not a film."""
-
-        def moved(ring: Floats) -> Floats:
-            corners = ring[:-1]
-            edges = np.hstack([corners, ring[1:]])
-            is_chord = np.isin(self._behind(edges), list(self.circles))
-            is_free = ~(is_chord & np.roll(is_chord, 1))
-            places = corners.copy()
-            for column, levels in enumerate(self.levels):
-                nearest = levels[np.abs(levels - corners[:, column, None]).argmin(axis=1)]
-                is_near = np.abs(nearest - corners[:, column]) <= self.near
-                places[is_near & is_free, column] = nearest[is_near & is_free]
-            return np.vstack([places, places[:1]])
-
-        rings = [moved(np.array(each.coords)) for each in (polygon.exterior, *polygon.interiors)]
-        # A speck has all its corners at one place.
-        with suppress(shapely.errors.GEOSException, ValueError):
-            found = shapely.remove_repeated_points(shapely.Polygon(rings[0], rings[1:]))
-            if found.is_valid and not found.is_empty:
-                return found
+        between two chords of arcs: what two areas have between them is nothing, not a film.  Where
+        arcs would cross others then, their ends stay where they are, too."""
+        for moves_ends in (True, False):
+            rings = [
+                self._ring_levelled(np.array(each.coords), moves_ends=moves_ends)
+                for each in (polygon.exterior, *polygon.interiors)
+            ]
+            # A speck has all its corners at one place.
+            with suppress(shapely.errors.GEOSException, ValueError):
+                found = shapely.remove_repeated_points(shapely.Polygon(rings[0], rings[1:]))
+                if found.is_valid and not found.is_empty:
+                    return found
         return polygon
+
+    def _ring_levelled(self, ring: Floats, *, moves_ends: bool) -> Floats:
+        corners = ring[:-1]
+        is_chord = np.isin(self._behind(np.hstack([corners, ring[1:]])), list(self.circles))
+        before = np.roll(is_chord, 1)
+        is_free = ~(is_chord & before) if moves_ends else ~(is_chord | before)
+        places = corners.copy()
+        for column, levels in enumerate(self.levels):
+            nearest = levels[np.abs(levels - corners[:, column, None]).argmin(axis=1)]
+            is_near = np.abs(nearest - corners[:, column]) <= self.near
+            places[is_near & is_free, column] = nearest[is_near & is_free]
+        return np.vstack([places, places[:1]])
 
 
 def plane_loops(sheet: PlaneSheet, axis: Axis) -> PlaneLoops | None:

@@ -28,15 +28,16 @@ def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, float]
     """
     if max(map(len, views.strokes.values())) > MOST_STROKES:
         return None
-    places = find_places(views, grid)
     try:
-        found = proposed_part(views, places)
+        found = proposed_part(views, grid)
     except (*KERNEL_FAILURES, GEOSException):
         return None
     if found is None or found.shape is None:
         return None
     reason = partial(_put_together, found)
-    result = drawn_again(found.shape, places.carriers, views, ModelKind.FEATURES, reason)
+    result = drawn_again(
+        found.shape, find_places(views, grid).carriers, views, ModelKind.FEATURES, reason
+    )
     if result is None or any(code == Code.SOLID_UNSOUND for code, _ in result.reasons):
         # What is not closed is no part to go on with.
         return None

@@ -6,7 +6,6 @@ from dataclasses import replace
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.booleans import common
 from gaussiancad_core.kernel.brep import soundness, volume
@@ -55,7 +54,7 @@ def _bracket() -> TopoDS_Shape:
 
 
 def _proposed(views: DrawnViews) -> ProposedPart | None:
-    return proposed_part(views, find_places(views, views.tolerance), _WORK)
+    return proposed_part(views, views.tolerance, _WORK)
 
 
 @pytest.mark.parametrize("made", [_flange, _bracket])
