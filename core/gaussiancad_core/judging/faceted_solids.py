@@ -67,6 +67,13 @@ class FacetedSolid:
         """(3,) mm."""
         return np.ptp(self.vertices, axis=0)
 
+    @property
+    def is_closed(self) -> bool:
+        """Whether triangles bound a body: along each side of one lies another."""
+        sides = np.sort(self.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        _, counts = np.unique(sides, axis=0, return_counts=True)
+        return bool((counts % 2 == 0).all())
+
     def mapped(self, matrix: Floats, offset: Floats) -> "FacetedSolid":
         """The same with each point x at ``matrix @ x + offset``."""
         return replace(

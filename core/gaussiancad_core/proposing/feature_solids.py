@@ -330,9 +330,9 @@ def _arcs(corners: Floats, circle: Circle, place: Place) -> list[TopoDS_Edge] | 
     top = int(sides.argmax())
     if 0 < top < len(corners) - 1 and sides[top] > circle[2] * np.hypot(*way):
         middle = _on(corners[top], circle)
-        runs = np.vstack([corners[:top], middle]), np.vstack([middle, corners[top + 1 :]])
+        runs = [np.vstack([corners[:top], middle]), np.vstack([middle, corners[top + 1 :]])]
     else:
-        runs = (corners,)
+        runs = [corners]
     arcs = [_arc(run, circle, place) for run in runs]
     return [arc for arc in arcs if arc is not None] if None not in arcs else None
 

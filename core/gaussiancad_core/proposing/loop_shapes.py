@@ -43,6 +43,7 @@ def loops_of(sheet: PlaneSheet, plane: PlaneLoops) -> tuple[Loop, ...]:
         for region in plane.regions
         if region.interiors
     ]
+    found += [(area, LoopKind.REGION) for area in _by_view(sheet, plane)]
     found += _by_linetype(sheet, plane)
     circles = [*_circles(sheet, plane), *_noted_circles(sheet, plane.axis)]
     discs = [_disc(circle, sheet.tolerance) for circle in circles]
@@ -54,6 +55,15 @@ def loops_of(sheet: PlaneSheet, plane: PlaneLoops) -> tuple[Loop, ...]:
     ]
     found += [(area, LoopKind.AROUND) for area in _around(discs + outer, sheet, plane)]
     return tuple(_each_once(found, sheet, plane))
+
+
+def _by_view(sheet: PlaneSheet, plane: PlaneLoops) -> Iterator[shapely.Polygon]:
+    """What the lines of each view enclose by themselves, where several look along the axis: a
+    section has lines of what is hidden, or gone, in a plain view."""
+    views = [view for view in sheet.views if view.axis is plane.axis and view.lines]
+    for view in views if len(views) > 1 else ():
+        curves = stretched(view.lines, plane.stretch, sheet.tolerance)
+        yield from areas_between([each for each in curves if not each.is_empty], sheet.tolerance)
 
 
 def _by_linetype(

@@ -161,15 +161,15 @@ class PlaneLoops:
         lengths = np.hypot(*(edges[:, 2:] - edges[:, :2]).T)
         count = len(edges)
         for k in (*range(count), *range(count - 1, -1, -1)):
-            for beside in (named[k - 1], named[(k + 1) % count]):
-                circle = self.circles.get(int(beside))
-                if circle is None or beside == named[k]:
+            for arc in (named[k - 1], named[(k + 1) % count]):
+                circle = self.circles.get(int(arc))
+                if circle is None or arc == named[k]:
                     continue
                 x, y, radius = circle
                 ends = edges[k].reshape(2, 2)
                 away = np.abs(np.hypot(*(ends - (x, y)).T) - radius).max()
                 if lengths[k] <= _CHORD * radius and away <= self.near:
-                    named[k] = beside
+                    named[k] = arc
         return named
 
     def _levelled(self, polygon: shapely.Polygon) -> shapely.Polygon:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 from OCP.TopoDS import TopoDS_Shape
 
@@ -11,8 +12,9 @@ from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import faceted_shape
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.proposing.broken_corners import EdgeBreak
 from gaussiancad_core.proposing.broken_edges import with_breaks
-from gaussiancad_core.proposing.edge_breaks import EdgeBreak, EdgeBreaks, without_breaks
+from gaussiancad_core.proposing.edge_breaks import EdgeBreaks, without_breaks
 from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
@@ -35,6 +37,10 @@ _EXPLAINED = 1e-3
 _FIRM = 0.05
 """Share of the lines that a part with broken edges leaves unexplained at most for nothing else to
 be looked for."""
+
+_LEAK = 0.1
+"""Share of the lines that it counts as where the triangles of a solid bound no body: it can be
+neither measured nor printed."""
 
 WORK = 2.4e8
 """Steps of the search's kernels: about ten seconds of a processor."""
@@ -90,11 +96,8 @@ def _with_breaks(
     if found is None or found.shape is None:
         return None
 
-    def cost(shape: TopoDS_Shape) -> float:
-        return judge.misfit(faceted_shape(shape)).cost
-
-    shape, made = with_breaks(found.shape, breaks, views.tolerance, cost)
-    return replace(found, shape=shape, breaks=made, cost=cost(shape))
+    shape, made = with_breaks(found.shape, breaks, views.tolerance, partial(_share, judge))
+    return replace(found, shape=shape, breaks=made, cost=_cost(judge, shape))
 
 
 def _searched(views: DrawnViews, grid: float, work: float) -> ProposedPart | None:
@@ -105,15 +108,25 @@ def _searched(views: DrawnViews, grid: float, work: float) -> ProposedPart | Non
         return None
     judge = Judge(drawn_sheet(views))
 
-    def share(shape: TopoDS_Shape) -> float:
-        return judge.misfit(faceted_shape(shape)).share
-
+    share = partial(_share, judge)
     features = tuple(part.features)
     shape = solid_of(features, search.sheet, part.share, share)
     if shape is not None and share(shape) > part.share + _WORSE:
         features, shape = _undone(features, shape, search.sheet, share)
-    cost = judge.misfit(faceted_shape(shape)).cost if shape is not None else float("inf")
+    cost = _cost(judge, shape) if shape is not None else float("inf")
     return ProposedPart(features, shape, part.share, cost)
+
+
+def _share(judge: Judge, shape: TopoDS_Shape) -> float:
+    """The share of the lines that a solid leaves unexplained, and what counts as much."""
+    return _cost(judge, shape) / judge.sheet.length
+
+
+def _cost(judge: Judge, shape: TopoDS_Shape) -> float:
+    """mm of line that a solid leaves unexplained, and what counts as much."""
+    solid = faceted_shape(shape)
+    leaks = 0.0 if solid.is_closed else _LEAK * judge.sheet.length
+    return judge.misfit(solid).cost + leaks
 
 
 def _undone(
