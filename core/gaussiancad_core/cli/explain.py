@@ -13,7 +13,7 @@ from gaussiancad_core.storage.plain_files import plain_bytes
 from gaussiancad_protocol.codes import Code
 from gaussiancad_protocol.exit_codes import ExitCode
 
-_SCHEMAS = (2, "gaussiancad-reading/1", "gaussiancad-construction/1")
+_SCHEMAS = (2, "gaussiancad-reading/1", "gaussiancad-construction/1", "gaussiancad-construction/2")
 """Of the files that are read: the report, the reading, the construction."""
 
 

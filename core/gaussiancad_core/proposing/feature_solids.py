@@ -1,6 +1,6 @@
 """The exact solid of features in order; what the kernel gets wrong is built alone, or left out."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
@@ -25,22 +25,10 @@ from gaussiancad_core.kernel.brep import faces_of, soundness, volume
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE, lifted
-from gaussiancad_core.proposing.edge_on_surfaces import SurfaceKind
+from gaussiancad_core.proposing.edge_runs import EdgeRun, RunKind, prism_rings, profile_runs
 from gaussiancad_core.proposing.feature_kernels import Operation
-from gaussiancad_core.proposing.lines_by_plane import Circle, Floats, PlaneSheet
+from gaussiancad_core.proposing.lines_by_plane import Floats, PlaneSheet
 from gaussiancad_core.proposing.part_features import Feature, Prism, Turned, single_features
-
-_ON_CIRCLE = 5.0
-"""Tolerances within which corners lie on the circle that their edges are chords of."""
-
-_STRAIGHT = 1e-2
-"""Tolerances within which corners lie on one line."""
-
-_FEW = 4
-"""Corners up to which a run of edges stays edges."""
-
-_SPECK = 1e-7
-"""mm: shorter edges are none."""
 
 _TOUCHING = 0.0, 0.1, 1.0
 """Tolerances within which faces touch, where the kernel makes no sound body of them as they are: it
@@ -194,19 +182,13 @@ def _tool(feature: Prism | Turned, sheet: PlaneSheet) -> TopoDS_Shape:
 
 
 def _prism(feature: Prism, sheet: PlaneSheet, *, with_arcs: bool) -> TopoDS_Shape:
-    loop, axis = feature.loop, feature.axis
+    axis = feature.axis
 
     def place(point: Floats) -> gp_Pnt:
         return gp_Pnt(*lifted(axis, float(point[0]), float(point[1]), feature.low))
 
-    wires = []
-    for ring in loop.rings:
-        surfaces = loop.surfaces[ring]
-        circles = [
-            _circle_of(sheet, int(surface), axis) if with_arcs else None for surface in surfaces
-        ]
-        names = surfaces.tolist() if with_arcs else list(range(len(surfaces)))
-        wires.append(_wire(loop.edges[ring], names, circles, (place, axis), sheet))
+    rings = prism_rings(feature, sheet, with_arcs=with_arcs)
+    wires = [_wire(runs, place, axis, sheet.tolerance) for runs in rings]
     face = BRepBuilderAPI_MakeFace(wires[0], True)
     for wire in wires[1:]:
         face.Add(wire)
@@ -226,13 +208,8 @@ def _turned(feature: Turned, sheet: PlaneSheet) -> TopoDS_Shape:
         found[feature.axis.value] = point[1]
         return gp_Pnt(*found.tolist())
 
-    names: dict[object, int] = {}
-    runs = [
-        names.setdefault(circle or ("edge", number), len(names))
-        for number, circle in enumerate(feature.circles)
-    ]
-    normal = Axis(second)
-    wire = _wire(feature.edges, runs, feature.circles, (place, normal), sheet)
+    runs = profile_runs(feature, sheet.tolerance)
+    wire = _wire(runs, place, Axis(second), sheet.tolerance)
     face = BRepBuilderAPI_MakeFace(wire, True).Face()
     origin, way = np.zeros(3), np.zeros(3)
     origin[first], origin[second] = feature.centre
@@ -241,116 +218,42 @@ def _turned(feature: Turned, sheet: PlaneSheet) -> TopoDS_Shape:
     return BRepPrimAPI_MakeRevol(face, about).Shape()
 
 
-def _circle_of(sheet: PlaneSheet, surface: int, axis: Axis) -> Circle | None:
-    behind = sheet.surfaces[surface]
-    if behind.kind is not SurfaceKind.CYLINDER or behind.axis is not axis:
-        return None
-    x, y, radius = behind.values
-    return x, y, radius
-
-
-def _wire(
-    edges: Floats,
-    names: Sequence[int],
-    circles: Sequence[Circle | None],
-    where: tuple[Place, Axis],
-    sheet: PlaneSheet,
-) -> TopoDS_Wire:
-    """A closed wire: runs of edges with one name as an arc, or as one straight edge.
+def _wire(runs: Iterable[EdgeRun], place: Place, normal: Axis, tolerance: float) -> TopoDS_Wire:
+    """A closed wire of runs.
 
     Args:
-        edges: (m, 4) mm, from and to, around.
-        names: of the surfaces behind them.
-        circles: that edges are chords of.
-        where: (a, b) -> place in space, and the axis across the wire's plane.
-        sheet: that they are of.
+        runs: around, in the wire's plane.
+        place: (a, b) -> place in space.
+        normal: the axis across the plane.
+        tolerance: mm within which a curve passes its corners.
     """
-    place, normal = where
     made = BRepBuilderAPI_MakeWire()
-    for run in _same(names):
-        corners = np.vstack([edges[run, :2], edges[run[-1], 2:]])
-        circle = circles[run[0]]
-        if circle is not None and _is_on(corners, circle, sheet.tolerance):
-            if len(run) == len(names):
-                return BRepBuilderAPI_MakeWire(_whole_circle(circle, place, normal)).Wire()
-            arcs = _arcs(corners, circle, place) if len(run) > 1 else None
-            if arcs is not None:
-                for arc in arcs:
-                    made.Add(arc)
-                continue
-        if _is_straight(corners, sheet.tolerance):
-            made.Add(BRepBuilderAPI_MakeEdge(place(corners[0]), place(corners[-1])).Edge())
-            continue
-        if len(corners) > _FEW:
-            made.Add(_curve(corners, place, sheet.tolerance))
-            continue
-        for start, end in pairwise(corners):
-            made.Add(BRepBuilderAPI_MakeEdge(place(start), place(end)).Edge())
+    for run in runs:
+        for edge in _edges(run, place, normal, tolerance):
+            made.Add(edge)
     return made.Wire()
 
 
-def _same(names: Sequence[int]) -> list[list[int]]:
-    """Runs of edges around that have one name."""
-    count = len(names)
-    starts = [k for k in range(count) if names[k] != names[k - 1]]
-    if not starts:
-        return [list(range(count))]
-    ends = [*starts[1:], starts[0] + count]
-    return [[k % count for k in range(start, end)] for start, end in zip(starts, ends, strict=True)]
-
-
-def _is_on(corners: Floats, circle: Circle, tolerance: float) -> bool:
-    away = np.hypot(*(corners - np.array(circle[:2])).T) - circle[2]
-    return bool(np.abs(away).max() < _ON_CIRCLE * tolerance)
-
-
-def _is_straight(corners: Floats, tolerance: float) -> bool:
-    way = corners[-1] - corners[0]
-    length = float(np.hypot(*way))
-    if length <= _SPECK:
-        return False
-    across = (corners - corners[0]) @ np.array([-way[1], way[0]]) / length
-    return bool(np.abs(across).max() < _STRAIGHT * tolerance + _SPECK)
-
-
-def _whole_circle(circle: Circle, place: Place, normal: Axis) -> TopoDS_Edge:
-    way = [0.0, 0.0, 0.0]
-    way[normal.value] = 1.0
-    about = gp_Ax2(place(np.array(circle[:2])), gp_Dir(*way))
-    return BRepBuilderAPI_MakeEdge(gp_Circ(about, circle[2])).Edge()
-
-
-def _arcs(corners: Floats, circle: Circle, place: Place) -> list[TopoDS_Edge] | None:
-    """An arc from the first corner to the last, of two halves where it is more than a half circle:
-    of a whole one, all but, its ends would tell the circle.  None where these are too near each
-    other."""
-    way = corners[-1] - corners[0]
-    across = (corners - corners[0]) @ np.array([-way[1], way[0]])
-    sides = np.abs(across)
-    top = int(sides.argmax())
-    if 0 < top < len(corners) - 1 and sides[top] > circle[2] * np.hypot(*way):
-        middle = _on(corners[top], circle)
-        runs = [np.vstack([corners[:top], middle]), np.vstack([middle, corners[top + 1 :]])]
-    else:
-        runs = [corners]
-    arcs = [_arc(run, circle, place) for run in runs]
-    return [arc for arc in arcs if arc is not None] if None not in arcs else None
-
-
-def _on(corner: Floats, circle: Circle) -> Floats:
-    """The place on a circle beside a corner."""
-    centre = np.array(circle[:2])
-    away = corner - centre
-    return np.asarray(centre + away / np.hypot(*away) * circle[2])
-
-
-def _arc(corners: Floats, circle: Circle, place: Place) -> TopoDS_Edge | None:
-    """An arc from the first corner to the last; None where these are too near each other."""
-    way = corners[-1] - corners[0]
-    across = np.abs((corners - corners[0]) @ np.array([-way[1], way[0]]))
-    middle = _on(corners[int(across.argmax())], circle)
-    arc = GC_MakeArcOfCircle(place(corners[0]), place(middle), place(corners[-1]))
-    return BRepBuilderAPI_MakeEdge(arc.Value()).Edge() if arc.IsDone() else None
+def _edges(run: EdgeRun, place: Place, normal: Axis, tolerance: float) -> Iterator[TopoDS_Edge]:
+    corners = run.corners
+    if run.kind is RunKind.CIRCLE and run.circle is not None:
+        x, y, radius = run.circle
+        way = [0.0, 0.0, 0.0]
+        way[normal.value] = 1.0
+        about = gp_Ax2(place(np.array([x, y])), gp_Dir(*way))
+        yield BRepBuilderAPI_MakeEdge(gp_Circ(about, radius)).Edge()
+        return
+    if run.kind is RunKind.CURVE:
+        yield _curve(corners, place, tolerance)
+        return
+    if run.kind is RunKind.ARC:
+        arc = GC_MakeArcOfCircle(place(corners[0]), place(run.middle), place(corners[-1]))
+        if arc.IsDone():
+            yield BRepBuilderAPI_MakeEdge(arc.Value()).Edge()
+            return
+    # An arc whose ends are one, all but, stays its chords.
+    for start, end in pairwise(corners):
+        yield BRepBuilderAPI_MakeEdge(place(start), place(end)).Edge()
 
 
 def _curve(corners: Floats, place: Place, tolerance: float) -> TopoDS_Edge:

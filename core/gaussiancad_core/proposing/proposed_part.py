@@ -55,6 +55,7 @@ class ProposedPart:
         shape: mm; None where the kernel made none.
         planned: share of the lines that it leaves unexplained as it was planned.
         cost: mm of line that its solid does; infinite without one.
+        sheet: whose surfaces the features have.
         breaks: of its edges, put on last.
     """
 
@@ -62,6 +63,7 @@ class ProposedPart:
     shape: TopoDS_Shape | None
     planned: float
     cost: float
+    sheet: PlaneSheet
     breaks: tuple[EdgeBreak, ...] = ()
 
 
@@ -114,7 +116,7 @@ def _searched(views: DrawnViews, grid: float, work: float) -> ProposedPart | Non
     if shape is not None and share(shape) > part.share + _WORSE:
         features, shape = _undone(features, shape, search.sheet, share)
     cost = _cost(judge, shape) if shape is not None else float("inf")
-    return ProposedPart(features, shape, part.share, cost)
+    return ProposedPart(features, shape, part.share, cost, search.sheet)
 
 
 def _share(judge: Judge, shape: TopoDS_Shape) -> float:

@@ -1,4 +1,4 @@
-"""How a sketched part is put together, in sentences."""
+"""How a part was put together, in sentences."""
 
 from collections.abc import Iterator
 
@@ -7,6 +7,8 @@ from gaussiancad_core.report.pointing import Values
 _MOST = 12
 """Holes that are named at most, the largest first."""
 
+_OPERATIONS = {"add": "added", "cut": "cut off", "meet": "kept alone"}
+
 
 def construction_in_words(construction: Values) -> list[str]:
     """What ``construction.json`` says, one sentence a line.
@@ -14,6 +16,8 @@ def construction_in_words(construction: Values) -> list[str]:
     Args:
         construction: its values.
     """
+    if "features" in construction:
+        return [*_features(construction["features"]), *_breaks(construction["breaks"])]
     axis = construction["axis"]
     lines = [
         f"- from {item['low']:.4g} to {item['high']:.4g} mm along {axis}: "
@@ -30,11 +34,7 @@ def construction_in_words(construction: Values) -> list[str]:
         f"({item['centre'][0]:.4g}, {item['centre'][1]:.4g})"
         for item in construction["countersinks"]
     ]
-    lines += [
-        f"- edges at {item['at']:.4g} mm {'rounded' if item['is_round'] else 'chamfered'}, "
-        f"{item['width']:.3g} by {abs(item['height']):.3g} mm"
-        for item in construction["breaks"]
-    ]
+    lines += _breaks(construction["breaks"])
     lines += [_turned(item) for item in construction["turned"]]
     lines += [
         f"- a hole of {item['diameter']:.4g} mm along {item['axis']} at "
@@ -42,6 +42,37 @@ def construction_in_words(construction: Values) -> list[str]:
         for item in construction["cross_holes"]
     ]
     return lines
+
+
+def _features(features: list[Values]) -> Iterator[str]:
+    for number, feature in enumerate(features, 1):
+        parts = feature["parts"]
+        times = "" if len(parts) == 1 else f" {len(parts)} times"
+        yield f"- {number}. {_shape(parts[0])}, {_OPERATIONS[feature['operation']]}{times}"
+
+
+def _shape(part: Values) -> str:
+    """What one body of a feature is."""
+    axis = part["axis"]
+    if part["kind"] == "turned":
+        x, y = part["centre"]
+        return f"a profile turned about {axis} at ({x:.4g}, {y:.4g})"
+    span = f"from {part['low']:.4g} to {part['high']:.4g} mm along {axis}"
+    outer, *holes = part["loops"]
+    inner = f" with {len(holes)} hole(s)" if holes else ""
+    first = outer["edges"][0]
+    if first["kind"] == "circle":
+        x, y = first["centre"]
+        return f"a disc of {2.0 * first['radius']:.4g} mm at ({x:.4g}, {y:.4g}){inner} {span}"
+    return f"an outline of {len(outer['edges'])} edges{inner} {span}"
+
+
+def _breaks(breaks: list[Values]) -> Iterator[str]:
+    for item in breaks:
+        kind = "rounded" if item["is_round"] else "chamfered"
+        along = f" along {item['axis']}" if "axis" in item else ""
+        size = f"{item['width']:.3g} by {abs(item['height']):.3g} mm"
+        yield f"- edges at {item['at']:.4g} mm{along} {kind}, {size}"
 
 
 def _turned(entry: Values) -> str:

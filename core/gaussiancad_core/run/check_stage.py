@@ -129,7 +129,7 @@ def solid_report(model: ExactModel) -> SolidReport:
         facts.volume_mm3,
         (float(size[0]), float(size[1]), float(size[2])),
         len(result.alternatives),
-        "sketch" if model.sketched else "lines",
+        "sketch" if model.is_sketched else "lines",
         round(result.checked.share, 4),
     )
 

@@ -22,6 +22,7 @@ from gaussiancad_core.judging.misfits import solid_misfit
 from gaussiancad_core.judging.sheet_judgement import SheetJudgement
 from gaussiancad_core.labelling.cell_labelling import Effort
 from gaussiancad_core.messages import Message
+from gaussiancad_core.proposing.proposed_part import ProposedPart
 from gaussiancad_core.run.proposed_model import proposed_result
 from gaussiancad_core.sketch.projection_by_sketch import Weighed, weigh
 from gaussiancad_core.sketch.sketch_check import checked
@@ -98,7 +99,7 @@ class ExactModel:
         reading: under which it was found.
         result: the solid; its shape is None if there is none worth keeping.
         decided: whether the solids, or the sketches, tell which reading is right.
-        sketched: the part's sketch, where the solid is that.
+        made_of: the part's sketch, or its features, where the solid was put together.
         contradicted: whether the other reading fits clearly better than the symbol's.
         judged: its solid against the sheet, once the judge was asked.
     """
@@ -106,9 +107,14 @@ class ExactModel:
     reading: ProjectedReading
     result: ExactResult
     decided: bool
-    sketched: Sketch | None = None
+    made_of: Sketch | ProposedPart | None = None
     contradicted: bool = False
     judged: SheetJudgement | None = None
+
+    @property
+    def is_sketched(self) -> bool:
+        """Whether the solid is a sketch's."""
+        return isinstance(self.made_of, Sketch)
 
 
 def find_exact(
@@ -238,11 +244,13 @@ class _Readings:
         proposed = proposed_result(reading.numbered, reading.grid)
         if proposed is None:
             return found
-        result, cost = proposed
-        if found is not None and cost > _CLEARLY * found.misfit:
+        result, part = proposed
+        if found is not None and part.cost > _CLEARLY * found.misfit:
             return found
-        model = ExactModel(reading, result, self.is_decided, contradicted=self.is_contradicted)
-        return _PutTogether(model, cost, drawn_sheet(reading.numbered).length)
+        model = ExactModel(
+            reading, result, self.is_decided, part, contradicted=self.is_contradicted
+        )
+        return _PutTogether(model, part.cost, drawn_sheet(reading.numbered).length)
 
     def sketch_of(self, number: int) -> ExactModel | None:
         """The sketch of a reading, drawn again; None where there is none."""
@@ -269,7 +277,7 @@ def _best_sketch(readings: _Readings) -> ExactModel | None:
         is_told = sketched is not None and contrary is not None
         return replace(found[0], decided=is_told) if found else None
     first, second = ((model.reading, model.result) for model in found)
-    return replace(_with_other(first, second), sketched=found[0].sketched)
+    return replace(_with_other(first, second), made_of=found[0].made_of)
 
 
 def _with_all_lines(readings: _Readings) -> ExactModel | None:

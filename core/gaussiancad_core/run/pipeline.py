@@ -346,17 +346,16 @@ class _Run:
 
     def _publish(self, solid: "ExactModel", status: Status) -> None:
         """Put the solids under their names, and say so: nothing that follows changes them."""
+        from gaussiancad_core.report.construction_file import write_construction
         from gaussiancad_core.run.check_stage import solid_report
+        from gaussiancad_core.run.model_construction import construction_values
         from gaussiancad_core.run.run_models import SOLID_FILE, write_solids
 
         self.notes.tell(solid=solid_report(solid))
         write_solids(solid.result, self.folder.staging)
-        if solid.sketched is not None:
-            from gaussiancad_core.sketch.constructing import construction_of
-            from gaussiancad_core.sketch.construction import write_construction
-
-            dimensions = solid.reading.numbered.dimensions
-            write_construction(construction_of(solid.sketched, dimensions), self.folder.staging)
+        construction = construction_values(solid)
+        if construction is not None:
+            write_construction(construction, self.folder.staging)
         self.folder.publish()
         self._send("solid", SOLID_FILE, status=status.value)
 

@@ -18,9 +18,9 @@ from gaussiancad_core.solid.verify import Verification
 from gaussiancad_protocol.codes import Code
 
 
-def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, float] | None:
-    """The part that is put together of what views show, drawn again, and mm of line that it leaves
-    unexplained; None where there is none.
+def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, ProposedPart] | None:
+    """The part that is put together of what views show, drawn again, and how; None where there is
+    none.
 
     Args:
         views: of the part, with what the sheet's numbers say.
@@ -41,7 +41,7 @@ def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, float]
     if result is None or any(code == Code.SOLID_UNSOUND for code, _ in result.reasons):
         # What is not closed is no part to go on with.
         return None
-    return result, found.cost
+    return result, found
 
 
 def _put_together(found: ProposedPart, verification: Verification) -> Reason:

@@ -4,21 +4,15 @@ Levels, slabs with their outlines, and holes, each with the numbers of the sheet
 strokes along which it lies: what a body needs that one can edit.
 """
 
-import json
 from dataclasses import asdict, dataclass
-from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.geometry.outline_edges import OutlineEdge
-from gaussiancad_core.storage.outputs import os_error
 
 DIGITS = 6
 """Decimal places of its numbers."""
 
 SCHEMA = "gaussiancad-construction/1"
-
-CONSTRUCTION_FILE = "construction.json"
-"""In the output folder, beside the solid."""
 
 Point = tuple[float, float]
 
@@ -221,16 +215,3 @@ def _edge_values(edge: OutlineEdge) -> dict[str, Any]:
         return {**ends, "centre": None, "radius": None, "middle": None}
     middle = [round(value, DIGITS) for value in edge.middle]
     return {**ends, "centre": edge.circle.centre, "radius": edge.circle.radius, "middle": middle}
-
-
-def write_construction(construction: Construction, folder: Path) -> None:
-    """Write :data:`CONSTRUCTION_FILE` into a folder.
-
-    Raises:
-        UsageError, LimitError: the folder cannot be written, or the disk is full.
-    """
-    path = folder / CONSTRUCTION_FILE
-    try:
-        path.write_text(json.dumps(construction.as_json(), indent=1) + "\n", encoding="utf-8")
-    except OSError as error:
-        raise os_error(path, error) from error

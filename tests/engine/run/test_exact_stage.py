@@ -158,7 +158,7 @@ def _scribbled() -> ProjectedReading:
 
 def test_where_no_solid_has_all_lines_the_part_is_sketched() -> None:
     found = find_exact(_scribbled(), None)
-    assert found.sketched is not None and found.result.status is Status.APPROXIMATE
+    assert found.is_sketched and found.result.status is Status.APPROXIMATE
     assert [code for code, _ in found.result.reasons][:2] == ["sketched", "lines-unexplained"]
     facts = soundness(found.result.shape)
     assert (facts.valid, facts.closed, facts.solids, facts.faces) == (True, True, 1, 6)
@@ -176,11 +176,11 @@ def test_where_the_memory_does_not_suffice_the_part_is_sketched(
 
     monkeypatch.setattr(exact_stage, "exact_solid_and_model", fails)
     found = find_exact(_both(_back_pocket(0.0))[0], None)
-    assert found.sketched is not None and found.result.status is Status.APPROXIMATE
+    assert found.is_sketched and found.result.status is Status.APPROXIMATE
 
 
 def test_a_part_whose_lines_all_agree_needs_no_sketch() -> None:
-    assert find_exact(_both(_back_pocket(0.0))[0], None).sketched is None
+    assert find_exact(_both(_back_pocket(0.0))[0], None).made_of is None
 
 
 def test_sheets_of_many_lines_are_not_searched_for_the_hull() -> None:
@@ -270,7 +270,7 @@ def test_of_two_readings_without_a_solid_the_one_that_explains_more_is_taken() -
     third, first = _both(odd)
     for item, other in ((third, first), (first, third)):
         found = find_exact(item, other)
-        assert found.reading is third and found.decided and found.sketched
+        assert found.reading is third and found.decided and found.is_sketched
 
 
 def test_where_sketches_explain_as_much_the_reading_as_named_stays_and_nothing_is_told() -> None:

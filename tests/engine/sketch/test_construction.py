@@ -14,9 +14,9 @@ from gaussiancad_core.evidence.dimension_constraints import (
 )
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.report.construction_file import write_construction
 from gaussiancad_core.report.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.constructing import construction_of
-from gaussiancad_core.sketch.construction import write_construction
 from gaussiancad_core.sketch.sketching import sketch
 
 GRID = 0.1
@@ -56,7 +56,7 @@ def test_a_bored_plate_is_a_slab_with_holes_and_says_what_fixes_it(
     assert all(level.numbers == (high,) for level in numbered.levels)
     assert numbered.slabs[0].loops[0].numbers == (wide,)
     assert [this_hole.numbers for this_hole in numbered.holes].count((hole.diameter,)) == 1
-    write_construction(numbered, tmp_path)
+    write_construction(numbered.as_json(), tmp_path)
     written = json.loads((tmp_path / "construction.json").read_text(encoding="utf-8"))
     assert written["schema"] == "gaussiancad-construction/1"
     words = construction_in_words(written)
