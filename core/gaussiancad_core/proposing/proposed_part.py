@@ -20,13 +20,14 @@ from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet
 from gaussiancad_core.proposing.part_features import Feature
 from gaussiancad_core.proposing.part_search import PartSearch
+from gaussiancad_core.proposing.planned_part import PlannedPart
 
 _WORSE = 0.01
 """Share of the lines that a solid may explain less than what was planned, for its features to be
 left as they are."""
 
-_MOST_UNDONE = 12
-"""Features that are taken out again for a try, the last ones first."""
+_MOST_UNDONE = 4
+"""Features that are taken out again for a try."""
 
 _MANY_FACES = 80
 """Faces of a solid from which that takes too long."""
@@ -46,6 +47,9 @@ WORK = 2.4e8
 """Steps of the search's kernels: about ten seconds of a processor."""
 
 
+Features = tuple[tuple[Operation, Feature], ...]
+
+
 @dataclass(frozen=True, eq=False)
 class ProposedPart:
     """A part as it was put together.
@@ -59,7 +63,7 @@ class ProposedPart:
         breaks: of its edges, put on last.
     """
 
-    features: tuple[tuple[Operation, Feature], ...]
+    features: Features
     shape: TopoDS_Shape | None
     planned: float
     cost: float
@@ -79,13 +83,14 @@ def proposed_part(views: DrawnViews, grid: float, work: float = WORK) -> Propose
     Returns:
         None where nothing tells a start.
     """
-    judge = Judge(drawn_sheet(views))
     sharp, breaks = without_breaks(views)
-    searched = _searched(sharp, grid, work) if breaks.each else None
-    found = _with_breaks(searched, breaks, sharp, judge)
+    if not breaks.each:
+        return _searched(views, grid, work)
+    judge = Judge(drawn_sheet(views))
+    found = _with_breaks(_searched(sharp, grid, work / 2.0), breaks, sharp, judge)
     if found is not None and found.cost <= _FIRM * judge.sheet.length:
         return found
-    plain = _searched(views, grid, work)
+    plain = _searched(views, grid, work / 2.0)
     if found is None or (plain is not None and plain.cost <= found.cost):
         return plain
     return found
@@ -114,7 +119,7 @@ def _searched(views: DrawnViews, grid: float, work: float) -> ProposedPart | Non
     features = tuple(part.features)
     shape = solid_of(features, search.sheet, part.share, share)
     if shape is not None and share(shape) > part.share + _WORSE:
-        features, shape = _undone(features, shape, search.sheet, share)
+        features, shape = _undone(part, shape, search.sheet, share)
     cost = _cost(judge, shape) if shape is not None else float("inf")
     return ProposedPart(features, shape, part.share, cost, search.sheet)
 
@@ -132,18 +137,26 @@ def _cost(judge: Judge, shape: TopoDS_Shape) -> float:
 
 
 def _undone(
-    features: tuple[tuple[Operation, Feature], ...],
+    part: PlannedPart,
     shape: TopoDS_Shape,
     sheet: PlaneSheet,
     share: Callable[[TopoDS_Shape], float],
-) -> tuple[tuple[tuple[Operation, Feature], ...], TopoDS_Shape]:
-    """A part without those of its last features whose edges the sheet does not draw: a plan looks
-    along strokes, the judge of a solid along its edges, too."""
+) -> tuple[Features, TopoDS_Shape]:
+    """A part without those of its features whose edges the sheet does not draw: a plan looks along
+    strokes, the judge of a solid along its edges, too.  Tried are those that explain less than the
+    solid lacks, the least first."""
+    features, best = tuple(part.features), share(shape)
     if len(faces_of(shape)) > _MANY_FACES:
         return features, shape
-    best = share(shape)
-    for _, undone in zip(range(_MOST_UNDONE), features[:0:-1], strict=False):
-        rest = tuple(each for each in features if each is not undone)
+    rests = (
+        PlannedPart(part.judge).followed_by([*features[:number], *features[number + 1 :]]).share
+        for number in range(1, len(features))
+    )
+    worth = sorted((rest - part.share, number) for number, rest in enumerate(rests, 1))
+    for lost, number in worth[:_MOST_UNDONE]:
+        if lost > best - part.share:
+            break
+        rest = tuple(each for each in features if each is not part.features[number])
         made = solid_of(rest, sheet, best, share)
         if made is not None and share(made) < best - _EXPLAINED:
             features, shape, best = rest, made, share(made)
