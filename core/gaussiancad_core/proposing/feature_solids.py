@@ -114,25 +114,23 @@ def _one_by_one(features: Features, sheet: PlaneSheet) -> TopoDS_Shape | None:
     left = _MOST_FACES
     for operation, feature in features:
         for single in single_features(feature):
-            tool = _tool(single, sheet)
-            if shape is None:
-                shape = tool
-                continue
-            made = _in_one_way(shape, operation, tool, sheet.tolerance)
-            if made is not None:
-                shape = made
-                left -= len(faces_of(made))
+            with suppress(*KERNEL_FAILURES):
+                tool = _tool(single, sheet)
+                made = tool if shape is None else _in_one_way(shape, operation, tool, sheet)
+                if made is not None:
+                    shape = made
+                    left -= len(faces_of(made))
             if left < 0:
-                break
+                return shape
     return None if shape is None else _unified(shape)
 
 
 def _in_one_way(
-    shape: TopoDS_Shape, operation: Operation, tool: TopoDS_Shape, tolerance: float
+    shape: TopoDS_Shape, operation: Operation, tool: TopoDS_Shape, sheet: PlaneSheet
 ) -> TopoDS_Shape | None:
     """A body after one more feature, the first sound one whose volume adds up with what both have
     in common: the kernel may be wrong about bodies that all but touch, and say nothing."""
-    for near in (share * tolerance for share in _TOUCHING):
+    for near in (share * sheet.tolerance for share in _TOUCHING):
         with suppress(*KERNEL_FAILURES):
             made = _after(shape, operation, [tool], near)
             facts = soundness(made)
