@@ -39,7 +39,7 @@ _FIRM = 0.05
 """Share of the lines that a part with broken edges leaves unexplained at most for nothing else to
 be looked for."""
 
-_LEAK = 0.1
+_LEAK = 0.5
 """Share of the lines that it counts as where the triangles of a solid bound no body: it can be
 neither measured nor printed."""
 
