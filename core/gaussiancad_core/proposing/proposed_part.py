@@ -12,9 +12,9 @@ from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import faceted_shape
 from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.kernel.brep import faces_of
+from gaussiancad_core.proposing.breaking_edges import with_breaks
 from gaussiancad_core.proposing.broken_corners import EdgeBreak
-from gaussiancad_core.proposing.broken_edges import with_breaks
-from gaussiancad_core.proposing.edge_breaks import EdgeBreaks, without_breaks
+from gaussiancad_core.proposing.face_breaks import EdgeBreaks, without_breaks
 from gaussiancad_core.proposing.feature_kernels import Operation
 from gaussiancad_core.proposing.feature_solids import solid_of
 from gaussiancad_core.proposing.lines_by_plane import PlaneSheet

@@ -13,7 +13,7 @@ from gaussiancad_core.kernel.booleans import common
 from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes, volume
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.views import Linetype
-from gaussiancad_core.proposing.edge_breaks import without_breaks
+from gaussiancad_core.proposing.face_breaks import without_breaks
 from gaussiancad_core.proposing.proposed_part import proposed_part
 from sample_parts.modelling import box, cut, cylinder, fuse
 

@@ -18,7 +18,7 @@ from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
 from gaussiancad_core.proposing.broken_corners import EdgeBreak
-from gaussiancad_core.proposing.edge_breaks import EdgeBreaks
+from gaussiancad_core.proposing.face_breaks import EdgeBreaks
 
 Cost = Callable[[TopoDS_Shape], float]
 Edges = list[tuple[TopoDS_Edge, TopoDS_Face]]

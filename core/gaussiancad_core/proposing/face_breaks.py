@@ -3,7 +3,7 @@
 A break around a face is a short slanted stroke, or an arc, at either end of the face in a view from
 beside, and a line at its foot; in the view on the face it is a narrow band along the outline.  What
 is like that in one view alone is a profile's own corner.  Here corners are made sharp, and what the
-breaks draw is taken off; :mod:`.broken_edges` puts them on the solid.
+breaks draw is taken off; :mod:`.breaking_edges` puts them on the solid.
 """
 
 from collections.abc import Mapping, Sequence
