@@ -68,10 +68,8 @@ _BESIDE_FIRM = 0.1
 """The same beside a sketch that explains nearly all."""
 
 _FIRM = 0.05
-"""Share of the lines that a sketch leaves unexplained at most for little to be tried beside it."""
-
-_WHOLE = 0.01
-"""The same for nothing else to be put together."""
+"""Share of the lines that a sketch leaves unexplained at most for little to be tried beside it, and
+for nothing else to be put together."""
 
 _CLEARLY = 0.6
 """Share of what a sketch leaves unexplained that something else leaves at most to take its
@@ -239,7 +237,7 @@ class _Readings:
         if sketched is not None:
             misfit = solid_misfit(sketched.result.shape, reading.drawn)
             found = _PutTogether(sketched, misfit.cost, misfit.drawn)
-        if (found is not None and found.share <= _WHOLE) or reading.is_alone:
+        if (found is not None and found.share <= _FIRM) or reading.is_alone:
             return found
         proposed = proposed_result(reading.numbered, reading.grid)
         if proposed is None:
