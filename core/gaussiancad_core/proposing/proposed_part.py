@@ -7,6 +7,7 @@ from functools import partial
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.coordinates.agreed_places import find_places
+from gaussiancad_core.coordinates.carriers import PartCarriers
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.judging.drawn_lines import drawn_sheet
 from gaussiancad_core.judging.faceted_solids import faceted_shape
@@ -25,6 +26,9 @@ from gaussiancad_core.proposing.planned_part import PlannedPart
 _WORSE = 0.01
 """Share of the lines that a solid may explain less than what was planned, for its features to be
 left as they are."""
+
+_MANY_STROKES = 200
+"""Strokes from which a second search takes too long."""
 
 _MOST_UNDONE = 4
 """Features that are taken out again for a try."""
@@ -60,6 +64,7 @@ class ProposedPart:
         planned: share of the lines that it leaves unexplained as it was planned.
         cost: mm of line that its solid does; infinite without one.
         sheet: whose surfaces the features have.
+        carriers: of the views: where their lines may lie.
         breaks: of its edges, put on last.
     """
 
@@ -68,6 +73,7 @@ class ProposedPart:
     planned: float
     cost: float
     sheet: PlaneSheet
+    carriers: PartCarriers
     breaks: tuple[EdgeBreak, ...] = ()
 
 
@@ -90,6 +96,8 @@ def proposed_part(views: DrawnViews, grid: float, work: float = WORK) -> Propose
     found = _with_breaks(_searched(sharp, grid, work / 2.0), breaks, sharp, judge)
     if found is not None and found.cost <= _FIRM * judge.sheet.length:
         return found
+    if found is not None and sum(map(len, views.strokes.values())) > _MANY_STROKES:
+        return found
     plain = _searched(views, grid, work / 2.0)
     if found is None or (plain is not None and plain.cost <= found.cost):
         return plain
@@ -109,7 +117,8 @@ def _with_breaks(
 
 def _searched(views: DrawnViews, grid: float, work: float) -> ProposedPart | None:
     """The part that was put together of lines as they are; None where nothing tells a start."""
-    search = PartSearch(views, find_places(views, grid), work)
+    places = find_places(views, grid)
+    search = PartSearch(views, places, work)
     part = search.best()
     if part is None:
         return None
@@ -121,7 +130,7 @@ def _searched(views: DrawnViews, grid: float, work: float) -> ProposedPart | Non
     if shape is not None and share(shape) > part.share + _WORSE:
         features, shape = _undone(part, shape, search.sheet, share)
     cost = _cost(judge, shape) if shape is not None else float("inf")
-    return ProposedPart(features, shape, part.share, cost, search.sheet)
+    return ProposedPart(features, shape, part.share, cost, search.sheet, places.carriers)
 
 
 def _share(judge: Judge, shape: TopoDS_Shape) -> float:

@@ -4,7 +4,6 @@ from functools import partial
 
 from shapely.errors import GEOSException
 
-from gaussiancad_core.coordinates.agreed_places import find_places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.labelling.part_model import MOST_STROKES
@@ -35,9 +34,7 @@ def proposed_result(views: DrawnViews, grid: float) -> tuple[ExactResult, Propos
     if found is None or found.shape is None:
         return None
     reason = partial(_put_together, found)
-    result = drawn_again(
-        found.shape, find_places(views, grid).carriers, views, ModelKind.FEATURES, reason
-    )
+    result = drawn_again(found.shape, found.carriers, views, ModelKind.FEATURES, reason)
     if result is None or any(code == Code.SOLID_UNSOUND for code, _ in result.reasons):
         # What is not closed is no part to go on with.
         return None
