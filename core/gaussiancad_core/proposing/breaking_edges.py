@@ -43,7 +43,7 @@ def with_breaks(
     for alike in _alike(breaks.each, near):
         rims = breaks.rims.get(alike[0].axis, ())
         loops = list(_loops(shape, alike, rims, near))
-        whole = _broken(shape, alike[0], [edge for loop in loops for edge in loop])
+        whole = edges_broken(shape, alike[0], [edge for loop in loops for edge in loop])
         if whole is not None and cost(whole) < best:
             shape, best = whole, cost(whole)
             made.append(alike[0])
@@ -52,7 +52,7 @@ def with_breaks(
         for number in range(len(loops) if len(loops) > 1 else 0):
             # What was broken before has made other edges of them.
             left = list(_loops(shape, alike, rims, near))
-            broken = _broken(shape, alike[0], left[number]) if number < len(left) else None
+            broken = edges_broken(shape, alike[0], left[number]) if number < len(left) else None
             if broken is not None and cost(broken) < best:
                 shape, best = broken, cost(broken)
                 made.append(alike[0])
@@ -77,7 +77,7 @@ def _loops(
     each with its face."""
     axis, at = breaks[0].axis, breaks[0].at
     for face in faces_of(shape):
-        if not _is_level(face, axis, at, near):
+        if not is_level(face, axis, at, near):
             continue
         low, high = bounding_box(face)
         reaches = any(
@@ -99,7 +99,8 @@ def _is_rim(wire: TopoDS_Shape, axis: Axis, rims: Sequence[shapely.Polygon], nea
     return any(np.abs(sides - rim.bounds).max() <= near for rim in rims)
 
 
-def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
+def is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
+    """Whether a face is the plane across an axis at a place, within so many mm."""
     surface = BRepAdaptor_Surface(face)
     if surface.GetType() != GeomAbs_SurfaceType.GeomAbs_Plane:
         return False
@@ -110,7 +111,9 @@ def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
     )
 
 
-def _broken(shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Edges) -> TopoDS_Shape | None:
+def edges_broken(
+    shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Sequence[tuple[TopoDS_Edge, TopoDS_Face]]
+) -> TopoDS_Shape | None:
     """A solid with edges broken; None where the kernel makes no sound one."""
     if not edges:
         return None

@@ -4,22 +4,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-import numpy as np
 import shapely
-from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
-from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
+from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.BRepTools import BRepTools
-from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.coordinates.grid_tolerances import NEAR
-from gaussiancad_core.geometry.tolerances import COMPUTED
-from gaussiancad_core.kernel.brep import bounding_box, faces_of, soundness, subshapes
-from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.kernel.brep import bounding_box, faces_of, subshapes
 from gaussiancad_core.model.axes import Axis
 from gaussiancad_core.model.projection_planes import IN_PLANE
-from gaussiancad_core.sketch.edge_breaks import EdgeBreak
+from gaussiancad_core.proposing.breaking_edges import edges_broken, is_level
+from gaussiancad_core.proposing.broken_corners import EdgeBreak
 from gaussiancad_core.sketch.slab_plan import Plan
 
 
@@ -33,7 +29,7 @@ def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Ed
     refused: list[EdgeBreak] = []
     for edge_breaks in _alike(plan.breaks, plan.grid):
         loops = list(_loops(shape, edge_breaks, plan))
-        whole = _broken(shape, edge_breaks[0], [edge for loop in loops for edge in loop.edges])
+        whole = edges_broken(shape, edge_breaks[0], [edge for loop in loops for edge in loop.edges])
         if whole is not None:
             shape = whole
             continue
@@ -43,7 +39,7 @@ def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Ed
             # What was broken before has made other edges of them.
             left = _loops(shape, edge_breaks, plan)
             near = min(left, key=lambda loop: loop.place.distance(place), default=None)
-            broken = _broken(shape, edge_breaks[0], near.edges) if near is not None else None
+            broken = edges_broken(shape, edge_breaks[0], near.edges) if near is not None else None
             if broken is not None:
                 shape, count = broken, count + 1
         if not count:
@@ -76,7 +72,7 @@ def _loops(shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], plan: Plan) -> Iter
     edge_break = breaks[0]
     bands = shapely.union_all([plan.regions.polygons[band].boundary for band in plan.regions.bands])
     for face in faces_of(shape):
-        if not _is_level(face, plan.axis, edge_break.at, near):
+        if not is_level(face, plan.axis, edge_break.at, near):
             continue
         low, high = bounding_box(face)
         reaches = any(
@@ -103,37 +99,3 @@ def _middle(edge: TopoDS_Edge, axis: Axis) -> shapely.Point:
     found = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2.0)
     place = found.X(), found.Y(), found.Z()
     return shapely.Point(*(place[index] for index in IN_PLANE[axis]))
-
-
-def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
-    surface = BRepAdaptor_Surface(face)
-    if surface.GetType() != GeomAbs_SurfaceType.GeomAbs_Plane:
-        return False
-    way, place = surface.Plane().Axis().Direction(), surface.Plane().Location()
-    along = abs((way.X(), way.Y(), way.Z())[axis.value])
-    return (
-        along > 1.0 - COMPUTED and abs((place.X(), place.Y(), place.Z())[axis.value] - at) <= near
-    )
-
-
-def _broken(
-    shape: TopoDS_Shape, edge_break: EdgeBreak, edges: Sequence[tuple[TopoDS_Edge, TopoDS_Face]]
-) -> TopoDS_Shape | None:
-    if not edges:
-        return None
-    try:
-        if edge_break.is_round:
-            maker = BRepFilletAPI_MakeFillet(shape)
-            for edge, _ in edges:
-                maker.Add(float(np.mean([edge_break.width, abs(edge_break.height)])), edge)
-        else:
-            maker = BRepFilletAPI_MakeChamfer(shape)
-            for edge, face in edges:
-                maker.Add(edge_break.width, abs(edge_break.height), edge, face)
-        maker.Build()
-        if not maker.IsDone():
-            return None
-        facts = soundness(maker.Shape())
-    except KERNEL_FAILURES:
-        return None
-    return maker.Shape() if facts.valid and facts.closed and facts.solids == 1 else None

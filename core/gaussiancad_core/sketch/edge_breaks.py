@@ -14,6 +14,7 @@ import numpy as np
 from gaussiancad_core.coordinates.grid_tolerances import LEAN, MEETING, STEP
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.proposing.broken_corners import EdgeBreak
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 
 _MOST = 0.06
@@ -27,27 +28,6 @@ _ROUND = (1.2, 1.9)
 
 _LONGER = 0.6
 """Of what a break takes away, how long the lines that it joins are at least."""
-
-
-@dataclass(frozen=True)
-class EdgeBreak:
-    """A chamfer or rounding of the edges across an axis.
-
-    Attributes:
-        at: mm along the axis of the sharp edges.
-        width: mm that it takes away across the axis.
-        height: mm that it takes away along it; towards lower places where it is negative.
-        is_round: whether it is a rounding.
-        across: the model's other axis in the view that shows it.
-        place: mm along that, of the sharp edge seen there.
-    """
-
-    at: float
-    width: float
-    height: float
-    is_round: bool
-    across: Axis
-    place: float
 
 
 @dataclass(frozen=True)
@@ -97,14 +77,15 @@ def without_breaks(
         columns = [1 - along, along]
         corners = list(_corners(plane_lines, columns, _MOST * extent, grid))
         found[role] = _sharpened(plane_lines, corners, columns, grid)
-        breaks += [_break(each, plane_lines[each.stroke], across) for each in corners]
+        breaks += [_break(each, plane_lines[each.stroke], axis, across) for each in corners]
     return found, tuple(breaks)
 
 
-def _break(corner: _Corner, line: PlaneLine, across: Axis) -> EdgeBreak:
+def _break(corner: _Corner, line: PlaneLine, axis: Axis, across: Axis) -> EdgeBreak:
     place, at = corner.sharp.tolist()
     width = abs(float(corner.cap[0] - place))
-    return EdgeBreak(at, width, float(corner.wall[1] - at), line.circle is not None, across, place)
+    height = float(corner.wall[1] - at)
+    return EdgeBreak(axis, at, width, height, line.circle is not None, across, place)
 
 
 def _corners(

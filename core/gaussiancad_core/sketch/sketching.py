@@ -16,9 +16,9 @@ from gaussiancad_core.judging.misfits import Judge
 from gaussiancad_core.kernel.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.labelling.part_model import MOST_STROKES
 from gaussiancad_core.model.axes import Axis
+from gaussiancad_core.proposing.broken_corners import EdgeBreak
 from gaussiancad_core.sketch.broken_edges import with_breaks
 from gaussiancad_core.sketch.choosing import Choice, choose
-from gaussiancad_core.sketch.edge_breaks import EdgeBreak
 from gaussiancad_core.sketch.slab_plan import plans_of
 from gaussiancad_core.sketch.slab_solids import (
     Bore,

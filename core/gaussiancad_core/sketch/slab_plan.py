@@ -7,9 +7,10 @@ from gaussiancad_core.coordinates.agreed_places import Places
 from gaussiancad_core.evidence.drawn_views import DrawnViews
 from gaussiancad_core.model.axes import Axis, Role
 from gaussiancad_core.model.projection_planes import IN_PLANE, role_plane
+from gaussiancad_core.proposing.broken_corners import EdgeBreak
 from gaussiancad_core.sketch.about_axis import circles_about, middle_of
 from gaussiancad_core.sketch.cross_holes import CrossHole, without_cross_holes
-from gaussiancad_core.sketch.edge_breaks import EdgeBreak, without_breaks
+from gaussiancad_core.sketch.edge_breaks import without_breaks
 from gaussiancad_core.sketch.noted_depths import NotedStep, floors, noted_steps
 from gaussiancad_core.sketch.plan_regions import MOST_CELLS, Regions, find_regions
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
